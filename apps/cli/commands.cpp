@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/commands.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <stdexcept>
+
+#include "cli/answer_tables.h"
+#include "cli/console.h"
+#include "trivet/modal/free_motions.h"
+#include "trivet/study/answers_json.h"
+#include "trivet/study/tables_csv.h"
+#include "trivet/study/units.h"
+
+namespace trivet::cli {
+namespace {
+
+struct BadArgument : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// "1,2.7,15.6" in rad/s, or each with a unit.
+std::vector<double> frequencies(const std::string& option, const std::string& text) {
+  std::vector<double> result;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    std::string item = text.substr(from, comma - from);
+    item.erase(0, item.find_first_not_of(' '));
+    double value = 0;
+    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
+    if (error != std::errc() || end != item.data() + item.size()) {
+      const auto converted = study::to_si(item, study::Quantity::angular_frequency);
+      if (!converted) throw BadArgument(fmt::format("{}: \"{}\": {}; give rad/s, or a unit as in \"5 Hz\"", option, item, converted.error()));
+      value = *converted;
+    }
+    if (!(value >= 0) || value > 1e30) throw BadArgument(fmt::format("{}: {} rad/s; an angular frequency is ≥ 0 and finite", option, value));
+    result.push_back(value);
+    from = comma + 1;
+  }
+  return result;
+}
+
+const study::Case& chosen_case(const study::Project& project, const std::string& name) {
+  const study::Case* found = project.find(name);
+  if (found) return *found;
+  std::vector<std::string> names;
+  for (const auto& c : project.cases) names.push_back(c.name);
+  const std::string guess = foundation::nearest_name(name, names);
+  std::string known;
+  for (const auto& n : names)
+    if (!n.empty()) known += (known.empty() ? "" : ", ") + n;
+  throw BadArgument(fmt::format("--case \"{}\": no such case; {}", name, guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
+}
+
+study::Analyses wanted(const std::string& which, const study::Case& variant, const Options& options) {
+  study::Analyses analyses;
+  const study::Analyses& file = variant.analyses;
+  if (which == "response") {
+    analyses.response = file.response.value_or(study::ResponseRequest{});
+    analyses.limits = file.limits;
+    if (!options.at.empty()) {
+      analyses.response->at = frequencies("--at", options.at);
+      analyses.response->band.reset();
+    }
+    if (!options.band.empty()) {
+      const std::vector<double> band = frequencies("--band", options.band);
+      if (band.size() != 2 || !(band[1] > band[0])) throw BadArgument(fmt::format("--band {}: a band is FROM,TO with FROM < TO", options.band));
+      analyses.response->band = response::Band{band[0], band[1]};
+      analyses.response->at.clear();
+    }
+  } else if (which == "peaks") {
+    analyses.peaks = file.peaks.value_or(study::PeaksRequest{file.response ? file.response->wanted : study::Wanted{}});
+  } else if (which == "static") {
+    std::vector<std::string> all = {"coordinates"};
+    for (const auto& element : variant.system.elements()) all.push_back(element.name);
+    all.push_back("ground");
+    analyses.static_of = file.static_of.value_or(all);
+  }
+  return analyses;
+}
+
+std::string rendered(const std::string& which, const study::Case& variant, const study::Answers& answers, const Options& options) {
+  if (which == "modes") return options.json ? study::modes_json(variant, answers) : options.csv ? study::modes_csv(variant, answers) : modes_text(variant, answers);
+  if (which == "roots") return options.json ? study::roots_json(variant, answers) : options.csv ? study::roots_csv(answers) : roots_text(answers);
+  if (which == "response") return options.json ? study::response_json(answers) : options.csv ? study::response_csv(answers) : response_text(answers) + limits_text(answers);
+  if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : peaks_text(answers);
+  return options.json ? study::static_json(answers) : options.csv ? study::static_csv(answers) : static_text(answers);
+}
+
+}  // namespace
+
+std::optional<study::Project> read_or_complain(const Options& options) {
+  auto project = study::read_project(options.project, options.settings);
+  if (project) return std::move(*project);
+  if (options.json) write_output(study::problems_json(project.error(), {}));
+  write_problems(project.error());
+  return std::nullopt;
+}
+
+int check_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  std::vector<std::string> free_motions;
+  foundation::Problems warnings;
+  std::string text;
+  bool agrees = true;
+  for (const study::Case& variant : project->cases) {
+    warnings.add(variant.warnings);
+    const assembly::Assembled assembled = assembly::assemble(variant.system);
+    const modal::Modes modes = modal::modes(variant.system, assembled);
+    warnings.add(modes.warnings);
+    warnings.add(modal::roots(variant.system, assembled, modes).warnings);
+    const std::string title = variant.name.empty() ? "Base model" : "Case " + variant.name;
+    text += title + "\n" + checks_text(study::check_lines(variant));
+    for (const std::string& motion : modal::free_motions(variant.system, assembled, modes)) {
+      text += "  note: " + motion + "\n";
+      if (variant.name.empty()) free_motions.push_back(motion);
+    }
+    if (options.deep) {
+      const response::DeepCheck deep = study::deep_check(variant);
+      agrees = agrees && deep.passed;
+      text += fmt::format("  two solvers at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed there {:.2e} (round-off × condition): {}\n",
+                          deep.frequencies, deep.worst_difference, deep.at_angular_frequency, deep.allowed, deep.passed ? "agree" : "DISAGREE");
+    }
+  }
+  warnings.sort_by_origin();
+  if (options.json) write_output(study::problems_json(warnings, free_motions));
+  else {
+    write_problems(warnings);
+    write_output(text + fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
+  }
+  return agrees ? done : not_computed;
+}
+
+int answer_command(const std::string& which, const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  try {
+    const study::Case& variant = chosen_case(*project, options.case_name);
+    const study::Answers answers = study::answers(variant, wanted(which, variant, options), progress());
+    if (options.csv) write_problems(answers.warnings);
+    const bool plain = !options.csv && !options.json;
+    write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));
+    return done;
+  } catch (const BadArgument& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+    return wrong_input;
+  }
+}
+
+int element_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  try {
+    const study::Case& variant = chosen_case(*project, options.case_name);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < variant.system.elements().size(); ++i) {
+      names.push_back(variant.system.elements()[i].name);
+      if (names.back() == options.element) {
+        write_output(study::element_json(variant, i));
+        return done;
+      }
+    }
+    const std::string guess = foundation::nearest_name(options.element, names);
+    throw BadArgument(fmt::format("\"{}\": no element has this name{}", options.element, guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+  } catch (const BadArgument& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace trivet::cli

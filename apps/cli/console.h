@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/foundation/problems.h"
+
+namespace trivet::cli {
+
+enum ExitCode { done = 0, not_computed = 1, wrong_input = 2 };
+
+/// Writes to standard output and makes sure it arrived. @throws std::runtime_error if the disk is full or the reader is gone
+void write_output(const std::string& text);
+
+/// Every problem on a line of its own, on standard error.
+void write_problems(const foundation::Problems& problems);
+
+/// Ctrl-C and SIGTERM stop the work at the next progress report instead of killing the process.
+void catch_interrupts();
+
+/// Shows progress on a terminal, and throws foundation::Interrupted once an interrupt was caught.
+[[nodiscard]] foundation::Progress progress();
+
+}  // namespace trivet::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "trivet/foundation/interruption.h"
+#include "trivet/study/embedded_text.h"
+#include "trivet/study/version.h"
+
+namespace {
+
+using trivet::cli::Options;
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& about, Options& options) {
+  CLI::App* command = app.add_subcommand(name, about);
+  command->add_option("PROJECT", options.project, "project file (TOML)")->required();
+  command->add_option("--set", options.settings, "change a number: elements.front.scale=1.5 (repeatable)")->allow_extra_args(false);
+  return command;
+}
+
+CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& about, Options& options) {
+  CLI::App* command = add_command(app, name, about, options);
+  command->add_option("--case", options.case_name, "a case of the file instead of the base model");
+  CLI::Option* json = command->add_flag("--json", options.json, "JSON, SI");
+  command->add_flag("--csv", options.csv, "CSV, SI")->excludes(json);
+  return command;
+}
+
+int dispatch(const CLI::App& app, const Options& options) {
+  const std::string which = app.get_subcommands().front()->get_name();
+  if (which == "new") return trivet::cli::write_output(trivet::study::starter_text), trivet::cli::done;
+  if (which == "schema") return trivet::cli::write_output(trivet::study::schema_text), trivet::cli::done;
+  if (which == "check") return trivet::cli::check_command(options);
+  if (which == "element") return trivet::cli::element_command(options);
+  if (which == "run") return trivet::cli::run_command(options);
+  return trivet::cli::answer_command(which, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, with a message
+  Options options;
+  CLI::App app("Vibration of bodies on real elastic elements");
+  app.set_version_flag("--version", std::string("trivet ") + trivet::study::version());
+  app.require_subcommand(1);
+  add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder", options)
+      ->add_option("-o,--output", options.output, "result folder")->capture_default_str();
+  CLI::App* check = add_command(app, "check", "every problem of a project file at once", options);
+  check->add_flag("--deep", options.deep, "compare the solver with a second, independent one");
+  check->add_flag("--json", options.json, "JSON");
+  add_answer(app, "modes", "undamped natural frequencies and modes", options);
+  add_answer(app, "roots", "damped roots", options);
+  CLI::App* response = add_answer(app, "response", "amplitude- and phase-frequency characteristics", options);
+  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units");
+  response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->excludes(at);
+  add_answer(app, "peaks", "exact resonance peaks", options);
+  add_answer(app, "static", "static displacements and forces", options);
+  CLI::App* element = add_command(app, "element", "the 12x12 of one element and its checks (JSON)", options);
+  element->add_option("NAME", options.element, "name of the element")->required();
+  element->add_option("--case", options.case_name, "a case of the file instead of the base model");
+  app.add_subcommand("new", "a commented starter file");
+  app.add_subcommand("schema", "the JSON Schema of the project file");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? trivet::cli::done : trivet::cli::wrong_input;
+  }
+  try {
+    return dispatch(app, options);
+  } catch (const trivet::foundation::Interrupted&) {
+    fmt::print(stderr, "\ninterrupted; nothing was left behind\n");
+    return 130;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return trivet::cli::not_computed;
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "cli/answer_tables.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "trivet/report/figures.h"
+#include "trivet/report/report_page.h"
+#include "trivet/study/result_folder.h"
+#include "trivet/study/tables_csv.h"
+
+namespace trivet::cli {
+namespace {
+
+/// A case's name as part of a file name.
+std::string file_stem(const std::string& case_name) {
+  if (case_name.empty()) return "base";
+  std::string stem;
+  for (const char c : case_name) stem += std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 ? c : '-';
+  return stem;
+}
+
+void write_case(study::ResultFolder& folder, const std::string& stem, const study::Case& variant, const study::Answers& answers) {
+  const study::Analyses& asked = variant.analyses;
+  if (asked.modes) folder.write(stem + "/modes.csv", study::modes_csv(variant, answers));
+  if (asked.roots) folder.write(stem + "/roots.csv", study::roots_csv(answers));
+  if (answers.response) folder.write(stem + "/response.csv", study::response_csv(answers));
+  if (answers.peaks) folder.write(stem + "/peaks.csv", study::peaks_csv(answers));
+  if (answers.statics) folder.write(stem + "/static.csv", study::static_csv(answers));
+  if (answers.response)
+    for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
+}
+
+std::string case_text(const study::Case& variant, const study::Answers& answers) {
+  std::string text = variant.name.empty() ? "== Base model ==\n" : "== Case " + variant.name + " ==\n";
+  for (const std::string& change : variant.changes) text += "  " + change + "\n";
+  text += warnings_text(answers);
+  const study::Analyses& asked = variant.analyses;
+  if (asked.modes) text += modes_text(variant, answers) + "\n";
+  if (asked.roots) text += roots_text(answers) + "\n";
+  if (answers.peaks) text += peaks_text(answers) + "\n";
+  if (answers.statics) text += static_text(answers) + "\n";
+  if (answers.response) {
+    const auto& check = answers.response->curves.check;
+    text += fmt::format("Characteristics at {} frequencies, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
+                        answers.response->curves.angular_frequency.size(), check.worst_backward_error, answers.response->deep.passed ? "agrees" : "DISAGREES",
+                        answers.response->deep.worst_difference, answers.response->deep.allowed);
+    text += limits_text(answers);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+int run_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  catch_interrupts();
+  const foundation::Progress report = progress();
+  study::ResultFolder folder(options.output);
+  std::vector<study::Answers> all;
+  std::string text;
+  for (std::size_t i = 0; i < project->cases.size(); ++i) {
+    const study::Case& variant = project->cases[i];
+    const auto step = [&](std::string_view task, double fraction) {
+      report(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task), (static_cast<double>(i) + fraction) / static_cast<double>(project->cases.size()));
+    };
+    all.push_back(study::answers(variant, variant.analyses, step));
+    write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
+    text += case_text(variant, all.back());
+  }
+  const std::string results = study::results_json(*project, all);
+  folder.write("results.json", results);
+  folder.write("report.html", report::report_page(*project, all, results));
+  report("done", 1);
+  folder.publish();
+  write_output(text + fmt::format("Report: {}/report.html\n", options.output));
+  return done;
+}
+
+}  // namespace trivet::cli

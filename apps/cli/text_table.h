@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace trivet::cli {
+
+/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// Six significant digits, or a dash where there is no number.
+[[nodiscard]] std::string shown(double value, int digits = 6);
+
+}  // namespace trivet::cli

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# find_package(trivet) gives trivet::study and every floor below it.
+include(CMakePackageConfigHelpers)
+get_property(floors GLOBAL PROPERTY TRIVET_FLOORS)
+list(TRANSFORM floors PREPEND trivet_ OUTPUT_VARIABLE floor_targets)
+install(TARGETS ${floor_targets} EXPORT trivet FILE_SET HEADERS)
+install(TARGETS trivet_cli)
+install(EXPORT trivet NAMESPACE trivet:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet FILE trivet-targets.cmake)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trivet-config.cmake.in ${PROJECT_BINARY_DIR}/trivet-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/trivet-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/trivet-config.cmake ${PROJECT_BINARY_DIR}/trivet-config-version.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet)

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/assembly/channels.h"
+
+#include <array>
+#include <set>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::assembly {
+namespace {
+
+using spatial::Matrix6;
+using Matrix6x = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+using Matrix6xc = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
+
+class Builder {
+ public:
+  Builder(const model::System& system, const Assembled& assembled, Quantity quantity)
+      : system_(system), assembled_(assembled), derivative_(static_cast<int>(quantity)) {}
+
+  /// All channels behind one word; empty if the word names nothing.
+  std::vector<Channel> word(const std::string& of) const {
+    std::vector<Channel> result;
+    const auto append = [&](std::vector<Channel> more) { result.insert(result.end(), more.begin(), more.end()); };
+    if (of == "ground") append(ground());
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const model::Body& body = system_.bodies()[b];
+      if (of == "coordinates" || of == body.name) append(coordinates(b));
+      for (const model::Point& point : body.points)
+        if (of == body.name + "." + point.name) append(point_motion(b, point));
+    }
+    for (std::size_t e = 0; e < system_.elements().size(); ++e)
+      if (of == system_.elements()[e].name) append(forces(system_.elements()[e].name, wrench_on_n(e)));
+    return result;
+  }
+
+ private:
+  std::string motion_unit(int j) const {
+    static constexpr std::array<const char*, 3> translation = {"m", "m/s", "m/s²"}, rotation = {"rad", "rad/s", "rad/s²"};
+    return (j < 3 ? translation : rotation)[static_cast<std::size_t>(derivative_)];
+  }
+
+  std::vector<Channel> coordinates(std::size_t b) const {
+    std::vector<Channel> result;
+    for (int j = 0; j < 6; ++j) {
+      const Eigen::Index row = assembled_.layout.row(b, j);
+      if (row < 0) continue;
+      Channel channel = empty(system_.bodies()[b].name + "." + model::coordinate_names[static_cast<std::size_t>(j)], motion_unit(j), derivative_);
+      channel.on_displacement(row) = 1;
+      result.push_back(std::move(channel));
+    }
+    return result;
+  }
+
+  std::vector<Channel> point_motion(std::size_t b, const model::Point& point) const {
+    const Matrix6 x = spatial::rigid_motion(point.at);
+    std::vector<Channel> result;
+    for (int j = 0; j < 6; ++j) {
+      Channel channel = empty(system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[static_cast<std::size_t>(j)],
+                              motion_unit(j), derivative_);
+      for (int i = 0; i < 6; ++i)
+        if (assembled_.layout.row(b, i) >= 0) channel.on_displacement(assembled_.layout.row(b, i)) = x(j, i);
+      result.push_back(std::move(channel));
+    }
+    return result;
+  }
+
+  struct WrenchRows {
+    Matrix6xc on_displacement;
+    Matrix6x on_velocity;
+  };
+
+  /// Wrench that element e exerts on its N side, ground axes, about the reference point of N.
+  WrenchRows wrench_on_n(std::size_t e) const {
+    const ElementMap& map = assembled_.elements[e];
+    const Matrix6 turn = spatial::both_blocks(model::end_in_ground(system_.bodies(), system_.elements()[e].n).rotation);
+    const Matrix6x stiffness = -(turn * map.stiffness.topRows<6>() * map.ends);
+    const Matrix6x damping = -(turn * map.damping.topRows<6>() * map.ends);
+    WrenchRows rows{Matrix6xc::Zero(6, assembled_.layout.size()), Matrix6x::Zero(6, assembled_.layout.size())};
+    for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
+      const Eigen::Index row = map.rows[static_cast<std::size_t>(j)];
+      rows.on_displacement.col(row) += stiffness.col(j) * std::complex<double>(1, map.loss_factor);
+      rows.on_velocity.col(row) += damping.col(j);
+    }
+    return rows;
+  }
+
+  std::vector<Channel> ground() const {
+    WrenchRows total{Matrix6xc::Zero(6, assembled_.layout.size()), Matrix6x::Zero(6, assembled_.layout.size())};
+    for (std::size_t e = 0; e < system_.elements().size(); ++e) {
+      const model::End& n = system_.elements()[e].n;
+      if (n.body) continue;
+      const Matrix6 to_origin = spatial::rigid_motion(n.at).transpose();
+      const WrenchRows rows = wrench_on_n(e);
+      total.on_displacement += to_origin * rows.on_displacement;
+      total.on_velocity += to_origin * rows.on_velocity;
+    }
+    return forces("ground", total);
+  }
+
+  std::vector<Channel> forces(const std::string& name, const WrenchRows& rows) const {
+    static constexpr std::array<const char*, 6> parts = {"force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z"};
+    std::vector<Channel> result;
+    for (int j = 0; j < 6; ++j) {
+      Channel channel = empty(name + "." + parts[static_cast<std::size_t>(j)], j < 3 ? "N" : "N m", 0);
+      channel.on_displacement = rows.on_displacement.row(j).transpose();
+      channel.on_velocity = rows.on_velocity.row(j).transpose();
+      result.push_back(std::move(channel));
+    }
+    return result;
+  }
+
+  Channel empty(std::string name, std::string unit, int derivative) const {
+    const Eigen::Index n = assembled_.layout.size();
+    return {std::move(name), std::move(unit), derivative, Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n)};
+  }
+
+  const model::System& system_;
+  const Assembled& assembled_;
+  int derivative_;
+};
+
+}  // namespace
+
+std::vector<std::string> channel_words(const model::Description& description) {
+  std::vector<std::string> words = {"coordinates", "ground"};
+  for (const auto& body : description.bodies) {
+    words.push_back(body.name);
+    for (const auto& point : body.points) words.push_back(body.name + "." + point.name);
+  }
+  for (const auto& element : description.elements) words.push_back(element.name);
+  return words;
+}
+
+std::vector<Channel> channels(const model::System& system, const Assembled& assembled, const std::vector<std::string>& of,
+                              Quantity quantity) {
+  const Builder builder(system, assembled, quantity);
+  std::vector<Channel> result;
+  std::set<std::string> seen;
+  const auto append_new = [&](const std::vector<Channel>& more) {
+    for (const Channel& channel : more)
+      if (seen.insert(channel.name).second) result.push_back(channel);
+  };
+  for (const std::string& word : of) {
+    std::vector<Channel> found = builder.word(word);
+    if (found.empty())
+      for (const std::string& group : channel_words(system.description()))
+        if (word.starts_with(group + "."))
+          for (Channel& channel : builder.word(group))
+            if (channel.name == word) found.push_back(std::move(channel));
+    if (found.empty()) throw foundation::InvalidInput("\"" + word + "\" names no result of this model");
+    append_new(found);
+  }
+  return result;
+}
+
+}  // namespace trivet::assembly

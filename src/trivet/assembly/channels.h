@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/assembled.h"
+
+namespace trivet::assembly {
+
+enum class Quantity { displacement, velocity, acceleration };
+
+/// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity)ᵀ q.
+/// With loss factors `on_displacement` is complex (ω > 0); static answers use its real part.
+struct Channel {
+  std::string name;  ///< "body.x", "body.point.rz", "element.force.x", "ground.moment.z"
+  std::string unit;  ///< SI
+  int derivative = 0;
+  Eigen::VectorXcd on_displacement;
+  Eigen::VectorXd on_velocity;
+};
+
+/// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", or one full
+/// channel name. A force is what the element exerts on its N side (the ground, or the body given by `from`), in ground
+/// axes, its moment about the reference point of that end; "ground" is the total on the ground about its origin.
+/// @throws foundation::InvalidInput for a word that names nothing
+[[nodiscard]] std::vector<Channel> channels(const model::System& system, const Assembled& assembled, const std::vector<std::string>& of,
+                                            Quantity quantity);
+
+/// Groups of answers that `channels` accepts for this model; a full channel name is one of them, a dot and a component.
+[[nodiscard]] std::vector<std::string> channel_words(const model::Description& description);
+
+}  // namespace trivet::assembly

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/assembly/loads.h"
+
+#include <algorithm>
+#include <complex>
+
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::assembly {
+namespace {
+
+/// Adds a wrench at a point of a body to the generalized forces: X(r)ᵀ w.
+template <typename Scalar>
+void add_wrench(const Layout& layout, std::size_t body, const Eigen::Vector3d& at, const Eigen::Matrix<Scalar, 6, 1>& wrench,
+                Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& load) {
+  const Eigen::Matrix<Scalar, 6, 1> at_pole = spatial::rigid_motion(at).transpose().template cast<Scalar>() * wrench;
+  for (int j = 0; j < 6; ++j)
+    if (layout.row(body, j) >= 0) load(layout.row(body, j)) += at_pole(j);
+}
+
+spatial::Vector6 six(const spatial::Wrench& wrench) {
+  spatial::Vector6 v;
+  v << wrench.force, wrench.moment;
+  return v;
+}
+
+}  // namespace
+
+Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected) {
+  Eigen::VectorXcd load = Eigen::VectorXcd::Zero(layout.size());
+  for (const model::HarmonicForce& force : system.description().harmonic_forces) {
+    if (!selected.empty() && std::find(selected.begin(), selected.end(), force.name) == selected.end()) continue;
+    Eigen::Matrix<std::complex<double>, 6, 1> wrench;
+    const spatial::Vector6 amplitude = six(force.amplitude);
+    for (int j = 0; j < 6; ++j)
+      wrench(j) = force.phase(j) == 0 ? std::complex<double>(amplitude(j), 0) : amplitude(j) * std::exp(std::complex<double>(0, force.phase(j)));
+    add_wrench<std::complex<double>>(layout, force.body, force.at, wrench, load);
+  }
+  return load;
+}
+
+Eigen::VectorXd static_load(const model::System& system, const Layout& layout) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(layout.size());
+  const auto& bodies = system.bodies();
+  if (system.description().gravity)
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      spatial::Wrench weight;
+      weight.force = bodies[i].mass.mass * (bodies[i].pose.rotation.transpose() * *system.description().gravity);
+      add_wrench<double>(layout, i, bodies[i].mass.centre, six(weight), load);
+    }
+  for (const model::ConstantForce& force : system.description().constant_forces)
+    add_wrench<double>(layout, force.body, force.at, six(force.wrench), load);
+  return load;
+}
+
+}  // namespace trivet::assembly

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/layout.h"
+#include "trivet/model/system.h"
+
+namespace trivet::assembly {
+
+/// Complex amplitudes of the generalized forces of all harmonic forces together, or of those named.
+[[nodiscard]] Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected = {});
+
+/// Gravity on every body and the constant forces.
+[[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Layout& layout);
+
+}  // namespace trivet::assembly

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/problems.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace trivet::foundation {
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string message(const Problem& problem) {
+  std::string text;
+  if (!problem.origin.source.empty()) {
+    text += problem.origin.source;
+    if (problem.origin.line > 0) text += ":" + std::to_string(problem.origin.line);
+    text += ": ";
+  }
+  text += problem.severity == Severity::error ? "error: " : "warning: ";
+  text += problem.subject;
+  if (!problem.finding.empty()) text += (problem.subject.empty() ? "" : ": ") + problem.finding;
+  if (!problem.rule.empty()) text += "; " + problem.rule;
+  if (!problem.remedy.empty()) text += "; " + problem.remedy;
+  return text;
+}
+
+Problem& Problems::error(std::string subject, std::string finding, std::string rule, std::string remedy) {
+  return list_.emplace_back(Problem{Severity::error, {}, std::move(subject), std::move(finding), std::move(rule), std::move(remedy)});
+}
+
+Problem& Problems::warning(std::string subject, std::string finding, std::string rule, std::string remedy) {
+  return list_.emplace_back(
+      Problem{Severity::warning, {}, std::move(subject), std::move(finding), std::move(rule), std::move(remedy)});
+}
+
+void Problems::add(const Problems& others) { list_.insert(list_.end(), others.list_.begin(), others.list_.end()); }
+
+bool Problems::has_errors() const {
+  return std::any_of(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; });
+}
+
+void Problems::sort_by_origin() {
+  const auto line = [](const Problem& p) { return p.origin.line > 0 ? p.origin.line : std::numeric_limits<int>::max(); };
+  std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) { return line(a) < line(b); });
+  const auto same = [](const Problem& a, const Problem& b) {
+    return std::tie(a.severity, a.subject, a.finding, a.rule) == std::tie(b.severity, b.subject, b.finding, b.rule);
+  };
+  std::vector<Problem> unique;
+  for (auto& problem : list_) {
+    if (std::none_of(unique.begin(), unique.end(), [&](const Problem& p) { return same(p, problem); }))
+      unique.push_back(std::move(problem));
+  }
+  list_ = std::move(unique);
+}
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest_compared = 64;  // a longer key is not a typing error
+  if (name.size() > longest_compared) return {};
+  std::string best;
+  std::size_t best_distance = 1 + std::max<std::size_t>(1, name.size() / 3);
+  for (const auto& candidate : candidates) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace trivet::foundation

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/modal/free_motions.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "trivet/modal/motion_words.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::modal {
+namespace {
+
+using Matrix6x = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+Eigen::Vector3d centre_of_all(const model::System& system) {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  double mass = 0;
+  for (const auto& body : system.bodies()) {
+    moment += body.mass.mass * (body.pose.position + body.pose.rotation * body.mass.centre);
+    mass += body.mass.mass;
+  }
+  return moment / mass;
+}
+
+/// What each body's six coordinates do (6 rows per body) when the whole system moves rigidly about `about`, ground axes.
+Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d& about) {
+  Eigen::MatrixXd g(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const spatial::Pose& pose = system.bodies()[b].pose;
+    g.middleRows<6>(6 * static_cast<Eigen::Index>(b)) =
+        spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position - about);
+  }
+  return g;
+}
+
+/// The rigid motions of the whole that neither guides nor elements resist, as readable columns (reduced echelon form).
+Matrix6x unresisted(const model::System& system, const assembly::Assembled& assembled, const Eigen::MatrixXd& motions) {
+  spatial::Matrix6 resistance = spatial::Matrix6::Zero();
+  Eigen::MatrixXd free_rows = Eigen::MatrixXd::Zero(assembled.layout.size(), 6);
+  for (std::size_t b = 0; b < system.bodies().size(); ++b)
+    for (int j = 0; j < 6; ++j) {
+      const Eigen::RowVectorXd row = motions.row(6 * static_cast<Eigen::Index>(b) + j);
+      if (assembled.layout.row(b, j) >= 0) free_rows.row(assembled.layout.row(b, j)) = row;
+      else resistance += row.transpose() * row;
+    }
+  const Eigen::VectorXd d = numerics::unit_scale(assembled.matrices.A);
+  const Eigen::MatrixXd force = d.asDiagonal() * assembled.matrices.K * free_rows;
+  const double scale = (d.asDiagonal() * assembled.matrices.K.cwiseAbs() * free_rows.cwiseAbs()).maxCoeff();
+  if (scale > 0) resistance += (force / scale).transpose() * (force / scale);
+  const Eigen::SelfAdjointEigenSolver<spatial::Matrix6> solver(resistance);
+  Eigen::Index count = 0;
+  while (count < 6 && solver.eigenvalues()(count) < 1e-20) ++count;
+  Eigen::MatrixXd rows = solver.eigenvectors().leftCols(count).transpose();
+  Eigen::Index pivot_row = 0;
+  for (Eigen::Index column = 0; column < 6 && pivot_row < count; ++column) {
+    Eigen::Index best = 0;
+    if (rows.col(column).tail(count - pivot_row).cwiseAbs().maxCoeff(&best) < 1e-6) continue;
+    rows.row(pivot_row).swap(rows.row(pivot_row + best));
+    rows.row(pivot_row) /= double(rows(pivot_row, column));
+    for (Eigen::Index r = 0; r < count; ++r)
+      if (r != pivot_row) rows.row(r) -= (rows(r, column) * rows.row(pivot_row)).eval();
+    ++pivot_row;
+  }
+  return rows.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; }).transpose();
+}
+
+std::string whole_words(const spatial::Vector6& motion, const Eigen::Vector3d& about) {
+  spatial::Screw screw = spatial::screw({motion.head<3>(), motion.tail<3>()}, 1, Eigen::Vector3d::Zero());
+  screw.point += about;
+  std::string words = motion_words(screw, 1);
+  if (words.starts_with("translation")) return "the system is free to slide" + words.substr(std::string("translation").size());
+  if (words.starts_with("rotation")) return "the system is free to turn" + words.substr(std::string("rotation").size());
+  return "the system is free in a " + words;
+}
+
+}  // namespace
+
+std::vector<std::string> free_motions(const model::System& system, const assembly::Assembled& assembled, const Modes& modes) {
+  std::vector<std::string> words;
+  std::vector<const Mode*> rigid;
+  for (const Mode& mode : modes.list)
+    if (mode.eigenvalue_squared == 0) rigid.push_back(&mode);
+  if (rigid.empty()) return words;
+
+  const Eigen::Vector3d about = centre_of_all(system);
+  const Eigen::MatrixXd motions = whole_motions(system, about);
+  const Matrix6x whole = unresisted(system, assembled, motions);
+  for (Eigen::Index i = 0; i < whole.cols(); ++i) words.push_back(whole_words(whole.col(i), about));
+
+  if (words.size() < rigid.size()) {
+    std::string parts;
+    for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+      const bool moves = std::any_of(rigid.begin(), rigid.end(), [&](const Mode* mode) {
+        return mode->principal_kinetic_energy_share.segment<6>(6 * static_cast<Eigen::Index>(b)).cwiseAbs().sum() > 1e-9;
+      });
+      if (moves) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
+    }
+    words.push_back(std::to_string(rigid.size() - words.size()) + " more free motion(s) of single bodies or of bodies against each other: " + parts);
+  }
+  return words;
+}
+
+}  // namespace trivet::modal

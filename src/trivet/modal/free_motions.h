@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/modal/modes.h"
+
+namespace trivet::modal {
+
+/// What no element holds, in words: "the system is free to slide along y", "… to turn about z through (…) m", and for
+/// motions of parts against each other the bodies that move. Empty if every motion is held.
+[[nodiscard]] std::vector<std::string> free_motions(const model::System& system, const assembly::Assembled& assembled, const Modes& modes);
+
+}  // namespace trivet::modal

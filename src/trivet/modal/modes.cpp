@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/modal/modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/modal/motion_words.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::modal {
+namespace {
+
+/// Relative distance of ω² below which two modes count as one repeated root: round-off of the eigensolver.
+constexpr double repeated_within = 1e-10;
+
+using spatial::Vector6;
+
+void describe_bodies(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi, Mode& mode) {
+  const auto count = static_cast<Eigen::Index>(system.bodies().size());
+  mode.shape.resize(6 * count);
+  mode.shape_at_centre.resize(6 * count);
+  mode.principal_kinetic_energy_share.resize(6 * count);
+  double energy = 0;
+  for (Eigen::Index b = 0; b < count; ++b) {
+    const model::Body& body = system.bodies()[static_cast<std::size_t>(b)];
+    const Vector6 at_pole = assembled.layout.of_body(static_cast<std::size_t>(b), phi);
+    const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
+    mode.shape.segment<6>(6 * b) = at_pole;
+    mode.shape_at_centre.segment<6>(6 * b) = at_centre;
+    const spatial::PrincipalInertia principal = spatial::principal_inertia(body.mass);
+    Vector6 share;
+    share << body.mass.mass * (principal.axes.transpose() * at_centre.head<3>()).array().square(),
+        principal.moments.array() * (principal.axes.transpose() * at_centre.tail<3>()).array().square();
+    mode.principal_kinetic_energy_share.segment<6>(6 * b) = share;
+    energy += share.sum();
+    mode.screws.push_back(spatial::screw({at_pole.head<3>(), at_pole.tail<3>()}, body_size(body), body.mass.centre));
+  }
+  mode.principal_kinetic_energy_share /= energy;
+}
+
+void share_energy(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi, Mode& mode) {
+  const Eigen::VectorXd momentum = assembled.matrices.A * phi;
+  const Eigen::VectorXd share = phi.cwiseProduct(momentum) / phi.dot(momentum);
+  const auto bodies = static_cast<Eigen::Index>(system.bodies().size());
+  mode.kinetic_energy_share.resize(6 * bodies);
+  for (Eigen::Index b = 0; b < bodies; ++b)
+    mode.kinetic_energy_share.segment<6>(6 * b) = assembled.layout.of_body(static_cast<std::size_t>(b), share);
+  if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
+  Eigen::VectorXd strain(static_cast<Eigen::Index>(assembled.elements.size()));
+  for (Eigen::Index e = 0; e < strain.size(); ++e) {
+    const assembly::ElementMap& map = assembled.elements[static_cast<std::size_t>(e)];
+    const spatial::Vector12 d = map.end_displacements(phi);
+    strain(e) = d.dot(map.stiffness * d);
+  }
+  mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
+}
+
+void mark_repeated(std::vector<Mode>& list) {
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const double a = list[i - 1].eigenvalue_squared, b = list[i].eigenvalue_squared;
+    if (a != 0 && std::abs(b - a) <= repeated_within * std::max(std::abs(a), std::abs(b))) list[i - 1].repeated = list[i].repeated = true;
+  }
+}
+
+void warn(const numerics::GeneralizedModes& raw, Modes& result) {
+  const auto growing = std::count_if(result.list.begin(), result.list.end(), [](const Mode& m) { return m.eigenvalue_squared < 0; });
+  if (growing > 0)
+    result.warnings.warning("modes", fmt::format("{} of the ω² {} negative", growing, growing == 1 ? "is" : "are"),
+                            "such a motion grows exponentially and has no natural frequency", "no steady vibration exists for this model");
+  if (raw.complex_pairs > 0)
+    result.warnings.warning("modes", fmt::format("{} pairs of ω² are complex", raw.complex_pairs),
+                            "an unsymmetric or indefinite system need not have undamped modes", "they are left out here; see the roots");
+}
+
+}  // namespace
+
+Modes modes(const model::System& system, const assembly::Assembled& assembled) {
+  const numerics::GeneralizedModes raw = numerics::generalized_modes(assembled.matrices.K, assembled.matrices.A, assembled.matrices.symmetric);
+  Modes result;
+  result.route = raw.route;
+  for (Eigen::Index i = 0; i < raw.lambda.size(); ++i) {
+    Mode& mode = result.list.emplace_back();
+    mode.number = static_cast<int>(i) + 1;
+    mode.eigenvalue_squared = raw.lambda(i);
+    if (raw.lambda(i) >= 0) mode.angular_frequency = std::sqrt(raw.lambda(i));
+    mode.modal_mass = raw.norm(i);
+    const Eigen::VectorXd phi = raw.shapes.col(i);
+    describe_bodies(system, assembled, phi, mode);
+    share_energy(system, assembled, phi, mode);
+    mode.name = mode_name(system, mode);
+  }
+  mark_repeated(result.list);
+  warn(raw, result);
+  return result;
+}
+
+Modes modes(const model::System& system) { return modes(system, assembly::assemble(system)); }
+
+bool has_rigid_motion(const Modes& modes) {
+  return std::any_of(modes.list.begin(), modes.list.end(), [](const Mode& m) { return m.eigenvalue_squared == 0; });
+}
+
+}  // namespace trivet::modal

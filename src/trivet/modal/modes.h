@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/assembled.h"
+#include "trivet/foundation/problems.h"
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/spatial/screw.h"
+
+namespace trivet::modal {
+
+/// One undamped mode K φ = ω² A φ. Vectors over all bodies have 6 entries each (zeros where a body is guided), body axes.
+struct Mode {
+  int number = 0;                            ///< from 1, ascending ω²
+  double eigenvalue_squared = 0;             ///< ω² [rad²/s²]; negative: the motion grows
+  std::optional<double> angular_frequency;   ///< [rad/s]; 0 for a rigid motion, none if ω² < 0
+  double modal_mass = 1;                     ///< φᵀAφ: +1, or −1 where the mass is indefinite
+  bool repeated = false;                     ///< one of an A-orthonormal basis of equal roots
+  Eigen::VectorXd shape;                     ///< at the poles
+  Eigen::VectorXd shape_at_centre;           ///< at the centres of mass
+  Eigen::VectorXd kinetic_energy_share;      ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1, single terms may leave 0 … 1
+  Eigen::VectorXd principal_kinetic_energy_share;  ///< along and about the central principal axes; all ≥ 0, sums to 1
+  std::optional<Eigen::VectorXd> strain_energy_share;  ///< per element, sums to 1; none where ω² = 0
+  std::vector<spatial::Screw> screws;        ///< per body
+  std::string name;                          ///< in words
+};
+
+struct Modes {
+  std::vector<Mode> list;
+  numerics::ModeRoute route = numerics::ModeRoute::definite_mass;
+  foundation::Problems warnings;
+};
+
+/// Undamped natural modes. A guided system has fewer than six per body; an unsymmetric one may lack modes (warned).
+[[nodiscard]] Modes modes(const model::System& system, const assembly::Assembled& assembled);
+[[nodiscard]] Modes modes(const model::System& system);
+
+/// Does any mode stand at ω = 0?
+[[nodiscard]] bool has_rigid_motion(const Modes& modes);
+
+}  // namespace trivet::modal

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/modal/motion_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/modal/modes.h"
+
+namespace trivet::modal {
+namespace {
+
+constexpr double along_axis = 0.985;        // cosine of 10°: a direction is called by its axis
+constexpr double pure = 0.98;               // share of the energy from which "mostly" is left out
+constexpr double translation_dominates = 0.9;
+
+/// A coordinate for reading: three decimals, never "-0.000".
+std::string coordinate(double value) { return fmt::format("{:.3f}", std::abs(value) < 5e-4 ? 0.0 : value); }
+
+std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", coordinate(v.x()), coordinate(v.y()), coordinate(v.z())); }
+
+std::string guided_name(const Eigen::VectorXd& share, const Eigen::VectorXd& shape) {
+  Eigen::Index largest = 0;
+  share.maxCoeff(&largest);
+  const bool turns = largest >= 3;
+  return fmt::format("{}{} {}", shape.cwiseAbs().sum() - std::abs(shape(largest)) > 1e-9 * std::abs(shape(largest)) ? "mostly " : "",
+                     turns ? "rotation about" : "translation along", std::string(1, "xyz"[largest % 3]));
+}
+
+}  // namespace
+
+double body_size(const model::Body& body) {
+  const double largest = spatial::inertia_about_pole(body.mass).diagonal().maxCoeff();
+  const double radius = std::sqrt(std::max(largest, 0.0) / body.mass.mass);
+  return radius > 0 && std::isfinite(radius) ? radius : 1;
+}
+
+std::string direction_words(const Eigen::Vector3d& direction) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(direction(i)) >= along_axis) return std::string(1, "xyz"[i]);
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return triple(direction(largest) < 0 ? Eigen::Vector3d(-direction) : direction);
+}
+
+std::string motion_words(const spatial::Screw& screw, double size) {
+  if (screw.pure_translation) return "translation along " + direction_words(screw.direction);
+  const std::string axis = fmt::format("about {} through {} m", direction_words(screw.direction), triple(screw.point));
+  if (std::abs(screw.pitch) > 0.5 * size) return fmt::format("screw motion {}, pitch {:.3g} m/rad", axis, screw.pitch);
+  return "rotation " + axis;
+}
+
+std::string mode_name(const model::System& system, const Mode& mode) {
+  const auto bodies = static_cast<Eigen::Index>(system.bodies().size());
+  Eigen::Index leader = 0;
+  double best = -1;
+  for (Eigen::Index b = 0; b < bodies; ++b) {
+    const double share = mode.principal_kinetic_energy_share.segment<6>(6 * b).cwiseAbs().sum();
+    if (share > best + 1e-9) {
+      best = share;
+      leader = b;
+    }
+  }
+  const model::Body& body = system.bodies()[static_cast<std::size_t>(leader)];
+  const Eigen::VectorXd share = mode.principal_kinetic_energy_share.segment<6>(6 * leader);
+  const spatial::Screw& screw = mode.screws[static_cast<std::size_t>(leader)];
+  const double translation = share.head<3>().sum() / share.sum();
+  const bool guided = std::find(body.free.begin(), body.free.end(), false) != body.free.end();
+  std::string words;
+  if (guided) {
+    words = guided_name(mode.shape.segment<6>(6 * leader).cwiseAbs(), mode.shape.segment<6>(6 * leader));
+  } else if (translation >= translation_dominates) {
+    const Eigen::Vector3d direction = mode.shape_at_centre.segment<3>(6 * leader).normalized();
+    words = (translation >= pure ? "translation along " : "mostly translation along ") + direction_words(direction);
+  } else {
+    words = motion_words(screw, body_size(body));
+    if (!words.starts_with("screw")) words = "mostly " + words;
+  }
+  if (bodies > 1) words = body.name + ": " + words;
+  if (mode.eigenvalue_squared == 0) words += " (free)";
+  if (mode.eigenvalue_squared < 0) words += " (grows)";
+  return words;
+}
+
+}  // namespace trivet::modal

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/modal/roots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/quadratic_roots.h"
+
+namespace trivet::modal {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Extended-precision refinement costs n³ per root; beyond this size a double eigensolver has to do.
+constexpr Eigen::Index largest_refined = 60;
+
+/// A double real root splits into a pair with |Im λ| ≈ √ε |λ|: within this it is critical, not oscillating.
+const double critical_split = 8 * std::sqrt(epsilon);
+
+numerics::QuadraticRoots undamped_roots(const numerics::GeneralizedModes& modes) {
+  const Eigen::Index n = modes.lambda.size();
+  numerics::QuadraticRoots result;
+  result.lambda.resize(2 * n);
+  result.vectors.resize(modes.shapes.rows(), 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Complex root = std::sqrt(Complex(-modes.lambda(i), 0));
+    result.lambda(2 * i) = root;
+    result.lambda(2 * i + 1) = -root;
+    result.vectors.col(2 * i) = result.vectors.col(2 * i + 1) = modes.shapes.col(i).cast<Complex>();
+  }
+  return result;
+}
+
+numerics::QuadraticRoots all_roots(const numerics::DynamicMatrices& m) {
+  const numerics::GeneralizedModes modes = numerics::generalized_modes(m.K, m.A, m.symmetric);
+  const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
+  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return undamped_roots(modes);
+  numerics::QuadraticRoots result;
+  const bool basis_is_orthonormal = modes.route == numerics::ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
+  if (basis_is_orthonormal) {
+    const Eigen::MatrixXd& phi = modes.shapes;
+    const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd();
+    Eigen::MatrixXd damping = phi.transpose() * m.B * phi;
+    // A rigid motion that no damper resists: its projected damping is a difference that should vanish exactly.
+    const Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.B.cwiseAbs() * phi.cwiseAbs();
+    damping = (damping.array().abs() <= 64 * double(m.size()) * epsilon * available.array()).select(0.0, damping);
+    result = numerics::roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
+    result.vectors = (phi * result.vectors).eval();
+  } else {
+    result = numerics::roots_of_companion(m);
+  }
+  if (m.size() <= largest_refined) numerics::refine_roots(m, result);
+  return result;
+}
+
+Root classified(const Complex& lambda, double scale) {
+  Root root;
+  root.eigenvalue = lambda;
+  const double size = std::abs(lambda);
+  if (size <= 1e-12 * scale) root.kind = RootKind::rigid;
+  else if (lambda.real() > 1e-12 * scale) root.kind = RootKind::growing;
+  else if (std::abs(lambda.imag()) <= critical_split * size) root.kind = RootKind::overdamped;
+  if (root.kind == RootKind::oscillating) {
+    root.angular_frequency = size;
+    root.damped_angular_frequency = std::abs(lambda.imag());
+    root.damping_ratio = lambda.real() == 0 ? 0.0 : -lambda.real() / size;
+  }
+  return root;
+}
+
+std::optional<int> nearest(const Modes& modes, double size) {
+  std::optional<int> best;
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Mode& mode : modes.list) {
+    if (!mode.angular_frequency) continue;
+    const double d = std::abs(*mode.angular_frequency - size);
+    if (d < distance) {
+      distance = d;
+      best = mode.number;
+    }
+  }
+  return best;
+}
+
+/// |λ| to twelve digits, so that conjugate pairs stay neighbours whatever their last digit.
+double sort_key(const Complex& lambda) {
+  const double size = std::abs(lambda);
+  if (size == 0) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(size)) - 11);
+  return std::round(size / unit) * unit;
+}
+
+}  // namespace
+
+const char* name(RootKind kind) {
+  switch (kind) {
+    case RootKind::oscillating: return "oscillating";
+    case RootKind::overdamped: return "overdamped";
+    case RootKind::growing: return "growing";
+    case RootKind::rigid: return "rigid";
+  }
+  return "";
+}
+
+Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes) {
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  const numerics::QuadraticRoots raw = all_roots(m);
+  const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
+  Roots result;
+  result.poles = raw.lambda;
+  for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
+    Root root = classified(raw.lambda(k), scale);
+    // With a loss factor only the half plane that belongs to ω > 0 has a meaning.
+    if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
+    root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));
+    for (std::size_t b = 0; b < system.bodies().size(); ++b)
+      root.shape.segment<6>(6 * static_cast<Eigen::Index>(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
+    root.nearest_mode = nearest(modes, std::abs(raw.lambda(k)));
+    result.list.push_back(std::move(root));
+  }
+  std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {
+    return std::make_pair(sort_key(a.eigenvalue), a.eigenvalue.imag()) < std::make_pair(sort_key(b.eigenvalue), b.eigenvalue.imag());
+  });
+  const auto growing = std::count_if(result.list.begin(), result.list.end(), [](const Root& r) { return r.kind == RootKind::growing; });
+  if (growing > 0)
+    result.warnings.warning("roots", fmt::format("{} root{} with Re λ > 0", growing, growing == 1 ? "" : "s"),
+                            "the free motion grows and covers every steady vibration",
+                            "amplitudes computed for this model are formal; mend the mass, stiffness or damping data");
+  return result;
+}
+
+Roots roots(const model::System& system) {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  return roots(system, assembled, modes(system, assembled));
+}
+
+}  // namespace trivet::modal

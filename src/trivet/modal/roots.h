@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "trivet/modal/modes.h"
+
+namespace trivet::modal {
+
+enum class RootKind { oscillating, overdamped, growing, rigid };
+
+/// One solution of λ²A + λB + K(1 + iη), motion Re(v e^{λt}).
+struct Root {
+  std::complex<double> eigenvalue;                  ///< λ [1/s]
+  RootKind kind = RootKind::oscillating;
+  std::optional<double> angular_frequency;          ///< |λ| [rad/s], only where it oscillates
+  std::optional<double> damped_angular_frequency;   ///< |Im λ| [rad/s]
+  std::optional<double> damping_ratio;              ///< −Re λ/|λ|
+  Eigen::VectorXcd shape;                           ///< six per body at the poles, largest (mass-weighted) component 1
+  std::optional<int> nearest_mode;                  ///< number of the undamped mode nearest in |λ|
+};
+
+struct Roots {
+  std::vector<Root> list;  ///< ascending |λ|; all 2n, or those with Im λ > 0 where loss factors enter
+  Eigen::VectorXcd poles;  ///< every λ, also those that `list` leaves out: the poles of any response at iω = λ
+  foundation::Problems warnings;
+};
+
+/// Damped roots. They do not pair with the modes; `nearest_mode` is a hint for reading.
+[[nodiscard]] Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes);
+[[nodiscard]] Roots roots(const model::System& system);
+
+[[nodiscard]] const char* name(RootKind kind);
+
+}  // namespace trivet::modal

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/model/checks.h"
+
+namespace trivet::model {
+
+void check_body(const Body& body, foundation::Problems& problems) {
+  const std::string subject = "bodies." + body.name;
+  if (std::none_of(body.free.begin(), body.free.end(), [](bool f) { return f; }))
+    problems.error(subject + ".free", "no free coordinate", "a body must be able to move",
+                   "name at least one of x, y, z, rx, ry, rz, or make it part of the ground");
+  const bool turns = body.free[3] || body.free[4] || body.free[5];
+  if (!body.has_inertia && turns)
+    problems.error(subject, "no inertia", "a body that can turn needs its moments of inertia",
+                   "give inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
+
+  std::vector<spatial::BrokenBound> broken;
+  if (body.has_inertia) {
+    broken = spatial::broken_bounds(body.mass);
+  } else if (!(body.mass.mass > 0)) {
+    broken.push_back({fmt::format("mass = {:.6g} kg", body.mass.mass), "a mass must be > 0"});
+  }
+  for (const auto& bound : broken) {
+    const bool of_mass = bound.finding.starts_with("mass");
+    const std::string thing = subject + (of_mass ? ".mass" : ".inertia");
+    if (body.allow_unphysical)
+      problems.warning(thing, bound.finding, bound.rule, "no real body has these numbers (allow_unphysical is set): every result is doubtful");
+    else
+      problems.error(thing, bound.finding, bound.rule,
+                     "mend the number, or its sign or point of reference; allow_unphysical = true computes all the same and marks every result");
+  }
+}
+
+}  // namespace trivet::model

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/model/system.h"
+
+namespace trivet::model {
+
+void check_body(const Body& body, foundation::Problems& problems);
+void check_element(const Description& description, const Element& element, foundation::Problems& problems);
+
+}  // namespace trivet::model

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/model/checks.h"
+
+namespace trivet::model {
+namespace {
+
+using elements::Matrix12;
+using elements::MatrixVerdict;
+
+/// "u_N,x" … "θ_K,z": the 12 coordinates of an element in words.
+std::string end_coordinate(int i) {
+  const char* letters[] = {"x", "y", "z"};
+  return fmt::format("{}_{} {}", i % 6 < 3 ? "u" : "θ", i < 6 ? "N" : "K", letters[i % 3]);
+}
+
+std::string motion_words(int j) {
+  const char* letters[] = {"x", "y", "z"};
+  return fmt::format("{} {} of the whole element", j < 3 ? "translation along" : "rotation about K's", letters[j % 3]);
+}
+
+struct Subject {
+  std::string path;
+  std::string quantity;      // "stiffness"
+  std::string bad_energy;    // what a negative eigenvalue would mean
+};
+
+void check_symmetry(const Subject& subject, const Matrix12& matrix, const MatrixVerdict& verdict, foundation::Problems& problems) {
+  const int i = verdict.asymmetric_row, j = verdict.asymmetric_column;
+  const std::string finding = fmt::format("entry ({}, {}) = {:.9g} but ({}, {}) = {:.9g}", end_coordinate(i), end_coordinate(j), matrix(i, j),
+                                          end_coordinate(j), end_coordinate(i), matrix(j, i));
+  problems.error(subject.path, finding, fmt::format("the {} of an element is symmetric", subject.quantity),
+                 "mend the entry, or set symmetric = false if it is meant (follower forces, gyroscopic terms)");
+}
+
+void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bool allowed, foundation::Problems& problems) {
+  const double entry = verdict.residual(verdict.residual_row, verdict.residual_motion);
+  const std::string finding =
+      fmt::format("a unit {} asks for {:.6g} at {} ({:.3g} % of the scaled stiffness)", motion_words(verdict.residual_motion), entry,
+                  end_coordinate(verdict.residual_row), 100 * verdict.rigid_residual);
+  const std::string rule = fmt::format("the {} of a stress-free element does not resist a rigid motion", subject.quantity);
+  if (verdict.rigid_residual > elements::refused_residual && !allowed)
+    problems.error(subject.path, finding, rule,
+                   "mend the matrix, its order (N, then K), its signs or its end points; allow_residual = true if it is preload");
+  else
+    problems.warning(subject.path, finding, rule, "the residual may be rounding of the data, a wrong end point or preload");
+}
+
+void check_matrix(const Subject& subject, const Element& element, const Matrix12& matrix, const Span& span,
+                  foundation::Problems& problems) {
+  if (!matrix.allFinite()) {
+    problems.error(subject.path, "an entry is not finite", "every entry must be a number", "look for overflow or a missing value");
+    return;
+  }
+  const MatrixVerdict verdict = elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k));
+  if (element.symmetric && verdict.asymmetry > elements::rounding_of_data) check_symmetry(subject, matrix, verdict, problems);
+  if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, problems);
+  const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
+  if (symmetric_stiffness_or_damping && !elements::is_semidefinite(verdict))
+    problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
+                   fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),
+                   "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
+}
+
+}  // namespace
+
+void check_element(const Description& description, const Element& element, foundation::Problems& problems) {
+  const std::string subject = "elements." + element.name;
+  if (element.n.body == element.k.body) {
+    problems.error(subject, element.n.body ? "both ends are on the same body" : "both ends are on the ground",
+                   "an element joins two bodies, or a body and the ground", "change `on` or `from`");
+    return;
+  }
+  if (!(element.law.scale > 0))
+    problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0", "remove the element to switch it off");
+
+  const Span ends = span(description.bodies, element.n, element.k);
+  const std::string path = element.type == "matrix" ? subject + ".stiffness" : subject;
+  check_matrix({path, "stiffness", "it would give energy when deformed"}, element, element.law.nominal_stiffness, ends, problems);
+  if (const auto* given = std::get_if<elements::DampingMatrix>(&element.law.damping))
+    check_matrix({subject + ".damping", "damping", "it would feed energy into the motion"}, element, given->matrix, ends, problems);
+  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && !(proportional->factor >= 0))
+    problems.error(subject + ".damping.proportional", fmt::format("{:.6g} s", proportional->factor), "it must be ≥ 0",
+                   "negative damping would feed energy into the motion");
+  if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && !(loss->value >= 0))
+    problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it must be ≥ 0",
+                   "negative damping would feed energy into the motion");
+}
+
+}  // namespace trivet::model

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/model/system.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "trivet/model/checks.h"
+
+namespace trivet::model {
+namespace {
+
+template <typename Things>
+void check_names(const Things& things, const std::string& kind, foundation::Problems& problems) {
+  std::set<std::string> seen;
+  for (const auto& thing : things) {
+    const bool empty = thing.name.empty();
+    if (empty || thing.name.find_first_of(".\n") != std::string::npos || thing.name == "ground" || thing.name == "coordinates")
+      problems.error(kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
+                     "a name is not empty, has no dot and no line break, and is neither \"ground\" nor \"coordinates\"", "choose another name");
+    if (!seen.insert(thing.name).second)
+      problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name), "names are unique", "rename one of them");
+  }
+}
+
+void check_shared_names(const Description& description, foundation::Problems& problems) {
+  for (const auto& element : description.elements)
+    for (const auto& body : description.bodies)
+      if (element.name == body.name)
+        problems.error("elements." + element.name, fmt::format("\"{}\" is also the name of a body", element.name),
+                       "results are named after bodies and elements, so these names differ", "rename the element");
+}
+
+void check_damping(const Description& description, foundation::Problems& problems) {
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&description.damping)) {
+    if (!(rayleigh->mass >= 0)) problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it must be ≥ 0", "negative damping would feed energy");
+    if (!(rayleigh->stiffness >= 0)) problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it must be ≥ 0", "negative damping would feed energy");
+  }
+  if (const auto* modal = std::get_if<ModalDamping>(&description.damping)) {
+    std::size_t coordinates = 0;
+    for (const auto& body : description.bodies)
+      for (const bool free : body.free) coordinates += free;
+    if (modal->ratios.size() != 1 && modal->ratios.size() != coordinates)
+      problems.error("damping.modal", fmt::format("{} ratios", modal->ratios.size()),
+                     fmt::format("one for all modes, or one for each of the {} modes", coordinates), "complete or shorten the list");
+    for (const double ratio : modal->ratios)
+      if (!(ratio >= 0)) problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio), "a damping ratio must be ≥ 0", "negative damping would feed energy");
+    for (const auto& body : description.bodies)
+      if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
+        problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
+                       "modal ratios need undamped modes that all oscillate", "give the elements their damping instead");
+    for (const auto& element : description.elements)
+      if (!element.symmetric)
+        problems.error("damping.modal", fmt::format("element \"{}\" is unsymmetric", element.name), "modal ratios need a symmetric system",
+                       "give the elements their damping instead");
+  }
+}
+
+}  // namespace
+
+foundation::Expected<System> System::checked(Description description) {
+  foundation::Problems problems;
+  if (description.bodies.empty()) problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
+  check_names(description.bodies, "bodies", problems);
+  check_names(description.elements, "elements", problems);
+  check_names(description.harmonic_forces, "excitations", problems);
+  check_shared_names(description, problems);
+  for (const auto& body : description.bodies) {
+    check_names(body.points, "bodies." + body.name + ".points", problems);
+    for (const auto& point : body.points)
+      for (const char* coordinate : coordinate_names)
+        if (point.name == coordinate)
+          problems.error("bodies." + body.name + ".points." + point.name, fmt::format("point named \"{}\"", point.name),
+                         "x, y, z, rx, ry, rz name the coordinates of the pole", "choose another name");
+    check_body(body, problems);
+  }
+  for (const auto& element : description.elements) check_element(description, element, problems);
+  check_damping(description, problems);
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+
+  System system;
+  system.description_ = std::move(description);
+  system.warnings_ = std::move(problems);
+  return system;
+}
+
+spatial::Pose end_in_ground(const std::vector<Body>& bodies, const End& end) {
+  if (!end.body) return {end.at, end.axes};
+  const spatial::Pose& body = bodies[*end.body].pose;
+  return {body.position + body.rotation * end.at, body.rotation * end.axes};
+}
+
+Span span(const std::vector<Body>& bodies, const End& n, const End& k) {
+  const spatial::Pose at_n = end_in_ground(bodies, n);
+  const spatial::Pose at_k = end_in_ground(bodies, k);
+  return {at_k.rotation.transpose() * (at_k.position - at_n.position), at_n.rotation.transpose() * at_k.rotation};
+}
+
+}  // namespace trivet::model

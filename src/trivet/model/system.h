@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "trivet/elements/law.h"
+#include "trivet/foundation/problems.h"
+#include "trivet/spatial/mass_properties.h"
+#include "trivet/spatial/types.h"
+
+/// The described system: what exists, checked, never solved. Frames and signs: docs/conventions.md.
+namespace trivet::model {
+
+struct Point {
+  std::string name;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< body frame [m]
+};
+
+struct Body {
+  std::string name;
+  spatial::Pose pose;  ///< of the body frame (its origin is the pole) in the ground frame, at rest
+  spatial::MassProperties mass;
+  bool has_inertia = true;  ///< false only where no rotation is free and no inertia was given
+  std::array<bool, 6> free = {true, true, true, true, true, true};  ///< x, y, z, θx, θy, θz
+  std::vector<Point> points;
+  bool allow_unphysical = false;
+};
+
+/// One end of an element: on a body, or on the ground if there is none.
+struct End {
+  std::optional<std::size_t> body;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();          ///< reference point, in the frame of the body or the ground [m]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();    ///< local axes as columns, in the same frame
+};
+
+struct Element {
+  std::string name;
+  std::string type;  ///< the law's name in the project file, for messages and reports
+  End n;
+  End k;
+  elements::Law law;
+  bool symmetric = true;
+  bool allow_residual = false;
+};
+
+/// Force [N] and moment [N m] about `at`, body axes; component j is Re(amplitude_j e^{i(ωt + phase_j)}).
+struct HarmonicForce {
+  std::string name;
+  std::size_t body = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  spatial::Wrench amplitude;
+  spatial::Vector6 phase = spatial::Vector6::Zero();  ///< [rad]
+};
+
+/// Constant force and moment; enters static answers only.
+struct ConstantForce {
+  std::string name;
+  std::size_t body = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  spatial::Wrench wrench;
+};
+
+/// B += mass · A + stiffness · K.  [1/s], [s]
+struct RayleighDamping {
+  double mass = 0;
+  double stiffness = 0;
+};
+/// B += A Φ diag(2 ζ ω) Φᵀ A over the undamped modes; one ratio for all, or one per mode (the last is not repeated).
+struct ModalDamping {
+  std::vector<double> ratios;
+};
+using SystemDamping = std::variant<std::monostate, RayleighDamping, ModalDamping>;
+
+struct Description {
+  std::string title;
+  std::vector<Body> bodies;
+  std::vector<Element> elements;
+  SystemDamping damping;
+  std::vector<HarmonicForce> harmonic_forces;
+  std::vector<ConstantForce> constant_forces;
+  std::optional<Eigen::Vector3d> gravity;  ///< [m/s²], ground frame
+};
+
+/// A description that passed every check. Immutable.
+class System {
+ public:
+  /// All problems at once; physical warnings stay with the system.
+  static foundation::Expected<System> checked(Description description);
+
+  [[nodiscard]] const Description& description() const { return description_; }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return description_.bodies; }
+  [[nodiscard]] const std::vector<Element>& elements() const { return description_.elements; }
+  [[nodiscard]] const foundation::Problems& warnings() const { return warnings_; }
+
+ private:
+  Description description_;
+  foundation::Problems warnings_;
+};
+
+/// "x", "y", "z", "rx", "ry", "rz".
+inline constexpr std::array<const char*, 6> coordinate_names = {"x", "y", "z", "rx", "ry", "rz"};
+
+/// Pose of an end's local axes in the ground frame, at rest.
+[[nodiscard]] spatial::Pose end_in_ground(const std::vector<Body>& bodies, const End& end);
+
+/// From N to K in the axes of K, and the turn of components from K's axes into N's.
+struct Span {
+  Eigen::Vector3d arm;
+  Eigen::Matrix3d n_from_k;
+};
+[[nodiscard]] Span span(const std::vector<Body>& bodies, const End& n, const End& k);
+
+}  // namespace trivet::model

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace trivet::numerics {
+
+using Complex = std::complex<double>;
+
+/// Z(ω) = K + iK_loss + iωB − ω²A for ω > 0; all n × n, real. `symmetric` lets solvers use it.
+struct DynamicMatrices {
+  Eigen::MatrixXd A;
+  Eigen::MatrixXd B;
+  Eigen::MatrixXd K;
+  Eigen::MatrixXd K_loss;  ///< empty if there is no loss factor
+  bool symmetric = true;
+
+  [[nodiscard]] Eigen::Index size() const { return A.rows(); }
+  [[nodiscard]] bool lossy() const { return K_loss.size() > 0; }
+  [[nodiscard]] Eigen::MatrixXcd complex_stiffness() const {
+    Eigen::MatrixXcd stiffness = K.cast<Complex>();
+    if (lossy()) stiffness.imag() = K_loss;
+    return stiffness;
+  }
+  [[nodiscard]] Eigen::MatrixXcd at(double omega) const {
+    return complex_stiffness() + Complex(0, omega) * B.cast<Complex>() - omega * omega * A.cast<Complex>();
+  }
+};
+
+/// D with D_ii = 1/√|A_ii|: D A D has a unit diagonal, so that metres and radians compare. 1 where A_ii is 0.
+[[nodiscard]] inline Eigen::VectorXd unit_scale(const Eigen::MatrixXd& A) {
+  return A.diagonal().unaryExpr([](double a) { return a == 0 ? 1.0 : 1 / std::sqrt(std::abs(a)); });
+}
+
+/// The same matrices in coordinates q = D q̃.
+[[nodiscard]] inline DynamicMatrices scaled(const DynamicMatrices& m, const Eigen::VectorXd& d) {
+  const auto apply = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return d.asDiagonal() * x * d.asDiagonal(); };
+  return {apply(m.A), apply(m.B), apply(m.K), m.lossy() ? apply(m.K_loss) : Eigen::MatrixXd(), m.symmetric};
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/frequency_sweep.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trivet::numerics {
+namespace {
+
+constexpr int lanes = 8;
+typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));
+
+/// Eight complex numbers.
+struct ComplexPack {
+  Pack re;
+  Pack im;
+};
+
+inline void subtract_product(ComplexPack& target, const ComplexPack& a, const ComplexPack& b) {
+  target.re -= a.re * b.re - a.im * b.im;
+  target.im -= a.re * b.im + a.im * b.re;
+}
+
+inline void multiply(ComplexPack& target, const ComplexPack& by) {
+  const Pack re = target.re * by.re - target.im * by.im;
+  target.im = target.re * by.im + target.im * by.re;
+  target.re = re;
+}
+
+inline void broadcast(Pack& pack, double value) {
+  for (int lane = 0; lane < lanes; ++lane) pack[lane] = value;
+}
+
+/// LDLᵀ of Z at eight frequencies; all work in caller-owned, reused memory.
+class PackSolver {
+ public:
+  PackSolver(const DynamicMatrices& matrices, const Eigen::VectorXcd& load)
+      : m_(matrices), h_(load), n_(matrices.size()), l_(static_cast<std::size_t>(n_ * n_)), w_(static_cast<std::size_t>(n_)),
+        d_(static_cast<std::size_t>(n_)), d_inverse_(static_cast<std::size_t>(n_)), q_(static_cast<std::size_t>(n_)) {}
+
+  const std::vector<ComplexPack>& solve(const Pack& omega) {
+    omega_ = omega;
+    square_ = omega * omega;
+    factorise();
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      ComplexPack& x = q_[at(i)];
+      broadcast(x.re, h_(i).real());
+      broadcast(x.im, h_(i).imag());
+      for (Eigen::Index j = 0; j < i; ++j) subtract_product(x, l_[at(i, j)], q_[at(j)]);
+    }
+    for (Eigen::Index i = 0; i < n_; ++i) multiply(q_[at(i)], d_inverse_[at(i)]);
+    for (Eigen::Index i = n_ - 1; i >= 0; --i)
+      for (Eigen::Index j = i + 1; j < n_; ++j) subtract_product(q_[at(i)], l_[at(j, i)], q_[at(j)]);
+    return q_;
+  }
+
+  /// Backward error of the last solution, with |re| + |im| for the modulus (within √2, and safe: see the threshold).
+  Pack backward_error() const {
+    Pack residual{}, norm{}, size{}, load{};
+    const auto one_norm = [](const ComplexPack& z) -> Pack { return (z.re < 0 ? -z.re : z.re) + (z.im < 0 ? -z.im : z.im); };
+    const auto raise = [](Pack& top, const Pack& value) { top = !(value <= top) ? value : top; };
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      ComplexPack r, z;
+      broadcast(r.re, h_(i).real());
+      broadcast(r.im, h_(i).imag());
+      raise(load, one_norm(r));
+      Pack row{};
+      for (Eigen::Index j = 0; j < n_; ++j) {
+        entry(i, j, z);
+        row += one_norm(z);
+        subtract_product(r, z, q_[at(j)]);
+      }
+      raise(residual, one_norm(r));
+      raise(norm, row);
+      raise(size, one_norm(q_[at(i)]));
+    }
+    return residual / (norm * size + load);
+  }
+
+ private:
+  std::size_t at(Eigen::Index i) const { return static_cast<std::size_t>(i); }
+  std::size_t at(Eigen::Index i, Eigen::Index j) const { return static_cast<std::size_t>(i * n_ + j); }
+
+  void entry(Eigen::Index i, Eigen::Index j, ComplexPack& z) const {
+    z.re = m_.K(i, j) - square_ * m_.A(i, j);
+    z.im = omega_ * m_.B(i, j);
+    if (m_.lossy()) z.im += m_.K_loss(i, j);
+  }
+
+  void factorise() {
+    for (Eigen::Index j = 0; j < n_; ++j) {
+      ComplexPack pivot;
+      entry(j, j, pivot);
+      for (Eigen::Index k = 0; k < j; ++k) {
+        w_[at(k)] = l_[at(j, k)];
+        multiply(w_[at(k)], d_[at(k)]);
+        subtract_product(pivot, l_[at(j, k)], w_[at(k)]);
+      }
+      d_[at(j)] = pivot;
+      const Pack modulus = 1.0 / (pivot.re * pivot.re + pivot.im * pivot.im);
+      d_inverse_[at(j)].re = pivot.re * modulus;
+      d_inverse_[at(j)].im = -pivot.im * modulus;
+      for (Eigen::Index i = j + 1; i < n_; ++i) {
+        ComplexPack& x = l_[at(i, j)];
+        entry(i, j, x);
+        for (Eigen::Index k = 0; k < j; ++k) subtract_product(x, l_[at(i, k)], w_[at(k)]);
+        multiply(x, d_inverse_[at(j)]);
+      }
+    }
+  }
+
+  const DynamicMatrices& m_;
+  const Eigen::VectorXcd& h_;
+  Eigen::Index n_;
+  Pack omega_{}, square_{};
+  std::vector<ComplexPack> l_, w_, d_, d_inverse_, q_;
+};
+
+double norm_of_rows(const Eigen::MatrixXcd& z) { return z.cwiseAbs().rowwise().sum().maxCoeff(); }
+
+/// One frequency with partial pivoting and one step of refinement. Returns the backward error; NaN response if singular.
+double solve_pivoted(const DynamicMatrices& m, const Eigen::VectorXcd& h, double omega, Eigen::Ref<Eigen::VectorXcd> q) {
+  const Eigen::MatrixXcd z = m.at(omega);
+  const double norm = norm_of_rows(z);
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
+  q = lu.solve(h);
+  q += lu.solve(h - z * q);
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double smallest_pivot = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
+  if (!q.allFinite() || smallest_pivot <= 4 * epsilon * norm) {
+    q.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double denominator = norm * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff();
+  return denominator > 0 ? (h - z * q).cwiseAbs().maxCoeff() / denominator : 0;
+}
+
+}  // namespace
+
+SweepResult sweep(const DynamicMatrices& given, const Eigen::VectorXcd& load, const std::vector<double>& omega) {
+  const Eigen::VectorXd d = unit_scale(given.A);
+  const DynamicMatrices m = scaled(given, d);
+  const Eigen::VectorXcd h = d.asDiagonal() * load;
+  const auto n = m.size(), count = static_cast<Eigen::Index>(omega.size());
+  SweepResult result;
+  result.response.resize(n, count);
+  result.backward_error.setZero(count);
+  if (h.cwiseAbs().maxCoeff() == 0) {
+    result.response.setZero();
+    return result;
+  }
+  PackSolver packs(m, h);
+  for (Eigen::Index first = 0; first < count; first += lanes) {
+    const auto filled = static_cast<int>(std::min<Eigen::Index>(lanes, count - first));
+    Pack error;
+    broadcast(error, std::numeric_limits<double>::infinity());
+    if (m.symmetric) {
+      Pack frequencies;
+      for (int lane = 0; lane < lanes; ++lane) frequencies[lane] = omega[static_cast<std::size_t>(first + std::min(lane, filled - 1))];
+      const std::vector<ComplexPack>& q = packs.solve(frequencies);
+      error = packs.backward_error();
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (int lane = 0; lane < filled; ++lane)
+          result.response(i, first + lane) = Complex(q[static_cast<std::size_t>(i)].re[lane], q[static_cast<std::size_t>(i)].im[lane]);
+    }
+    for (int lane = 0; lane < filled; ++lane) {
+      result.backward_error(first + lane) = error[lane];
+      if (error[lane] <= accepted_backward_error) continue;
+      if (m.symmetric) ++result.fallbacks;
+      const double redone = solve_pivoted(m, h, omega[static_cast<std::size_t>(first + lane)], result.response.col(first + lane));
+      if (std::isnan(redone)) ++result.singular;
+      result.backward_error(first + lane) = redone;
+    }
+  }
+  for (Eigen::Index i = 0; i < n; ++i) result.response.row(i) *= d(i);
+  return result;
+}
+
+}  // namespace trivet::numerics

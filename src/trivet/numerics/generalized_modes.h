@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace trivet::numerics {
+
+/// How K φ = λ A φ was solved.
+enum class ModeRoute {
+  definite_mass,       ///< A positive definite: Cholesky, all λ real
+  definite_stiffness,  ///< A indefinite, K positive definite: solved as A φ = (1/λ) K φ, all λ real
+  general              ///< neither, or unsymmetric: general eigensolver, complex λ are left out and counted
+};
+
+/// Solutions of K φ = λ A φ, λ ascending, φᵀAφ = `norm` = +1 or −1. λ that vanish by round-off of K are exactly 0.
+struct GeneralizedModes {
+  ModeRoute route = ModeRoute::definite_mass;
+  Eigen::VectorXd lambda;
+  Eigen::MatrixXd shapes;
+  Eigen::VectorXd norm;
+  int complex_pairs = 0;   ///< modes without a real λ (general route only)
+};
+
+/// A verdict on definiteness is always taken first: a generalized solver may return wrong values for an indefinite A.
+/// λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|.
+[[nodiscard]] GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric);
+
+/// Is a symmetric matrix positive definite beyond round-off, after scaling to a unit diagonal?
+[[nodiscard]] bool is_positive_definite(const Eigen::MatrixXd& matrix);
+
+/// Eigenvalues of a symmetric matrix, ascending.
+[[nodiscard]] Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
+
+}  // namespace trivet::numerics

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/refined_solution.h"
+
+#include <Eigen/LU>
+#include <limits>
+
+namespace trivet::numerics {
+
+struct RefinedSolver::Factors {
+  Eigen::PartialPivLU<Eigen::MatrixXcd> lu;
+};
+
+RefinedSolver::RefinedSolver(ExtendedMatrix Z) : z_(std::move(Z)) {
+  factors_ = std::make_unique<Factors>(Factors{Eigen::PartialPivLU<Eigen::MatrixXcd>(z_.cast<std::complex<double>>())});
+}
+
+RefinedSolver::~RefinedSolver() = default;
+
+ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
+  constexpr int most_steps = 12;
+  const auto step = [&](const ExtendedVector& r) -> ExtendedVector {
+    return factors_->lu.solve(r.cast<std::complex<double>>().eval()).cast<std::complex<long double>>();
+  };
+  ExtendedVector x = step(b);
+  long double previous = std::numeric_limits<long double>::infinity();
+  for (int i = 0; i < most_steps; ++i) {
+    const ExtendedVector correction = step(b - z_ * x);
+    const long double size = correction.norm();
+    if (!(size < 0.5L * previous)) break;
+    x += correction;
+    previous = size;
+    if (size <= 4 * std::numeric_limits<long double>::epsilon() * x.norm()) break;
+  }
+  return x;
+}
+
+double RefinedSolver::condition() const {
+  const double reciprocal = factors_->lu.rcond();
+  return reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace trivet::numerics

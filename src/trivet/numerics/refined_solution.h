@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <memory>
+
+namespace trivet::numerics {
+
+using ExtendedVector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;
+using ExtendedMatrix = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Solves Z x = b to nearly extended precision: pivoted LU in double, residuals in long double, refined until they stop
+/// falling. Right even at a resonance with damping ratio 1e-6, where plain double keeps ten digits.
+class RefinedSolver {
+ public:
+  /// Z in extended precision, scaled so that its rows and columns compare.
+  explicit RefinedSolver(ExtendedMatrix Z);
+  ~RefinedSolver();
+
+  [[nodiscard]] ExtendedVector solve(const ExtendedVector& b) const;
+  /// ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors.
+  [[nodiscard]] double condition() const;
+
+ private:
+  struct Factors;
+  ExtendedMatrix z_;
+  std::unique_ptr<Factors> factors_;
+};
+
+}  // namespace trivet::numerics

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace trivet::numerics {
+
+/// A place where a polynomial changes its sign.
+struct SignChange {
+  double at = 0;
+  bool falling = false;       ///< from + to −
+  double uncertainty = 0;     ///< half width of the interval in which round-off hides the sign
+};
+
+/// All sign changes of g(τ) = Σ coefficients[k] τᵏ for lower < τ < upper within [−1, 1], ascending. Complete by
+/// bisection: an interval is discarded only when a bound on |g'| proves that it has no root, and searched only when a bound
+/// on |g''| proves that g is monotonic there. Below round-off of the coefficients no sign is claimed.
+[[nodiscard]] std::vector<SignChange> sign_changes(std::span<const double> coefficients, double lower, double upper);
+
+/// Σ coefficients[k] τᵏ.
+[[nodiscard]] double polynomial_value(std::span<const double> coefficients, double tau);
+
+}  // namespace trivet::numerics

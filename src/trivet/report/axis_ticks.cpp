@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/axis_ticks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace trivet::report {
+
+std::vector<Tick> linear_ticks(double from, double to, int wanted) {
+  std::vector<Tick> ticks;
+  const double span = to - from;
+  if (!(span > 0) || !std::isfinite(span)) return ticks;
+  const double raw = span / wanted;
+  const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+  const double ratio = raw / decade;
+  const double step = decade * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+  const double first = std::ceil(from / step - 1e-9);
+  for (double k = first; k * step <= to + 1e-9 * span; k += 1) {
+    const double value = std::abs(k) < 0.5 ? 0 : k * step;
+    ticks.push_back({value, fmt::format("{:.10g}", value)});
+  }
+  return ticks;
+}
+
+std::vector<Tick> angle_ticks(double from, double to) {
+  std::vector<Tick> ticks;
+  double step = 30;
+  for (const double candidate : {45.0, 90.0, 180.0, 360.0, 720.0, 1440.0})
+    if ((to - from) / step > 8) step = candidate;
+  for (double value = std::ceil(from / step - 1e-9) * step; value <= to + 1e-9; value += step) ticks.push_back({value, fmt::format("{:.0f}", value + 0.0)});
+  return ticks;
+}
+
+UnitPrefix unit_prefix(double largest, const std::string& unit) {
+  static const char* const names[] = {"n", "µ", "m", "", "k", "M"};
+  if (!(largest > 0) || !std::isfinite(largest)) return {1, unit};
+  int n = static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
+  n = std::max(-3, std::min(2, n));
+  return {std::pow(10.0, -3 * n), names[n + 3] + unit};
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace trivet::report {
+
+struct Tick {
+  double value = 0;
+  std::string label;  ///< empty: a minor tick
+};
+
+/// Round values (1, 2, 5 × 10ⁿ) inside [from, to], about `wanted` of them.
+[[nodiscard]] std::vector<Tick> linear_ticks(double from, double to, int wanted);
+
+/// Multiples of 30°, 45°, 90° or 180° inside [from, to] degrees.
+[[nodiscard]] std::vector<Tick> angle_ticks(double from, double to);
+
+/// A factor 10^(3n) that brings `largest` near 1 … 1000, and what it turns the unit into: 0.01 m → 1000, "mm".
+struct UnitPrefix {
+  double factor = 1;
+  std::string unit;
+};
+[[nodiscard]] UnitPrefix unit_prefix(double largest, const std::string& unit);
+
+}  // namespace trivet::report

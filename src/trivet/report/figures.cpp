@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/report/axis_ticks.h"
+#include "trivet/report/svg_canvas.h"
+
+namespace trivet::report {
+namespace {
+
+// Okabe-Ito colours, told apart by colour-blind readers, and by their dashes in grey print.
+constexpr std::array<const char*, 6> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00"};
+constexpr std::array<const char*, 6> dashes = {"", "7,3", "2,2", "9,3,2,3", "5,2", "1,3"};
+
+struct Series {
+  std::string label;
+  std::size_t curve = 0;
+};
+
+/// Where a panel lies on the canvas, and its data ranges.
+struct Panel {
+  double left, top, width, height;
+  double x_from, x_to, y_from, y_to;
+  PixelPoint at(double x, double y) const {
+    return {left + (x - x_from) / (x_to - x_from) * width, top + height - (y - y_from) / (y_to - y_from) * height};
+  }
+};
+
+/// Curves that share a picture: "machine", "machine.seat", "ground.force" … with those in length above, in angle below.
+struct Group {
+  std::string name;
+  std::vector<Series> upper, lower;
+};
+
+std::vector<Group> groups(const study::ResponseAnswer& answer) {
+  std::vector<Group> result;
+  for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
+    const std::string& full = answer.curves.curves[c].name;
+    const std::size_t dot = full.rfind('.');
+    std::string name = full.substr(0, dot), component = full.substr(dot + 1);
+    bool lower = component.starts_with("r");
+    if (name.ends_with(".force") || name.ends_with(".moment")) {
+      lower = name.ends_with(".moment");
+      component = (lower ? "M" : "F") + component;
+      name = name.substr(0, name.rfind('.'));
+    } else if (lower) {
+      component = "θ" + component.substr(1);
+    }
+    auto group = std::find_if(result.begin(), result.end(), [&](const Group& g) { return g.name == name; });
+    if (group == result.end()) group = result.insert(result.end(), Group{name, {}, {}});
+    (lower ? group->lower : group->upper).push_back({component, c});
+  }
+  return result;
+}
+
+double largest_amplitude(const study::ResponseAnswer& answer, const std::vector<Series>& series) {
+  double largest = 0;
+  for (const Series& s : series)
+    for (const auto& value : answer.curves.curves[s.curve].value)
+      if (std::isfinite(std::abs(value))) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+std::string curve_style(std::size_t i) {
+  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", colours[i % 6],
+                     dashes[i % 6][0] ? fmt::format(" stroke-dasharray=\"{}\"", dashes[i % 6]) : "");
+}
+
+void draw_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label, const std::string& y_label) {
+  for (const Tick& tick : linear_ticks(p.x_from, p.x_to, std::max(3, static_cast<int>(p.width / 70)))) {
+    const PixelPoint low = p.at(tick.value, p.y_from);
+    canvas.line({low.x, p.top}, low, "stroke=\"#e4e4e4\"");
+    canvas.text({low.x, low.y + 15}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
+  }
+  for (const Tick& tick : y_ticks) {
+    const PixelPoint left = p.at(p.x_from, tick.value);
+    canvas.line(left, {p.left + p.width, left.y}, "stroke=\"#e4e4e4\"");
+    canvas.text({p.left - 6, left.y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
+  }
+  canvas.rectangle({p.left, p.top}, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
+  if (!x_label.empty()) canvas.text({p.left + p.width / 2, p.top + p.height + 31}, x_label, "text-anchor=\"middle\"");
+  const double x = p.left - 40, y = p.top + p.height / 2;
+  if (!y_label.empty()) canvas.text({x, y}, y_label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+}
+
+void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<Series>& series) {
+  const double width = 52, left = p.left + p.width - width - 6;
+  canvas.rectangle({left - 4, p.top + 5}, width + 4, 15.0 * static_cast<double>(series.size()) + 4, "fill=\"white\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double y = p.top + 15 + 15.0 * static_cast<double>(i);
+    canvas.line({left, y}, {left + 26, y}, curve_style(i));
+    canvas.text({left + 31, y + 4}, series[i].label, "");
+  }
+}
+
+void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<Series>& series, double factor) {
+  const auto& omega = answers.response->curves.angular_frequency;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const auto& values = answers.response->curves.curves[series[i].curve].value;
+    std::vector<PixelPoint> points;
+    for (std::size_t k = 0; k < omega.size(); ++k) {
+      const double amplitude = factor * std::abs(values(static_cast<Eigen::Index>(k)));
+      if (std::isfinite(amplitude)) points.push_back(p.at(omega[k], std::min(amplitude, p.y_to)));
+    }
+    canvas.polyline(points, curve_style(i));
+    if (!answers.peaks) continue;
+    for (const response::Peak& peak : answers.peaks->peaks.list) {
+      const bool mine = answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
+      if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to && factor * peak.amplitude <= p.y_to)
+        canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", colours[i % 6]));
+    }
+  }
+  for (const study::LimitAnswer& limit : answers.limits)
+    for (std::size_t i = 0; i < series.size(); ++i)
+      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to) {
+        canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit), "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
+        canvas.text({p.left + 6, p.at(0, factor * limit.limit).y - 4}, "limit " + series[i].label, "fill=\"#b00020\"");
+      }
+}
+
+void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<Series>& series) {
+  const auto& omega = answers.response->curves.angular_frequency;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const Eigen::VectorXd& phase = answers.response->phase[series[i].curve];
+    std::vector<PixelPoint> points;
+    double last = 0;
+    for (std::size_t k = 0; k < omega.size(); ++k) {
+      const double degrees = phase(static_cast<Eigen::Index>(k)) * 180 / std::numbers::pi;
+      if (!std::isfinite(degrees)) continue;
+      if (!points.empty() && std::abs(degrees - last) > 270) {  // the curve leaves at ±180° and enters at the other side
+        canvas.polyline(points, curve_style(i));
+        points.clear();
+      }
+      points.push_back(p.at(omega[k], degrees));
+      last = degrees;
+    }
+    canvas.polyline(points, curve_style(i));
+  }
+}
+
+/// Data range of an amplitude axis from zero, with a little air above.
+double amplitude_top(double largest) { return largest > 0 ? 1.06 * largest : 1; }
+
+std::pair<double, double> phase_range(const study::Answers& answers, const std::vector<Series>& series) {
+  double low = -180, high = 180;
+  for (const Series& s : series)
+    for (const double phase : answers.response->phase[s.curve])
+      if (std::isfinite(phase)) {
+        low = std::min(low, std::floor(phase * 180 / std::numbers::pi / 90 + 1e-9) * 90);
+        high = std::max(high, std::ceil(phase * 180 / std::numbers::pi / 90 - 1e-9) * 90);
+      }
+  return {low, high};
+}
+
+const char* quantity_letter(const study::ResponseAnswer& answer, const std::vector<Series>& series) {
+  const std::string& unit = answer.curves.curves[series.front().curve].unit;
+  if (unit == "N") return "force";
+  if (unit == "N m") return "moment";
+  static constexpr const char* translation[] = {"displacement", "velocity", "acceleration"};
+  static constexpr const char* rotation[] = {"rotation", "angular velocity", "angular acceleration"};
+  return (unit.starts_with("rad") ? rotation : translation)[static_cast<int>(answer.quantity)];
+}
+
+Figure group_figure(const study::Answers& answers, const Group& group) {
+  const study::ResponseAnswer& answer = *answers.response;
+  const double row_height = 200, panel_width = 400;
+  std::vector<const std::vector<Series>*> rows;
+  for (const auto* series : {&group.upper, &group.lower})
+    if (!series->empty()) rows.push_back(series);
+  const double height = 46 + static_cast<double>(rows.size()) * (row_height + 52);
+  SvgCanvas canvas(980, height);
+  const std::string title = group.name + (answers.case_name.empty() ? "" : ", " + answers.case_name);
+  canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::vector<Series>& series = *rows[r];
+    const double top = 40 + static_cast<double>(r) * (row_height + 52);
+    const double largest = largest_amplitude(answer, series);
+    const UnitPrefix unit = unit_prefix(largest, answer.curves.curves[series.front().curve].unit);
+    const Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, amplitude_top(largest * unit.factor)};
+    draw_frame(canvas, amplitude, linear_ticks(0, amplitude.y_to, 5), "ω [rad/s]", fmt::format("{} amplitude [{}]", quantity_letter(answer, series), unit.unit));
+    draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
+    draw_legend(canvas, amplitude, series);
+    const auto [low, high] = phase_range(answers, series);
+    const Panel phase{556, top, panel_width, row_height, answer.band.from, answer.band.to, low, high};
+    draw_frame(canvas, phase, angle_ticks(low, high), "ω [rad/s]", "phase [°]");
+    draw_phases(canvas, phase, answers, series);
+  }
+  std::string file = group.name;
+  std::replace_if(file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-'; }, '_');
+  return {title, file + ".svg", canvas.svg("Amplitude and phase of " + title)};
+}
+
+}  // namespace
+
+std::vector<Figure> characteristics(const study::Answers& answers) {
+  std::vector<Figure> result;
+  if (!answers.response || answers.response->curves.angular_frequency.size() < 2) return result;
+  for (const Group& group : groups(*answers.response)) result.push_back(group_figure(answers, group));
+  return result;
+}
+
+Figure overview(const std::string& title, const std::vector<study::Answers>& cases) {
+  constexpr std::size_t columns = 3, most_cases = 12;
+  const double width = 270, height = 120, column_pitch = 335, row_pitch = 2 * height + 110;
+  std::vector<const study::Answers*> shown;
+  for (const study::Answers& answers : cases)
+    if (answers.response && answers.response->curves.angular_frequency.size() >= 2 && shown.size() < most_cases && !(answers.case_name.empty() && cases.size() > 1))
+      shown.push_back(&answers);
+  const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
+  const std::size_t rows = (shown.size() + columns - 1) / columns;
+  SvgCanvas canvas(30 + column_pitch * static_cast<double>(used_columns), 44 + row_pitch * static_cast<double>(rows));
+  canvas.text({15 + column_pitch * static_cast<double>(used_columns) / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
+  // One scale for all, so that the cases compare.
+  std::array<double, 2> largest = {0, 0};
+  for (const study::Answers* answers : shown) {
+    const Group group = groups(*answers->response).front();
+    largest[0] = std::max(largest[0], largest_amplitude(*answers->response, group.upper));
+    largest[1] = std::max(largest[1], largest_amplitude(*answers->response, group.lower));
+  }
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const study::Answers& answers = *shown[i];
+    const Group group = groups(*answers.response).front();
+    const double left = 68 + column_pitch * static_cast<double>(i % columns), top = 66 + row_pitch * static_cast<double>(i / columns);
+    canvas.text({left + width / 2, top - 8}, answers.case_name.empty() ? group.name : answers.case_name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
+      if (series->empty()) continue;
+      const double scale = largest[static_cast<std::size_t>(part)];
+      const UnitPrefix unit = unit_prefix(scale, answers.response->curves.curves[series->front().curve].unit);
+      const Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, amplitude_top(scale * unit.factor)};
+      draw_frame(canvas, panel, linear_ticks(0, panel.y_to, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
+                 fmt::format("{} [{}]", quantity_letter(*answers.response, *series), unit.unit));
+      draw_amplitudes(canvas, panel, answers, *series, unit.factor);
+      draw_legend(canvas, panel, *series);
+    }
+  }
+  return {title, "overview.svg", canvas.svg("Amplitude characteristics of " + title)};
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/answers.h"
+
+namespace trivet::report {
+
+/// One picture for print.
+struct Figure {
+  std::string title;
+  std::string file_name;  ///< "machine.svg"
+  std::string svg;
+};
+
+/// Characteristics of one case, one figure per body, point or element: translations (or forces) above, rotations (or
+/// moments) below, amplitude left and phase right, peaks marked, limits as lines.
+[[nodiscard]] std::vector<Figure> characteristics(const study::Answers& answers);
+
+/// All cases side by side in small panels: translations above, rotations below, for the first group of curves.
+[[nodiscard]] Figure overview(const std::string& title, const std::vector<study::Answers>& cases);
+
+}  // namespace trivet::report

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/report_page.h"
+
+#include <fmt/format.h>
+
+#include "trivet/report/figures.h"
+#include "trivet/report/svg_canvas.h"
+#include "trivet/study/version.h"
+
+namespace trivet::report {
+
+extern const char* const page_html;
+extern const char* const page_css;
+extern const char* const page_js;
+
+namespace {
+
+void replace(std::string& text, const std::string& place, const std::string& content) {
+  const std::size_t at = text.find(place);
+  if (at != std::string::npos) text.replace(at, place.size(), content);
+}
+
+/// JSON inside a script element must not end it.
+std::string inside_script(const std::string& json) {
+  std::string result;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (json[i] == '<') result += "\\u003c";
+    else result += json[i];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_page(const study::Project& project, const std::vector<study::Answers>& answers, const std::string& results) {
+  const std::string title = project.title.empty() ? project.source : project.title;
+  std::string page = page_html;
+  replace(page, "{{title}}", escaped(title));
+  replace(page, "{{heading}}", escaped(title));
+  replace(page, "{{program}}", fmt::format("trivet {}", study::version()));
+  replace(page, "{{overview}}", overview(title, answers).svg);
+  replace(page, "{{style}}", page_css);
+  replace(page, "{{results}}", inside_script(results));
+  replace(page, "{{script}}", page_js);
+  return page;
+}
+
+}  // namespace trivet::report

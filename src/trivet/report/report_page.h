@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/answers.h"
+
+namespace trivet::report {
+
+/// A self-contained HTML page: works from a file without network. `results` is the text of results.json, which the page's
+/// script reads; without scripts the overview figure and the input identification still show.
+[[nodiscard]] std::string report_page(const study::Project& project, const std::vector<study::Answers>& answers, const std::string& results);
+
+}  // namespace trivet::report

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/svg_canvas.h"
+
+#include <fmt/format.h>
+
+namespace trivet::report {
+
+void SvgCanvas::line(PixelPoint a, PixelPoint b, std::string_view style) {
+  body_ += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", a.x, a.y, b.x, b.y, style);
+}
+
+void SvgCanvas::polyline(const std::vector<PixelPoint>& points, std::string_view style) {
+  if (points.size() < 2) return;
+  std::string list;
+  for (const PixelPoint& p : points) list += fmt::format("{:.2f},{:.2f} ", p.x, p.y);
+  body_ += fmt::format("<polyline fill=\"none\" points=\"{}\" {}/>\n", list, style);
+}
+
+void SvgCanvas::circle(PixelPoint centre, double radius, std::string_view style) {
+  body_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" {}/>\n", centre.x, centre.y, radius, style);
+}
+
+void SvgCanvas::rectangle(PixelPoint corner, double width, double height, std::string_view style) {
+  body_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n", corner.x, corner.y, width, height, style);
+}
+
+void SvgCanvas::text(PixelPoint at, std::string_view content, std::string_view attributes) {
+  body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" {}>{}</text>\n", at.x, at.y, attributes, escaped(content));
+}
+
+std::string SvgCanvas::svg(std::string_view description) const {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
+      "font-family=\"Liberation Sans, Arial, sans-serif\" font-size=\"11\">\n<title>{2}</title>\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{3}</svg>\n",
+      width_, height_, escaped(description), body_);
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trivet::report {
+
+struct PixelPoint {
+  double x = 0;
+  double y = 0;
+};
+
+/// Collects SVG elements; pixels, y downwards.
+class SvgCanvas {
+ public:
+  SvgCanvas(double width, double height) : width_(width), height_(height) {}
+
+  void line(PixelPoint a, PixelPoint b, std::string_view style);
+  void polyline(const std::vector<PixelPoint>& points, std::string_view style);
+  void circle(PixelPoint centre, double radius, std::string_view style);
+  void rectangle(PixelPoint corner, double width, double height, std::string_view style);
+  /// `attributes` may hold anchor, size, weight, transform.
+  void text(PixelPoint at, std::string_view content, std::string_view attributes);
+
+  [[nodiscard]] std::string svg(std::string_view description) const;
+
+ private:
+  double width_, height_;
+  std::string body_;
+};
+
+/// Text safe inside XML and HTML.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+}  // namespace trivet::report

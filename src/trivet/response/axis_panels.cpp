@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/axis_panels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace trivet::response {
+namespace {
+
+double distance_to_poles(const Eigen::VectorXcd& poles, double omega) {
+  return (poles.array() - std::complex<double>(0, omega)).abs().minCoeff();
+}
+
+/// Largest tried radius r for a panel that starts at `from` with r ≤ panel_ratio · (distance of its centre to the poles).
+double panel_radius(const Eigen::VectorXcd& poles, double from) {
+  const double here = distance_to_poles(poles, from);
+  const double certain = panel_ratio * here / (1 + panel_ratio);
+  const double most = panel_ratio * here / (1 - panel_ratio);
+  for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2}) {
+    const double r = certain + share * (most - certain);
+    if (r <= panel_ratio * distance_to_poles(poles, from + r)) return r;
+  }
+  return certain;
+}
+
+}  // namespace
+
+PanelCover cover_axis(const Eigen::VectorXcd& poles) {
+  PanelCover cover;
+  if (poles.size() == 0) return cover;
+  const Eigen::VectorXd size = poles.cwiseAbs();
+  const double largest = size.maxCoeff();
+  if (largest == 0) return cover;
+  const double at_rest = 1e-12 * largest;
+  double smallest = largest;
+  bool rigid = false;
+  for (Eigen::Index k = 0; k < poles.size(); ++k) {
+    if (size(k) <= at_rest) rigid = true;
+    else smallest = std::min(smallest, size(k));
+    if (std::abs(poles(k).real()) <= 1e-13 * largest && poles(k).imag() > at_rest) cover.poles_on_axis.push_back(poles(k).imag());
+  }
+  std::sort(cover.poles_on_axis.begin(), cover.poles_on_axis.end());
+  const auto same = [](double a, double b) { return b - a <= 4 * gap_at_pole * b; };
+  cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same), cover.poles_on_axis.end());
+  cover.lowest = rigid ? 1e-6 * smallest : 0;
+
+  const double end = largest / panel_ratio;
+  double from = cover.lowest;
+  auto pole = cover.poles_on_axis.begin();
+  while (from < end) {
+    while (pole != cover.poles_on_axis.end() && from >= *pole * (1 - gap_at_pole)) {
+      from = std::max(from, *pole * (1 + 4 * gap_at_pole));
+      ++pole;
+    }
+    const double radius = std::max(panel_radius(poles, from), 64 * std::numeric_limits<double>::epsilon() * from);
+    cover.panels.push_back({from + radius, radius, false});
+    from += 2 * radius;
+  }
+  cover.panels.push_back({0, 1 / from, true});
+  return cover;
+}
+
+}  // namespace trivet::response

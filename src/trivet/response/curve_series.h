@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/response/axis_panels.h"
+
+namespace trivet::response {
+
+/// Terms kept of every Taylor series: 0.4³⁶ ≈ 5e-15.
+inline constexpr int series_order = 36;
+
+/// |y|² of one curve on one panel as a power series in τ ∈ [−1, 1], ω = centre + radius τ. At infinity 1/ω = radius τ,
+/// τ ∈ (0, 1], and |y|² = (1/ω)^(2 power) Σ square[k] τᵏ.
+struct CurveSeries {
+  std::vector<double> square;
+  int power = 0;
+};
+
+/// From the Taylor coefficients of the coordinates (columns) on that panel.
+[[nodiscard]] CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const Eigen::MatrixXcd& coordinates);
+
+/// A polynomial with the sign of d|y|²/dτ for τ > 0 at infinity, everywhere else of d|y|²/dτ itself.
+[[nodiscard]] std::vector<double> slope(const CurveSeries& series);
+
+/// |y| at τ.
+[[nodiscard]] double amplitude(const CurveSeries& series, const Panel& panel, double tau);
+
+/// ω at τ [rad/s].
+[[nodiscard]] double angular_frequency(const Panel& panel, double tau);
+
+}  // namespace trivet::response

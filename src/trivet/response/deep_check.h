@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "trivet/assembly/assembled.h"
+
+namespace trivet::response {
+
+/// The fast solver against a second one that shares nothing with it but the model.
+struct DeepCheck {
+  int frequencies = 0;
+  double worst_difference = 0;       ///< ‖q − q'‖∞ / ‖q'‖∞ in coordinates of unit mass diagonal, at its worst relative to `allowed`
+  double allowed = 0;                ///< there: 16 n ε × condition of Z
+  double at_angular_frequency = 0;   ///< [rad/s]
+  bool passed = true;
+};
+
+/// Solves at each ω with a dynamic stiffness summed element by element in extended precision, by a pivoted solver with
+/// extended residuals, and compares with the sweep.
+[[nodiscard]] DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXcd& load,
+                                   const std::vector<double>& angular_frequency);
+
+/// Frequencies worth a check: the poles in the band and an even spread, at most `count`.
+[[nodiscard]] std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count);
+
+}  // namespace trivet::response

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/frequency_response.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "trivet/numerics/frequency_sweep.h"
+
+namespace trivet::response {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// (iω)^derivative, exact in its zeros.
+Complex derivative_factor(double omega, int derivative) {
+  if (derivative == 1) return {0, omega};
+  if (derivative == 2) return {-omega * omega, 0};
+  return {1, 0};
+}
+
+Eigen::VectorXcd curve_values(const assembly::Channel& channel, const Eigen::MatrixXcd& q, const std::vector<double>& omega) {
+  const Eigen::RowVectorXcd by_displacement = channel.on_displacement.transpose() * q;
+  const bool viscous = channel.on_velocity.cwiseAbs().maxCoeff() > 0;
+  const Eigen::RowVectorXcd by_velocity = viscous ? Eigen::RowVectorXcd(channel.on_velocity.transpose().cast<Complex>() * q)
+                                                  : Eigen::RowVectorXcd(Eigen::RowVectorXcd::Zero(q.cols()));
+  Eigen::VectorXcd values(q.cols());
+  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+    const double w = omega[static_cast<std::size_t>(i)];
+    values(i) = derivative_factor(w, channel.derivative) * (by_displacement(i) + Complex(0, w) * by_velocity(i));
+  }
+  return values;
+}
+
+}  // namespace
+
+FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                     const Eigen::VectorXcd& load, const std::vector<double>& angular_frequency) {
+  const numerics::SweepResult solved = numerics::sweep(assembled.matrices, load, angular_frequency);
+  FrequencyResponse result;
+  result.angular_frequency = angular_frequency;
+  for (const assembly::Channel& channel : channels)
+    result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, angular_frequency)});
+  result.check.fallbacks = solved.fallbacks;
+  result.check.undefined = solved.singular;
+  for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
+    if (solved.backward_error(i) > result.check.worst_backward_error) {
+      result.check.worst_backward_error = solved.backward_error(i);
+      result.check.at_angular_frequency = angular_frequency[static_cast<std::size_t>(i)];
+    }
+  return result;
+}
+
+double phase(const Complex& value) {
+  if (value.imag() == 0) return value.real() < 0 ? std::numbers::pi : 0.0;
+  const double angle = std::arg(value);
+  return angle <= -std::numbers::pi ? std::numbers::pi : angle;
+}
+
+Eigen::VectorXd continuous_phase(const Eigen::VectorXcd& values) {
+  constexpr double turn = 2 * std::numbers::pi;
+  Eigen::VectorXd result(values.size());
+  double last = 0;
+  bool started = false;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    double angle = phase(values(i));
+    if (started && std::isfinite(angle)) angle -= turn * std::round((angle - last) / turn);
+    result(i) = angle;
+    if (std::isfinite(angle)) {
+      last = angle;
+      started = true;
+    }
+  }
+  return result;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+
+namespace trivet::response {
+
+/// Complex amplitude of one answer over the frequencies of its response, SI.
+struct Curve {
+  std::string name;
+  std::string unit;
+  Eigen::VectorXcd value;
+};
+
+/// How far the solutions behind the curves may be trusted.
+struct SolutionCheck {
+  double worst_backward_error = 0;  ///< over all frequencies, in coordinates of unit mass diagonal
+  double at_angular_frequency = 0;  ///< where it is worst [rad/s]
+  int fallbacks = 0;                ///< frequencies that needed the pivoted solver
+  int undefined = 0;                ///< frequencies where the dynamic stiffness is singular; the curves are NaN there
+};
+
+struct FrequencyResponse {
+  std::vector<double> angular_frequency;  ///< [rad/s]
+  std::vector<Curve> curves;
+  SolutionCheck check;
+};
+
+/// Steady amplitudes under the complex load at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺.
+[[nodiscard]] FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                                   const Eigen::VectorXcd& load, const std::vector<double>& angular_frequency);
+
+/// Phase [rad] in (−π, π]; a negative real value is +π whatever the sign of its zero imaginary part, and 0 has phase 0.
+[[nodiscard]] double phase(const std::complex<double>& value);
+
+/// Phase [rad] made continuous along the points by whole turns.
+[[nodiscard]] Eigen::VectorXd continuous_phase(const Eigen::VectorXcd& values);
+
+}  // namespace trivet::response

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/assembly/channels.h"
+
+namespace trivet::response {
+
+/// A maximum after Newton steps on d|y|²/dω in extended precision.
+struct RefinedPeak {
+  double angular_frequency = 0;   ///< [rad/s]
+  double amplitude = 0;
+  double frequency_uncertainty = 0;  ///< [rad/s] that round-off of double-precision data can move the maximum
+  double amplitude_uncertainty = 0;
+  bool converged = false;
+};
+
+/// Starts at `omega`; gives up (converged = false, values at `omega`) if a step leaves [omega − reach, omega + reach].
+[[nodiscard]] RefinedPeak refine_peak(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& load,
+                                      double omega, double reach);
+
+}  // namespace trivet::response

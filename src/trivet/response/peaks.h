@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/foundation/interruption.h"
+#include "trivet/modal/roots.h"
+
+namespace trivet::response {
+
+/// A resonance peak: a strict local maximum of |y(ω)| at ω > 0.
+struct Peak {
+  std::size_t curve = 0;
+  double angular_frequency = 0;             ///< [rad/s]
+  double amplitude = 0;                     ///< infinite at an undamped natural frequency
+  double prominence = 0;                    ///< height above the higher of the two minima that part it from higher ground
+  std::optional<double> ratio_to_static;    ///< amplitude / |y(0)|; none where that is 0 or undefined
+  std::optional<int> nearest_mode;
+  double frequency_uncertainty = 0;         ///< [rad/s], see RefinedPeak
+  double amplitude_uncertainty = 0;
+  bool refined = true;                      ///< false: Newton did not settle (a very flat maximum); values are those of the series
+};
+
+/// What is known of a whole curve on 0 ≤ ω < ∞.
+struct CurveSummary {
+  std::string name;
+  std::string unit;
+  std::optional<double> static_amplitude;   ///< |y(0)|; none for a system with rigid motion
+  double highest = 0;                       ///< supremum of |y|, infinite with an undamped peak
+  double highest_at = 0;                    ///< [rad/s]; infinity if only approached there
+  bool vanishes = false;                    ///< below round-off of its load everywhere
+  int peaks = 0;
+};
+
+/// A local extremum of |y(ω)|, maximum or minimum, as found on its panel.
+struct Turning {
+  double angular_frequency = 0;
+  double amplitude = 0;
+  bool maximum = false;
+  double reach = 0;         ///< radius of its panel [rad/s]
+  double uncertainty = 0;   ///< [rad/s]
+};
+
+struct Peaks {
+  std::vector<Peak> list;               ///< by curve, then ascending
+  std::vector<CurveSummary> curves;
+  std::vector<std::vector<Turning>> turnings;  ///< per curve: all extrema
+  double searched_from = 0;             ///< [rad/s]; up to infinity
+  int panels = 0;                       ///< pieces of the axis that were searched
+};
+
+struct PeakOptions {
+  double min_prominence = 1e-6;  ///< of the curve's largest finite amplitude
+};
+
+/// Every peak of every channel, wherever it lies. The axis is covered by discs free of poles; on each |y|² is a Taylor series
+/// whose derivative is searched for sign changes by bisection with bounds, so that none above round-off is missed; the last
+/// disc is centred at ω = ∞. Each maximum is then refined in extended precision. Works for complex loads, loss factors,
+/// coincident and defective roots alike.
+[[nodiscard]] Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+                          const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options = {},
+                          const foundation::Progress& progress = {});
+
+}  // namespace trivet::response

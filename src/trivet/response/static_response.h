@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+
+namespace trivet::response {
+
+/// One static answer, SI.
+struct StaticValue {
+  std::string name;
+  std::string unit;
+  double value = 0;
+};
+
+struct StaticResponse {
+  std::vector<StaticValue> values;
+  double backward_error = 0;
+};
+
+/// Displacements, point motions and forces under gravity and the constant forces: K q = Q (real part of K).
+/// @throws foundation::NotComputable if the system can move freely (the message says how) or nothing loads it
+[[nodiscard]] StaticResponse static_response(const model::System& system, const assembly::Assembled& assembled,
+                                             const std::vector<assembly::Channel>& channels);
+
+}  // namespace trivet::response

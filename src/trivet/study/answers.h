@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/modal/modes.h"
+#include "trivet/modal/roots.h"
+#include "trivet/response/deep_check.h"
+#include "trivet/response/frequency_response.h"
+#include "trivet/response/peaks.h"
+#include "trivet/response/static_response.h"
+#include "trivet/study/project.h"
+
+/// Answers to what a project asks, case by case.
+namespace trivet::study {
+
+struct ResponseAnswer {
+  response::FrequencyResponse curves;
+  std::vector<Eigen::VectorXd> phase;   ///< per curve [rad]
+  response::DeepCheck deep;
+  response::Band band;
+  assembly::Quantity quantity = assembly::Quantity::displacement;
+};
+
+struct PeaksAnswer {
+  response::Peaks peaks;
+  double min_prominence = 0;
+  double peak_tolerance = 0;
+};
+
+/// A limit and the largest amplitude of its curve in the band and anywhere.
+struct LimitAnswer {
+  std::string name;
+  std::string unit;
+  double limit = 0;
+  double in_band = 0;
+  double in_band_at = 0;   ///< [rad/s]
+  double anywhere = 0;
+  bool kept = true;        ///< in_band ≤ limit
+};
+
+struct Answers {
+  std::string case_name;
+  std::vector<std::string> changes;
+  foundation::Problems warnings;       ///< of data, modes and roots: they belong to every answer
+  std::vector<std::string> free_motions;
+  modal::Modes modes;
+  modal::Roots roots;
+  std::optional<ResponseAnswer> response;
+  std::optional<PeaksAnswer> peaks;
+  std::optional<response::StaticResponse> statics;
+  std::vector<LimitAnswer> limits;
+};
+
+/// Everything a case asks for. `analyses` may differ from the case's own (a single answer from the command line).
+/// @throws foundation::NotComputable
+[[nodiscard]] Answers answers(const Case& variant, const Analyses& analyses, const foundation::Progress& progress = {});
+
+/// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or under a
+/// force on every coordinate if it has none.
+[[nodiscard]] response::DeepCheck deep_check(const Case& variant);
+
+/// Prominence over the higher neighbouring minimum, as a share of that minimum (infinite over 0): the design rule's measure.
+[[nodiscard]] double relative_prominence(const response::Peak& peak);
+
+}  // namespace trivet::study

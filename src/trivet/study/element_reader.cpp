@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include "trivet/elements/law.h"
+#include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/part_readers.h"
+
+namespace trivet::study {
+namespace {
+
+using elements::Matrix12;
+
+constexpr std::size_t most_elements = 5000;
+
+/// What entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix measures.
+Quantity matrix_entry(bool damping, int i, int j) {
+  const bool moment = i % 6 >= 3, angle = j % 6 >= 3;
+  if (damping) {
+    if (moment) return angle ? Quantity::damping_moment_per_angle : Quantity::damping_moment_per_length;
+    return angle ? Quantity::damping_force_per_angle : Quantity::damping_force_per_length;
+  }
+  if (moment) return angle ? Quantity::moment_per_angle : Quantity::moment_per_length;
+  return angle ? Quantity::force_per_angle : Quantity::force_per_length;
+}
+
+/// Builds one element: where its ends are, then its law in their axes.
+class ElementReader {
+ public:
+  ElementReader(const Node& node, const std::string& name, const model::Description& description, foundation::Problems& problems)
+      : reader_(node, "elements." + name, problems), bodies_(description) {
+    element_.name = name;
+  }
+
+  std::optional<model::Element> read() {
+    const std::size_t before = reader_.problems().list().size();
+    element_.type = reader_.required_text("type");
+    if (!read_ends()) return std::nullopt;
+    element_.symmetric = reader_.boolean("symmetric").value_or(true);
+    element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
+    element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
+    read_law();
+    read_damping();
+    reader_.finish();
+    return reader_.problems().list().size() == before ? std::optional(element_) : std::nullopt;
+  }
+
+ private:
+  bool read_ends() {
+    if (!reader_.has("on")) reader_.missing("on", "name the body at end K: on = \"BODY\"");
+    const auto on = body_named(reader_, "on", bodies_);
+    const auto from = body_named(reader_, "from", bodies_);
+    const bool from_is_wrong = reader_.has("from") && !from;
+    const auto at = reader_.vector("at", Quantity::length);
+    if (!reader_.has("at")) reader_.missing("at", "give the point on the body: at = [x, y, z]");
+    const auto from_at = reader_.vector("from_at", Quantity::length);
+    const auto axis = reader_.direction("axis");
+    const auto orientation = reader_.orientation("orientation");
+    const auto from_orientation = reader_.orientation("from_orientation");
+    if (reader_.has("axis") && reader_.has("orientation"))
+      reader_.error("axis", "axis and orientation", "only one of them turns the local axes", "remove one");
+    if (!on || !at || from_is_wrong || (reader_.has("from_at") && !from_at)) return false;
+
+    const spatial::Pose body = bodies_.bodies[*on].pose;
+    const spatial::Pose other = from ? bodies_.bodies[*from].pose : spatial::Pose{};
+    element_.k.body = *on;
+    element_.k.at = *at;
+    element_.k.axes = orientation ? *orientation : axis ? spatial::axes_along(*axis) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    element_.n.body = from;
+    element_.n.at = from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (body.position + body.rotation * *at - other.position));
+    element_.n.axes = from_orientation ? *from_orientation : Eigen::Matrix3d(other.rotation.transpose() * body.rotation * element_.k.axes);
+    span_ = model::span(bodies_.bodies, element_.n, element_.k);
+    return true;
+  }
+
+  void read_law() {
+    if (element_.type == "matrix") read_matrix();
+    else if (element_.type == "bushing") read_bushing(true);
+    else if (element_.type == "three_springs") read_bushing(false);
+    else if (element_.type == "damper") read_damper();
+    else if (reader_.has("type")) {
+      static_cast<void>(reader_.choice("type", {"matrix", "bushing", "three_springs", "damper"}));
+    }
+  }
+
+  void read_matrix() {
+    if (!reader_.has("stiffness")) reader_.missing("stiffness", "give the 6×6 of the moved end K, or the full 12×12 (N, K)");
+    if (const auto matrix = reader_.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12}))
+      element_.law.nominal_stiffness = full(*matrix);
+  }
+
+  /// A 12×12 is taken as given; a 6×6 of the K end is completed by equilibrium.
+  Matrix12 full(const Eigen::MatrixXd& matrix) const {
+    if (matrix.rows() == 12) return matrix;
+    return elements::in_end_axes(elements::from_moved_end(matrix, span_.arm), span_.n_from_k);
+  }
+
+  elements::Vector6 constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation) {
+    elements::Vector6 k = elements::Vector6::Zero();
+    if (!reader.has("translation")) reader.missing("translation", "give three constants along the local axes: translation = [kx, ky, kz]");
+    if (const auto t = reader.vector("translation", translation)) k.head<3>() = *t;
+    if (with_rotation)
+      if (const auto r = reader.vector("rotation", rotation)) k.tail<3>() = *r;
+    for (int i = 0; i < 6; ++i)
+      if (k(i) < 0)
+        reader.error(i < 3 ? "translation" : "rotation", fmt::format("{:.6g}", k(i)), "each constant must be ≥ 0",
+                     "a negative one would give energy away");
+    return k;
+  }
+
+  void read_bushing(bool with_rotation) {
+    read_centre();
+    const elements::Vector6 k = constants(reader_, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
+    element_.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(k, span_.arm, centre_), span_.n_from_k);
+  }
+
+  void read_centre() {
+    centre_ = reader_.number("center", Quantity::pure).value_or(0.5);
+    if (!(centre_ >= 0 && centre_ <= 1))
+      reader_.error("center", fmt::format("{:.6g}", centre_), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
+  }
+
+  void read_damper() {
+    read_centre();
+    const double c = reader_.required_number("coefficient", Quantity::damping_force_per_length);
+    if (c < 0) reader_.error("coefficient", fmt::format("{:.6g} N s/m", c), "it must be ≥ 0", "a negative one would feed energy into the motion");
+    Eigen::Vector3d line = span_.arm;
+    if (reader_.has("axis")) line = Eigen::Vector3d::UnitZ();  // the local e3 that `axis` laid
+    else if (!(line.norm() > 0))
+      return static_cast<void>(reader_.error("axis", "both ends are at the same point", "a damper works along a line",
+                                             "give axis = \"z\" or another from_at"));
+    element_.law.damping = elements::DampingMatrix{
+        elements::in_end_axes(elements::constant_along_line(c, line.normalized(), span_.arm, centre_), span_.n_from_k)};
+    if (reader_.has("damping")) reader_.error("damping", "damping of a damper", "its coefficient says it all", "remove it");
+    reader_.node("damping");
+  }
+
+  void read_damping() {
+    if (element_.type == "damper") return;
+    const Node* table = reader_.table("damping");
+    if (!table) return;
+    TableReader damping(*table, reader_.path() + ".damping", reader_.problems());
+    int laws = 0;
+    for (const char* key : {"proportional", "loss_factor", "matrix", "translation"}) laws += damping.has(key);
+    if (laws != 1)
+      reader_.error("damping", laws == 0 ? "no law" : "more than one law", "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}",
+                    "keep one of them");
+    if (const auto factor = damping.number("proportional", Quantity::time)) {
+      const auto of = damping.choice("of", {"scaled", "nominal"});
+      element_.law.damping = elements::ProportionalDamping{*factor, of == "nominal"};
+    }
+    if (const auto loss = damping.number("loss_factor", Quantity::pure)) element_.law.damping = elements::LossFactor{*loss};
+    if (const auto matrix = damping.matrix("matrix", [](int, int i, int j) { return matrix_entry(true, i, j); }, {6, 12}))
+      element_.law.damping = elements::DampingMatrix{full(*matrix)};
+    if (damping.has("translation")) {
+      const elements::Vector6 c = constants(damping, Quantity::damping_force_per_length, Quantity::damping_moment_per_angle, true);
+      const double centre = element_.type == "matrix" ? 1 : centre_;
+      element_.law.damping = elements::DampingMatrix{elements::in_end_axes(elements::constants_at_point(c, span_.arm, centre), span_.n_from_k)};
+    }
+    damping.finish();
+  }
+
+  TableReader reader_;
+  const model::Description& bodies_;
+  model::Element element_;
+  model::Span span_{};
+  double centre_ = 0.5;
+};
+
+}  // namespace
+
+void read_elements(TableReader& root, model::Description& description) {
+  const Node* table = root.table("elements");
+  if (!table) return;
+  if (table->keys.size() > most_elements)
+    root.error("elements", fmt::format("{} elements", table->keys.size()), fmt::format("this version takes at most {}", most_elements), "split the model");
+  for (std::size_t i = 0; i < table->keys.size() && i < most_elements; ++i) {
+    if (table->items[i].kind != Node::Kind::table) {
+      root.problems().error("elements." + table->keys[i], words(table->items[i].kind), "an element is a table", "write [elements.NAME] and its type below").origin =
+          table->items[i].origin;
+    } else if (auto element = ElementReader(table->items[i], table->keys[i], description, root.problems()).read()) {
+      description.elements.push_back(std::move(*element));
+    }
+  }
+}
+
+void read_system_damping(TableReader& root, model::Description& description) {
+  const Node* table = root.table("damping");
+  if (!table) return;
+  TableReader reader(*table, "damping", root.problems());
+  if (reader.has("rayleigh") == reader.has("modal"))
+    root.error("damping", reader.has("modal") ? "rayleigh and modal" : "neither rayleigh nor modal", "the damping of the system is one of them", "keep one");
+  if (const Node* inside = reader.table("rayleigh")) {
+    TableReader rayleigh(*inside, "damping.rayleigh", root.problems());
+    description.damping = model::RayleighDamping{rayleigh.number("mass", Quantity::per_time).value_or(0), rayleigh.number("stiffness", Quantity::time).value_or(0)};
+    rayleigh.finish();
+  }
+  if (const Node* modal = reader.node("modal")) {
+    if (modal->kind == Node::Kind::array) {
+      if (const auto ratios = reader.numbers("modal", Quantity::pure)) description.damping = model::ModalDamping{*ratios};
+    } else if (const auto ratio = reader.number("modal", Quantity::pure)) {
+      description.damping = model::ModalDamping{{*ratio}};
+    }
+  }
+  reader.finish();
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "trivet/study/answers.h"
+
+/// How Trivet's things look as JSON values; shared by the single answers and the result file.
+namespace trivet::study::json {
+
+using Json = nlohmann::ordered_json;
+
+/// A number, or null where it is not finite.
+inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <typename T>
+Json optional(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+inline Json complex_number(const std::complex<double>& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()) ? Json{z.real(), z.imag()} : Json(nullptr); }
+
+template <typename Vector>
+Json list(const Vector& values) {
+  Json result = Json::array();
+  for (Eigen::Index i = 0; i < values.size(); ++i) result.push_back(number(values(i)));
+  return result;
+}
+
+template <typename Matrix>
+Json rows(const Matrix& matrix) {
+  Json result = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) result.push_back(list(matrix.row(i)));
+  return result;
+}
+
+[[nodiscard]] Json warnings(const foundation::Problems& problems);
+[[nodiscard]] Json modes(const Case& variant, const Answers& answers);
+[[nodiscard]] Json roots(const Case& variant, const Answers& answers);
+[[nodiscard]] Json response(const Answers& answers);
+[[nodiscard]] Json peaks(const Answers& answers);
+[[nodiscard]] Json statics(const Answers& answers);
+
+}  // namespace trivet::study::json

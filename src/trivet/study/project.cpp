@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "trivet/study/changes.h"
+#include "trivet/study/document.h"
+#include "trivet/study/part_readers.h"
+#include "trivet/study/source_file.h"
+#include "trivet/study/toml_text.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::size_t most_cases = 1000;
+
+void check_format_version(TableReader& root) {
+  if (!root.has("trivet")) root.missing("trivet", "start the file with trivet = 1");
+  const auto version = root.number("trivet", Quantity::pure);
+  if (version && *version != 1) root.error("trivet", fmt::format("format {:.6g}", *version), "this program reads format 1", "write trivet = 1, or use a newer program");
+}
+
+/// Problems of the checked model that are not just echoes of something the reader could not read.
+foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading) {
+  std::set<std::string> unread;  // "bodies.frame" of every problem of reading
+  bool geometry_unread = false;
+  for (const auto& problem : reading.list()) {
+    if (problem.severity != foundation::Severity::error) continue;
+    const std::size_t second = problem.subject.find('.', problem.subject.find('.') + 1);
+    unread.insert(problem.subject.substr(0, second));
+    geometry_unread = geometry_unread || problem.subject.starts_with("bodies");
+  }
+  foundation::Problems result;
+  for (const auto& problem : found.list()) {
+    const std::size_t second = problem.subject.find('.', problem.subject.find('.') + 1);
+    if (unread.contains(problem.subject.substr(0, second))) continue;
+    if (geometry_unread && !problem.subject.starts_with("bodies.")) continue;
+    result.add(problem);
+  }
+  return result;
+}
+
+/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors.
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems) {
+  foundation::Problems reading;
+  TableReader root(document, "", reading);
+  model::Description description;
+  check_format_version(root);
+  title = root.text("title").value_or("");
+  description.title = title;
+  read_bodies(root, description);
+  read_elements(root, description);
+  read_system_damping(root, description);
+  read_excitations(root, description);
+  Analyses analyses = read_analyses(root, description);
+  static_cast<void>(root.node("cases"));
+  root.finish();
+
+  auto system = model::System::checked(std::move(description));
+  foundation::Problems all = reading;
+  foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading);
+  locate(physical, document);
+  all.add(physical);
+  const bool good = !all.has_errors();
+  if (!name.empty())
+    for (auto& problem : all.list()) problem.subject = "case \"" + name + "\": " + problem.subject;
+  problems.add(all);
+  if (!good || !system) return std::nullopt;
+  all.sort_by_origin();
+  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all)};
+}
+
+void list_changes(const Node& node, const std::string& path, std::vector<std::string>& lines) {
+  switch (node.kind) {
+    case Node::Kind::table:
+      for (std::size_t i = 0; i < node.keys.size(); ++i) list_changes(node.items[i], path.empty() ? node.keys[i] : path + "." + node.keys[i], lines);
+      return;
+    case Node::Kind::array: lines.push_back(fmt::format("{} = [{} values]", path, node.items.size())); return;
+    case Node::Kind::text: lines.push_back(fmt::format("{} = \"{}\"", path, node.text)); return;
+    case Node::Kind::boolean: lines.push_back(fmt::format("{} = {}", path, node.boolean)); return;
+    default: lines.push_back(fmt::format("{} = {:.12g}", path, node.number)); return;
+  }
+}
+
+}  // namespace
+
+const Case* Project::find(const std::string& name) const {
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; });
+  return found == cases.end() ? nullptr : &*found;
+}
+
+foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source, const std::vector<std::string>& settings) {
+  foundation::Expected<Node> parsed = parse_toml(text, source);
+  if (!parsed) return tl::make_unexpected(parsed.error());
+  Node document = std::move(*parsed);
+  foundation::Problems problems;
+  std::string hashed = text;
+  std::vector<std::string> setting_lines;
+  for (const std::string& setting : settings) {
+    hashed += "\n" + setting;
+    const foundation::Expected<Node> change = parse_setting(setting);
+    if (!change) {
+      problems.add(change.error());
+      continue;
+    }
+    apply_changes(document, *change, "", problems);
+    list_changes(*change, "", setting_lines);
+  }
+
+  Project project;
+  project.source = source;
+  project.sha256 = sha256(hashed);
+  auto base = read_case(document, "", project.title, problems);
+  if (base) base->changes = setting_lines;
+  if (base) project.cases.push_back(std::move(*base));
+  const Node* cases = document.find("cases");
+  if (cases && cases->kind != Node::Kind::table) {
+    problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
+  } else if (cases && cases->keys.size() > most_cases) {
+    problems.error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases), "split the file").origin = cases->origin;
+  } else if (cases && !project.cases.empty()) {  // with a broken base every case would only repeat its problems
+    for (std::size_t i = 0; i < cases->keys.size(); ++i) {
+      const Node& change = cases->items[i];
+      const std::string& name = cases->keys[i];
+      if (change.kind != Node::Kind::table || name.empty()) {
+        problems.error("cases." + name, words(change.kind), "a case is a table with a name", "write [cases.NAME] and the changed numbers below").origin = change.origin;
+        continue;
+      }
+      Node variant = document;
+      foundation::Problems of_change;
+      apply_changes(variant, change, "", of_change);
+      for (auto& problem : of_change.list()) problem.subject = "case \"" + name + "\": " + problem.subject;
+      problems.add(of_change);
+      std::string title;
+      auto variant_case = read_case(variant, name, title, problems);
+      if (!variant_case) continue;
+      variant_case->changes = setting_lines;
+      list_changes(change, "", variant_case->changes);
+      project.cases.push_back(std::move(*variant_case));
+    }
+  }
+  problems.sort_by_origin();
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return project;
+}
+
+foundation::Expected<Project> read_project(const std::filesystem::path& path, const std::vector<std::string>& settings) {
+  const auto text = read_source(path);
+  if (!text) return tl::make_unexpected(text.error());
+  return project_from_text(*text, path.string(), settings);
+}
+
+}  // namespace trivet::study

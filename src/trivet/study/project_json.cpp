@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/project_json.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/study/json_parts.h"
+#include "trivet/study/version.h"
+
+namespace trivet::study {
+namespace {
+
+using json::Json;
+
+elements::MatrixVerdict verdict(const Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
+  const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
+  return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k));
+}
+
+void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, bool symmetric,
+                      std::vector<CheckLine>& lines) {
+  if (v.highest_eigenvalue == 0) return;
+  lines.push_back({subject, quantity + " resists no rigid motion", fmt::format("{:.1e} of its scale", v.rigid_residual),
+                   v.rigid_residual <= elements::silent_residual});
+  if (symmetric) {
+    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
+    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", v.lowest_eigenvalue), elements::is_semidefinite(v)});
+  }
+}
+
+Json end_json(const Case& variant, const model::End& end) {
+  const spatial::Pose in_ground = model::end_in_ground(variant.system.bodies(), end);
+  return {{"on", end.body ? Json(variant.system.bodies()[*end.body].name) : Json("ground")},
+          {"at", json::list(end.at)},
+          {"in_ground", json::list(in_ground.position)},
+          {"axes_in_ground", json::rows(in_ground.rotation)}};
+}
+
+std::string damping_words(const elements::Damping& damping) {
+  if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
+    return fmt::format("B = {:.6g} s × {} K", p->factor, p->of_nominal ? "nominal" : "scaled");
+  if (const auto* l = std::get_if<elements::LossFactor>(&damping)) return fmt::format("loss factor {:.6g}", l->value);
+  return std::holds_alternative<elements::DampingMatrix>(damping) ? "viscous matrix" : "none";
+}
+
+Json model_json(const Case& variant) {
+  const model::Description& d = variant.system.description();
+  Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
+              {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)}};
+  for (const auto& body : d.bodies) {
+    Json points = Json::object();
+    for (const auto& point : body.points) points[point.name] = json::list(point.at);
+    Json free = Json::array();
+    for (std::size_t j = 0; j < 6; ++j)
+      if (body.free[j]) free.push_back(model::coordinate_names[j]);
+    result["bodies"].push_back({{"name", body.name}, {"mass", body.mass.mass}, {"center_of_mass", json::list(body.mass.centre)},
+                                {"inertia_about_pole", json::rows(spatial::inertia_about_pole(body.mass))},
+                                {"principal_moments", json::list(spatial::principal_inertia(body.mass).moments)},
+                                {"position", json::list(body.pose.position)}, {"rotation", json::rows(body.pose.rotation)},
+                                {"points", std::move(points)}, {"free", std::move(free)}});
+  }
+  for (const auto& element : d.elements)
+    result["elements"].push_back({{"name", element.name}, {"type", element.type}, {"scale", element.law.scale},
+                                  {"damping", damping_words(element.law.damping)}, {"n", end_json(variant, element.n)},
+                                  {"k", end_json(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))}});
+  for (const auto& force : d.harmonic_forces)
+    result["excitations"].push_back({{"name", force.name}, {"type", "harmonic"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
+                                     {"force", json::list(force.amplitude.force)}, {"moment", json::list(force.amplitude.moment)}, {"phase", json::list(force.phase)}});
+  for (const auto& force : d.constant_forces)
+    result["excitations"].push_back({{"name", force.name}, {"type", "constant"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
+                                     {"force", json::list(force.wrench.force)}, {"moment", json::list(force.wrench.moment)}});
+  return result;
+}
+
+Json case_json(const Case& variant, const Answers& answers) {
+  Json checks = Json::array();
+  for (const CheckLine& line : check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
+  Json limits = Json::array();
+  for (const LimitAnswer& limit : answers.limits)
+    limits.push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}, {"in_band", json::number(limit.in_band)},
+                      {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
+  Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
+              {"free_motions", answers.free_motions}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
+  if (variant.analyses.modes) result["modes"] = json::modes(variant, answers);
+  if (variant.analyses.roots) result["roots"] = json::roots(variant, answers);
+  if (answers.response) {
+    result["band"] = {answers.response->band.from, answers.response->band.to};
+    result["response"] = json::response(answers);
+  }
+  if (answers.peaks) result["peaks"] = json::peaks(answers);
+  if (answers.statics) result["static"] = json::statics(answers);
+  return result;
+}
+
+}  // namespace
+
+std::vector<CheckLine> check_lines(const Case& variant) {
+  std::vector<CheckLine> lines;
+  for (const auto& body : variant.system.bodies()) {
+    const std::string subject = "body " + body.name;
+    lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
+    if (!body.has_inertia) continue;
+    const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
+    const Eigen::VectorXd a = numerics::symmetric_eigenvalues(spatial::mass_matrix(body.mass));
+    lines.push_back({subject, "principal central moments are those of a real body", fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
+                     spatial::broken_bounds(body.mass).empty()});
+    lines.push_back({subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
+  }
+  for (const auto& element : variant.system.elements()) {
+    const std::string subject = "element " + element.name;
+    add_matrix_lines(subject, "stiffness", verdict(variant, element, elements::stiffness(element.law)), element.symmetric, lines);
+    add_matrix_lines(subject, "damping", verdict(variant, element, elements::viscous_damping(element.law)), element.symmetric, lines);
+  }
+  return lines;
+}
+
+std::string element_json(const Case& variant, std::size_t index) {
+  const model::Element& element = variant.system.elements()[index];
+  const elements::Matrix12 stiffness = elements::stiffness(element.law);
+  foundation::Problems mine;
+  for (const auto& problem : variant.warnings.list())
+    if (problem.subject.find("elements." + element.name) != std::string::npos) mine.add(problem);
+  const Json result{{"name", element.name}, {"type", element.type}, {"n", end_json(variant, element.n)}, {"k", end_json(variant, element.k)},
+                    {"stiffness", json::rows(stiffness)}, {"damping", json::rows(elements::viscous_damping(element.law))},
+                    {"loss_factor", elements::loss_factor(element.law)}, {"mass", nullptr}, {"preload", nullptr},
+                    {"rigid_motion_residual", json::rows(verdict(variant, element, stiffness).residual)}, {"warnings", json::warnings(mine)}};
+  return result.dump(1) + "\n";
+}
+
+std::string results_json(const Project& project, const std::vector<Answers>& answers) {
+  Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", version()}}},
+              {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
+              {"title", project.title}, {"cases", Json::array()}};
+  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i]));
+  return result.dump() + "\n";
+}
+
+std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions) {
+  Json list = Json::array();
+  for (const auto& p : problems.list())
+    list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"}, {"file", p.origin.source}, {"line", p.origin.line},
+                    {"subject", p.subject}, {"finding", p.finding}, {"rule", p.rule}, {"remedy", p.remedy}, {"message", foundation::message(p)}});
+  return Json{{"ok", !problems.has_errors()}, {"problems", std::move(list)}, {"free_motions", free_motions}, {"warnings", json::warnings(problems)}}.dump(1) + "\n";
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "trivet/foundation/problems.h"
+
+namespace trivet::study {
+
+/// Largest project file that is read.
+inline constexpr std::uintmax_t largest_project_file = 16u << 20;
+
+/// Text of a project file; refuses directories, unreadable, empty, binary and absurdly large files.
+[[nodiscard]] foundation::Expected<std::string> read_source(const std::filesystem::path& path);
+
+/// SHA-256 of a text, hexadecimal.
+[[nodiscard]] std::string sha256(const std::string& text);
+
+}  // namespace trivet::study

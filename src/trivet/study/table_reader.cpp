@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/table_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::study {
+namespace {
+
+/// Deviation of a given rotation matrix from orthonormality that is taken for rounding of its digits.
+constexpr double orthonormal_within = 1e-9;
+
+std::string shown(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::text: return "\"" + node.text.substr(0, 60) + "\"";
+    case Node::Kind::integer:
+    case Node::Kind::real: return fmt::format("{:.9g}", node.number);
+    case Node::Kind::boolean: return node.boolean ? "true" : "false";
+    default: return words(node.kind);
+  }
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+TableReader::TableReader(const Node& table, std::string path, foundation::Problems& problems)
+    : table_(table), path_(std::move(path)), problems_(problems) {}
+
+foundation::Problem& TableReader::error_at(const Node& node, const std::string& where, std::string finding, std::string rule, std::string remedy) {
+  foundation::Problem& problem = problems_.error(where, std::move(finding), std::move(rule), std::move(remedy));
+  problem.origin = node.origin;
+  return problem;
+}
+
+foundation::Problem& TableReader::error(const std::string& key, std::string finding, std::string rule, std::string remedy) {
+  const Node* node = table_.find(key);
+  const std::string where = path_.empty() ? key : path_ + "." + key;
+  return error_at(node ? *node : table_, where, std::move(finding), std::move(rule), std::move(remedy));
+}
+
+void TableReader::missing(const std::string& key, const std::string& remedy) { error(key, "missing", "it is required", remedy); }
+
+const Node* TableReader::node(const std::string& key) {
+  known_.push_back(key);
+  return table_.find(key);
+}
+
+const Node* TableReader::table(const std::string& key) {
+  const Node* found = node(key);
+  if (!found || found->kind == Node::Kind::table) return found;
+  error(key, shown(*found), "a table is wanted here", "write " + key + " = {…} or [" + key + "]");
+  return nullptr;
+}
+
+std::optional<double> TableReader::scalar(const Node& value, const std::string& where, Quantity quantity) {
+  const std::string unit = si_unit(quantity);
+  const std::string remedy = quantity == Quantity::pure ? "give a plain number" : fmt::format("give a number in {0}, or a text with a unit that converts to {0}", unit);
+  double number = 0;
+  if (value.kind == Node::Kind::integer || value.kind == Node::Kind::real) {
+    number = value.number;
+  } else if (value.kind == Node::Kind::text) {
+    const auto converted = to_si(value.text, quantity);
+    if (!converted) {
+      error_at(value, where, shown(value), converted.error(), remedy);
+      return std::nullopt;
+    }
+    number = *converted;
+  } else {
+    error_at(value, where, shown(value), "a number is wanted here", remedy);
+    return std::nullopt;
+  }
+  if (!std::isfinite(number)) {
+    error_at(value, where, fmt::format("{}", number), "every number must be finite", remedy);
+    return std::nullopt;
+  }
+  if (std::abs(number) > largest_number) {
+    error_at(value, where, fmt::format("{:.6g} {}", number, unit), "no number of a machine is above 1e30 in SI units", "check digits and unit");
+    return std::nullopt;
+  }
+  return number;
+}
+
+std::optional<double> TableReader::number(const std::string& key, Quantity quantity) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  return scalar(*value, path_.empty() ? key : path_ + "." + key, quantity);
+}
+
+double TableReader::required_number(const std::string& key, Quantity quantity) {
+  if (!node(key)) missing(key, fmt::format("give {} in {}", key, si_unit(quantity)));
+  return number(key, quantity).value_or(0);
+}
+
+std::optional<std::string> TableReader::text(const std::string& key) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  if (value->kind == Node::Kind::text) return value->text;
+  error(key, shown(*value), "a text is wanted here", "put it in quotes");
+  return std::nullopt;
+}
+
+std::string TableReader::required_text(const std::string& key) {
+  if (!node(key)) missing(key, "give " + key + " = \"…\"");
+  return text(key).value_or("");
+}
+
+std::optional<bool> TableReader::boolean(const std::string& key) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  if (value->kind == Node::Kind::boolean) return value->boolean;
+  error(key, shown(*value), "true or false is wanted here", "write true or false, without quotes");
+  return std::nullopt;
+}
+
+std::optional<std::vector<std::string>> TableReader::texts(const std::string& key) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  std::vector<std::string> result;
+  if (value->kind == Node::Kind::text) return std::vector{value->text};
+  bool good = value->kind == Node::Kind::array;
+  for (const Node& item : value->items) {
+    good = good && item.kind == Node::Kind::text;
+    result.push_back(item.text);
+  }
+  if (good) return result;
+  error(key, shown(*value), "an array of texts is wanted here", "for instance " + key + " = [\"x\", \"y\"]");
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> TableReader::numbers(const std::string& key, Quantity quantity) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  if (value->kind != Node::Kind::array) {
+    error(key, shown(*value), "an array of numbers is wanted here", "for instance " + key + " = [1, 2, 3]");
+    return std::nullopt;
+  }
+  std::vector<double> result;
+  bool good = true;
+  for (std::size_t i = 0; i < value->items.size(); ++i) {
+    const auto item = scalar(value->items[i], fmt::format("{}{}{}[{}]", path_, path_.empty() ? "" : ".", key, i), quantity);
+    good = good && item;
+    result.push_back(item.value_or(0));
+  }
+  return good ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> TableReader::vector(const std::string& key, Quantity quantity) {
+  const auto values = numbers(key, quantity);
+  if (!values) return std::nullopt;
+  if (values->size() == 3) return Eigen::Vector3d((*values)[0], (*values)[1], (*values)[2]);
+  error(key, fmt::format("{} numbers", values->size()), "three are wanted: x, y, z", "complete or shorten the array");
+  return std::nullopt;
+}
+
+std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key, const std::function<Quantity(int, int, int)>& quantity_of,
+                                                   const std::vector<int>& allowed_sizes) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  std::vector<std::string> sizes;
+  for (const int size : allowed_sizes) sizes.push_back(fmt::format("{0}×{0}", size));
+  const std::string rule = "an array of rows, " + listed(sizes) + ", is wanted here";
+  const auto refuse = [&](const std::string& finding) {
+    error(key, finding, rule, "check brackets, rows and columns");
+    return std::nullopt;
+  };
+  if (value->kind != Node::Kind::array) return refuse(shown(*value));
+  const auto size = static_cast<int>(value->items.size());
+  if (std::find(allowed_sizes.begin(), allowed_sizes.end(), size) == allowed_sizes.end()) return refuse(fmt::format("{} rows", size));
+  Eigen::MatrixXd result(size, size);
+  bool good = true;
+  for (int i = 0; i < size; ++i) {
+    const Node& row = value->items[static_cast<std::size_t>(i)];
+    if (row.kind != Node::Kind::array) return refuse(fmt::format("row {} is {}", i + 1, words(row.kind)));
+    if (static_cast<int>(row.items.size()) != size) return refuse(fmt::format("row {} has {} entries", i + 1, row.items.size()));
+    for (int j = 0; j < size; ++j) {
+      const auto entry = scalar(row.items[static_cast<std::size_t>(j)], fmt::format("{}.{}[{}][{}]", path_, key, i, j), quantity_of(size, i, j));
+      good = good && entry;
+      result(i, j) = entry.value_or(0);
+    }
+  }
+  return good ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
+  const Node* value = node(key);
+  if (!value) return std::nullopt;
+  if (value->kind == Node::Kind::text) {
+    const bool negative = value->text.starts_with('-');
+    const std::string letter = value->text.substr(negative || value->text.starts_with('+') ? 1 : 0);
+    for (int i = 0; i < 3; ++i)
+      if (letter == std::string(1, "xyz"[i])) return (negative ? -1.0 : 1.0) * Eigen::Vector3d::Unit(i);
+    error(key, shown(*value), "a direction is \"x\", \"y\", \"z\", one of them with a minus sign, or three numbers", "for instance \"-z\" or [0, 0, -1]");
+    return std::nullopt;
+  }
+  const auto components = vector(key, Quantity::pure);
+  if (!components) return std::nullopt;
+  if (components->norm() > 0) return components->normalized();
+  error(key, "[0, 0, 0]", "a direction has a length", "give at least one number that is not 0");
+  return std::nullopt;
+}
+
+std::optional<Eigen::Matrix3d> TableReader::orientation(const std::string& key) {
+  const Node* value = table(key);
+  if (!value) return std::nullopt;
+  TableReader inside(*value, path_ + "." + key, problems_);
+  if (inside.has("matrix")) {
+    const auto matrix = inside.matrix("matrix", [](int, int, int) { return Quantity::pure; }, {3});
+    inside.finish();
+    if (!matrix) return std::nullopt;
+    const Eigen::Matrix3d axes = *matrix;
+    const double deviation = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    const double handed = axes.col(0).dot(spatial::cross_matrix(axes.col(1)) * axes.col(2));
+    if (deviation <= orthonormal_within && handed > 0) return axes;
+    inside.error("matrix", handed > 0 ? fmt::format("columns deviate from unit, perpendicular vectors by {:.2g}", deviation) : "a left-handed set of axes",
+                 "the columns are the local x, y, z axes: unit vectors, perpendicular, right-handed", "give more digits, or use axis and angle");
+    return std::nullopt;
+  }
+  const auto axis = inside.direction("axis");
+  const auto angle = inside.number("angle", Quantity::angle);
+  if (!inside.has("axis")) inside.missing("axis", "give axis and angle, or matrix");
+  if (!inside.has("angle")) inside.missing("angle", "give axis and angle, or matrix");
+  inside.finish();
+  if (!axis || !angle) return std::nullopt;
+  return spatial::rotation_about(*axis, *angle);
+}
+
+std::optional<std::string> TableReader::choice(const std::string& key, const std::vector<std::string>& words) {
+  const auto word = text(key);
+  if (!word || std::find(words.begin(), words.end(), *word) != words.end()) return word;
+  const std::string guess = foundation::nearest_name(*word, words);
+  error(key, "\"" + word->substr(0, 60) + "\"", "one of " + listed(words) + " is wanted here",
+        guess.empty() ? "choose one" : "did you mean \"" + guess + "\"?");
+  return std::nullopt;
+}
+
+void TableReader::finish() {
+  for (std::size_t i = 0; i < table_.keys.size(); ++i) {
+    const std::string& key = table_.keys[i];
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string guess = foundation::nearest_name(key, known_);
+    const std::string short_key = key.substr(0, 60);
+    error_at(table_.items[i], path_.empty() ? short_key : path_ + "." + short_key, "unknown key",
+             known_.empty() ? "nothing may stand here" : "known here: " + listed(known_),
+             guess.empty() ? "remove it" : "did you mean \"" + guess + "\"?");
+  }
+}
+
+}  // namespace trivet::study
