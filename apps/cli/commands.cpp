@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
@@ -105,15 +106,20 @@ int check_command(const Options& options) {
   std::vector<std::string> free_motions;
   foundation::Problems warnings;
   std::string text;
+  std::vector<study::CheckLine> base_lines;
   bool agrees = true;
   for (const study::Case& variant : project->cases) {
-    warnings.add(variant.warnings);
+    foundation::Problems found = variant.warnings;
     const assembly::Assembled assembled = assembly::assemble(variant.system);
     const modal::Modes modes = modal::modes(variant.system, assembled);
-    warnings.add(modes.warnings);
-    warnings.add(modal::roots(variant.system, assembled, modes).warnings);
-    const std::string title = variant.name.empty() ? "Base model" : "Case " + variant.name;
-    text += title + "\n" + checks_text(study::check_lines(variant));
+    found.add(modes.warnings);
+    found.add(modal::roots(variant.system, assembled, modes).warnings);
+    warnings.add(found);
+    std::vector<study::CheckLine> lines = study::check_lines(variant);
+    if (variant.name.empty()) base_lines = lines;
+    else std::erase_if(lines, [&](const study::CheckLine& line) { return std::find(base_lines.begin(), base_lines.end(), line) != base_lines.end(); });
+    text += variant.name.empty() ? "Base model\n" : "Case " + variant.name + (lines.empty() ? ": checks as the base model\n" : "\n");
+    if (!lines.empty()) text += checks_text(lines);
     for (const std::string& motion : modal::free_motions(variant.system, assembled, modes)) {
       text += "  note: " + motion + "\n";
       if (variant.name.empty()) free_motions.push_back(motion);

@@ -24,6 +24,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// Control characters of quoted input as escapes, so that one problem is one line.
+std::string on_one_line(const std::string& text) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string line;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '\n') line += "\\n";
+    else if (code < 0x20 || code == 0x7f) line += {'\\', 'x', digits[code >> 4], digits[code & 15]};
+    else line += c;
+  }
+  return line;
+}
+
 }  // namespace
 
 std::string message(const Problem& problem) {
@@ -38,7 +51,7 @@ std::string message(const Problem& problem) {
   if (!problem.finding.empty()) text += (problem.subject.empty() ? "" : ": ") + problem.finding;
   if (!problem.rule.empty()) text += "; " + problem.rule;
   if (!problem.remedy.empty()) text += "; " + problem.remedy;
-  return text;
+  return on_one_line(text);
 }
 
 Problem& Problems::error(std::string subject, std::string finding, std::string rule, std::string remedy) {

@@ -5,7 +5,26 @@
 
 #include "trivet/model/checks.h"
 
+#include <Eigen/LU>
+
 namespace trivet::model {
+namespace {
+
+/// Has the mass matrix of the free coordinates an inverse? Without it there is no equation of motion at all.
+bool has_regular_mass(const Body& body) {
+  const spatial::Matrix6 a = spatial::mass_matrix(body.mass);
+  std::vector<int> rows;
+  for (int j = 0; j < 6; ++j)
+    if (body.free[static_cast<std::size_t>(j)]) rows.push_back(j);
+  Eigen::MatrixXd block = a(rows, rows);
+  for (Eigen::Index i = 0; i < block.rows(); ++i)
+    if (block(i, i) == 0) return false;
+  const Eigen::VectorXd d = block.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  block = (d.asDiagonal() * block * d.asDiagonal()).eval();
+  return Eigen::FullPivLU<Eigen::MatrixXd>(block).setThreshold(1e-13).isInvertible();
+}
+
+}  // namespace
 
 void check_body(const Body& body, foundation::Problems& problems) {
   const std::string subject = "bodies." + body.name;
@@ -23,14 +42,16 @@ void check_body(const Body& body, foundation::Problems& problems) {
   } else if (!(body.mass.mass > 0)) {
     broken.push_back({fmt::format("mass = {:.6g} kg", body.mass.mass), "a mass must be > 0"});
   }
+  const bool regular = has_regular_mass(body);
   for (const auto& bound : broken) {
-    const bool of_mass = bound.finding.starts_with("mass");
+    const bool of_mass = bound.finding.starts_with("mass =");
     const std::string thing = subject + (of_mass ? ".mass" : ".inertia");
-    if (body.allow_unphysical)
+    if (body.allow_unphysical && regular)
       problems.warning(thing, bound.finding, bound.rule, "no real body has these numbers (allow_unphysical is set): every result is doubtful");
     else
       problems.error(thing, bound.finding, bound.rule,
-                     "mend the number, or its sign or point of reference; allow_unphysical = true computes all the same and marks every result");
+                     regular ? "mend the number, or its sign or point of reference; allow_unphysical = true computes all the same and marks every result"
+                             : "mend the number: with a singular mass matrix there is no motion to compute, even with allow_unphysical");
   }
 }
 

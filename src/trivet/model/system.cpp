@@ -10,6 +10,10 @@
 namespace trivet::model {
 namespace {
 
+struct NameOnly {
+  std::string name;
+};
+
 template <typename Things>
 void check_names(const Things& things, const std::string& kind, foundation::Problems& problems) {
   std::set<std::string> seen;
@@ -63,7 +67,10 @@ foundation::Expected<System> System::checked(Description description) {
   if (description.bodies.empty()) problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
   check_names(description.bodies, "bodies", problems);
   check_names(description.elements, "elements", problems);
-  check_names(description.harmonic_forces, "excitations", problems);
+  std::vector<NameOnly> excitations;
+  for (const auto& force : description.harmonic_forces) excitations.push_back({force.name});
+  for (const auto& force : description.constant_forces) excitations.push_back({force.name});
+  check_names(excitations, "excitations", problems);
   check_shared_names(description, problems);
   for (const auto& body : description.bodies) {
     check_names(body.points, "bodies." + body.name + ".points", problems);

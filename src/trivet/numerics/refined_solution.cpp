@@ -18,6 +18,7 @@ RefinedSolver::~RefinedSolver() = default;
 
 ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
   constexpr int most_steps = 12;
+  constexpr long double settled = 64 * std::numeric_limits<long double>::epsilon();
   const auto step = [&](const ExtendedVector& r) -> ExtendedVector {
     return factors_->lu.solve(r.cast<std::complex<double>>().eval()).cast<std::complex<long double>>();
   };
@@ -26,12 +27,13 @@ ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
   for (int i = 0; i < most_steps; ++i) {
     const ExtendedVector correction = step(b - z_ * x);
     const long double size = correction.norm();
+    if (size <= settled * x.norm()) return x + correction;
     if (!(size < 0.5L * previous)) break;
     x += correction;
     previous = size;
-    if (size <= 4 * std::numeric_limits<long double>::epsilon() * x.norm()) break;
   }
-  return x;
+  // Too ill-conditioned for factors in double: take the slow way.
+  return z_.partialPivLu().solve(b);
 }
 
 double RefinedSolver::condition() const {

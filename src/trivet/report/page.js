@@ -1,0 +1,785 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the results that stand in the page, fills its tables and draws its pictures. Everything inside is SI and rad/s.
+'use strict';
+(() => {
+
+const results = JSON.parse(document.getElementById('results').textContent);
+const cases = results.cases;
+const TURN = 2 * Math.PI;
+// The colours (Okabe-Ito) and dashes of the static figures.
+const COLOURS = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#000000', '#E69F00'];
+const DASHES = ['', '7,3', '2,2', '9,3,2,3', '5,2', '1,3'];
+const MOTIONS = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
+const FORCES = ['Fx', 'Fy', 'Fz', 'Mx', 'My', 'Mz'];
+const FEW_POINTS = 24;  // a response at so few frequencies is also shown as a table
+
+/// What the reader has chosen. `zoom` is null or [from, to] in rad/s; `hidden` holds the names of curves switched off.
+const view = {case: 0, ylog: false, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
+let pictures = [];       // of the selected case
+let comparison = null;   // the picture of all cases
+let cursor = null;       // ω under the pointer
+
+// ---------------------------------------------------------------- elements, numbers, tables
+
+const byId = id => document.getElementById(id);
+
+function fill(node, attributes, children) {
+  for (const [name, value] of Object.entries(attributes ?? {})) {
+    if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
+    else if (value !== null && value !== undefined && value !== false) node.setAttribute(name, value);
+  }
+  node.append(...children.flat(Infinity).filter(child => child !== null && child !== undefined));
+  return node;
+}
+const html = (tag, attributes, ...children) => fill(document.createElement(tag), attributes, children);
+const svg = (tag, attributes, ...children) => fill(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
+
+const isNumber = value => typeof value === 'number' && Number.isFinite(value);
+const largestOf = values => values.reduce((most, v) => (Number.isFinite(v) && v > most ? v : most), 0);
+
+/// Significant digits without idle zeros, or with them in columns of results.
+function number(value, digits = 6, keepZeros = false) {
+  if (!isNumber(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
+  if (text.includes('e')) return keepZeros ? text.replace('e+', 'e') : text.replace(/\.?0*e\+?/, 'e');
+  return keepZeros || !text.includes('.') ? text : text.replace(/\.?0+$/, '');
+}
+const result = (value, digits = 5) => number(value, digits, true);
+const percent = share => (isNumber(share) ? `${(100 * share).toFixed(1).replace(/^-0\.0$/, '0.0')}\u00a0%` : '–');
+const vector = v => `(${v.map(x => number(x, 7)).join(', ')})`;
+const sameAxes = rotation => rotation.every((row, i) => row.every((x, j) => Math.abs(x - (i === j ? 1 : 0)) < 1e-12));
+const hertz = omega => omega / TURN;
+
+/// A prefix under which the largest value reads well: {factor, unit}.
+function prefix(largest, unit) {
+  if (!(largest > 0) || !Number.isFinite(largest)) return {factor: 1, unit};
+  const step = Math.max(-3, Math.min(2, Math.floor(Math.log10(largest) / 3 + 1e-9)));
+  return {factor: 10 ** (-3 * step), unit: ['n', 'µ', 'm', '', 'k', 'M'][step + 3] + unit};
+}
+function withUnit(value, unit, digits = 5) {
+  if (!isNumber(value)) return '∞';
+  const p = prefix(Math.abs(value), unit);
+  return `${result(value * p.factor, digits)} ${p.unit}`;
+}
+
+const count = (n, one, many = one + 's') => `${n} ${n === 1 ? one : many}`;
+
+/// A right-aligned cell or heading.
+const num = content => ({content, number: true});
+const quietIf = (quiet, text) => (quiet ? html('span', {class: 'quiet'}, text) : text);
+
+/// A unit stays on one line with the word before it.
+const unbroken = text => text.replace(/ ?\[[^\]]*\]/g, unit => unit.replaceAll(' ', '\u00a0'));
+
+/// `rows` hold arrays of cells, or {cells, mark}; a cell is a text, a node, num(…) or {content, span}. Long `tall` tables scroll.
+function table(headings, rows, {tall = false, style = null} = {}) {
+  const heading = item => html('th', {scope: 'col', class: item.number ? 'number' : null}, unbroken(item.content ?? item));
+  const cell = item => html('td', {class: item?.number ? 'number' : null, colspan: item?.span}, item?.content ?? item);
+  const line = row => html('tr', {class: row.mark}, (row.cells ?? row).map(cell));
+  return html('div', {class: tall && rows.length > 18 ? 'scroll tall' : 'scroll', tabindex: 0, role: 'region', 'aria-label': 'table'},
+    html('table', {class: style}, html('thead', {}, html('tr', {}, headings.map(heading))), html('tbody', {}, rows.map(line))));
+}
+function verdict(passed, yes = 'ok', no = 'FAILED') {
+  return html('span', {class: passed ? 'good' : 'bad'}, passed ? `✓ ${yes}` : `✗ ${no}`);
+}
+const section = (id, title, ...children) => html('section', {id}, html('h2', {}, title), children);
+const folded = (title, ...children) => html('details', {}, html('summary', {}, title), children);
+const caseName = index => cases[index].name || 'Base model';
+
+// ---------------------------------------------------------------- curves
+
+/// Where an answer belongs, by its name: "compressor.discharge flange.rx" is θx among the rotations of the flange.
+function place(name, unit) {
+  const dot = name.lastIndexOf('.');
+  const owner = name.slice(0, dot), component = name.slice(dot + 1);
+  if (unit.startsWith('N')) {
+    const moment = unit === 'N m';
+    return {owner: owner.replace(/\.(force|moment)$/, ''), kind: 'forces', lower: moment, label: (moment ? 'M' : 'F') + component};
+  }
+  const turns = component.startsWith('r');
+  return {owner, kind: 'motions', lower: turns, label: turns ? 'θ' + component.slice(1) : component};
+}
+
+const frequencies = c => (c.response ? c.response.angular_frequency : []);
+
+/// Curves of a case in ascending ω: amplitude in SI, phase in degrees; NaN where the answer is not defined.
+function curvesOf(c) {
+  if (!c.response) return [];
+  const all = c.response.angular_frequency;
+  const order = all.map((_, i) => i).sort((a, b) => all[a] - all[b]);
+  const omega = order.map(i => all[i]);
+  return c.response.results.map(r => {
+    const amplitude = order.map(i => (r.complex[i] ? Math.hypot(...r.complex[i]) : NaN));
+    const mine = item => item.name === r.name && item.unit === r.unit;
+    return {
+      ...place(r.name, r.unit), key: r.name, name: r.name, unit: r.unit, omega, amplitude,
+      phase: order.map((i, k) => (amplitude[k] > 0 && isNumber(r.phase[i]) ? r.phase[i] * 360 / TURN : NaN)),
+      peaks: (c.peaks?.peaks ?? []).filter(mine), limits: c.limits.filter(mine),
+      vanishes: (c.peaks?.curves ?? []).some(s => mine(s) && s.vanishes),
+    };
+  });
+}
+
+/// Items with a place, gathered by owner: [{name, kind, rows: [[upper…], [lower…]]}].
+function grouped(items) {
+  const groups = [];
+  for (const item of items) {
+    let group = groups.find(g => g.name === item.owner && g.kind === item.kind);
+    if (!group) groups.push(group = {name: item.owner, kind: item.kind, rows: [[], []]});
+    group.rows[item.lower ? 1 : 0].push(item);
+  }
+  return groups;
+}
+
+function quantity(unit) {
+  const names = {m: 'displacement', 'm/s': 'velocity', 'm/s²': 'acceleration', rad: 'rotation', 'rad/s': 'angular velocity',
+                 'rad/s²': 'angular acceleration', N: 'force', 'N m': 'moment'};
+  return names[unit] ?? unit;
+}
+
+// ---------------------------------------------------------------- scales and ticks
+
+function linearTicks(from, to, wanted) {
+  const raw = (to - from) / wanted, decade = 10 ** Math.floor(Math.log10(raw)), ratio = raw / decade;
+  const step = decade * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+  const ticks = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * (to - from); k++) ticks.push({value: k * step, label: number(k * step, 8)});
+  return ticks;
+}
+
+function decadeLabel(k) {
+  if (k >= -3 && k <= 4) return String(Number(`1e${k}`));
+  return '10' + [...String(k)].map(sign => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[sign])).join('');
+}
+function logTicks(from, to, wanted) {
+  const decades = Math.log10(to / from);
+  if (decades < 1) return linearTicks(from, to, wanted);
+  const ticks = [], every = Math.ceil(decades / wanted), labelled = decades < wanted / 3 ? [2, 5] : [];
+  for (let k = Math.floor(Math.log10(from)); k <= Math.log10(to); k++)
+    for (let digit = 1; digit < 10; digit++) {
+      const value = digit * 10 ** k;
+      if (value < from * (1 - 1e-9) || value > to * (1 + 1e-9)) continue;
+      if (digit === 1) ticks.push({value, label: k % every === 0 ? decadeLabel(k) : ''});
+      else if (decades <= wanted) ticks.push({value, label: labelled.includes(digit) ? number(value) : '', minor: true});
+    }
+  return ticks;
+}
+
+function scale(from, to, start, end, logarithmic, ticks) {
+  const f = logarithmic ? Math.log : v => v, back = logarithmic ? Math.exp : v => v;
+  const a = f(from), b = f(to);
+  return {from, to, ticks, at: v => start + (f(v) - a) / (b - a) * (end - start), value: p => back(a + (p - start) / (end - start) * (b - a))};
+}
+
+/// The shown range of ω. A logarithmic axis cannot start at 0; it starts a decade below the lowest thing worth seeing.
+function frequencyRange(picture) {
+  let [from, to] = view.zoom ?? picture.band;
+  if (!(to > from)) [from, to] = [from * 0.9, from * 1.1 + 1e-9];
+  if (view.xlog && from <= 0) {
+    const lowest = Math.min(...picture.landmarks.filter(w => w > 1e-6 * to), to);
+    const wanted = lowest / 10;
+    from = Math.max(wanted, to / 1e5);
+  }
+  return [from, to];
+}
+
+function frequencyScale(picture, box) {
+  const [from, to] = frequencyRange(picture), factor = view.hz ? 1 / TURN : 1;
+  const ticks = (view.xlog ? logTicks : linearTicks)(from * factor, to * factor, Math.max(3, Math.floor((box.right - box.left) / (view.xlog ? 50 : 70))));
+  return scale(from, to, box.left, box.right, view.xlog, ticks.map(tick => ({...tick, value: tick.value / factor})));
+}
+
+/// Points [ω, value] of a curve between `from` and `to`, with points interpolated at both ends; NaN values stay as gaps.
+function within(curve, values, from, to) {
+  const points = [];
+  const cut = (i, at) => [at, values[i] + (values[i + 1] - values[i]) * (at - curve.omega[i]) / (curve.omega[i + 1] - curve.omega[i])];
+  curve.omega.forEach((w, i) => {
+    const next = curve.omega[i + 1];
+    if (w >= from && w <= to) points.push([w, values[i]]);
+    if (w < from && next > from) points.push(cut(i, from));
+    if (w < to && next > to) points.push(cut(i, to));
+  });
+  return points;
+}
+
+/// The amplitude that is exceeded over a twentieth of the range: the scale of a picture whose peaks reach to infinity.
+function commonTop(points) {
+  const pieces = points.slice(1).map((p, i) => [Math.max(p[1], points[i][1]), p[0] - points[i][0]]).filter(p => p[1] > 0).sort((a, b) => b[0] - a[0]);
+  let left = 0.05 * pieces.reduce((sum, p) => sum + p[1], 0);
+  for (const [value, width] of pieces) if ((left -= width) <= 0) return value;
+  return 0;
+}
+
+const shownSeries = picture => picture.series.filter(s => !view.hidden.has(s.key));
+const limitsOf = picture => picture.limits ?? shownSeries(picture).flatMap(s => s.limits.map(l => ({...l, label: s.label})));
+
+function amplitudeScale(picture, x, box) {
+  const shown = shownSeries(picture);
+  const lines = shown.map(s => within(s, s.amplitude, x.from, x.to));
+  let largest = largestOf(lines.flat().map(p => p[1]));
+  const unbounded = shown.some(s => s.peaks.some(p => p.unbounded && p.angular_frequency >= x.from && p.angular_frequency <= x.to));
+  largest = Math.max(largest, largestOf(shown.flatMap(s => s.peaks.filter(p => p.angular_frequency >= x.from && p.angular_frequency <= x.to).map(p => p.amplitude))));
+  if (unbounded && !view.ylog) largest = Math.min(largest, 2 * largestOf(lines.map(commonTop)) || largest);
+  const limits = limitsOf(picture).map(l => l.limit).filter(l => l <= largest * (view.ylog ? 100 : 3));
+  const top = Math.max(largest, ...limits);
+  const unit = prefix(top, picture.unit);
+  let from = 0, to = top > 0 ? 1.06 * top : 1;
+  if (view.ylog && top > 0) {
+    const alive = lines.filter(line => largestOf(line.map(p => p[1])) > 1e-9 * largest).flat().map(p => p[1]).filter(v => v > 0);
+    from = Math.min(Math.max(Math.min(...alive, largest), 1e-8 * largest) / 1.6, to / 10);
+    to *= (to / from) ** 0.06;
+  }
+  const logarithmic = from > 0, factor = unit.factor;
+  const ticks = (logarithmic ? logTicks : linearTicks)(from * factor, to * factor, Math.floor((box.bottom - box.top) / (logarithmic ? 20 : 40)));
+  return {...scale(from, to, box.bottom, box.top, logarithmic, ticks.map(t => ({...t, value: t.value / factor}))),
+          label: `${quantity(picture.unit)}${quantity(picture.unit).includes(' ') ? '' : ' amplitude'} [${unit.unit}]`};
+}
+
+function phaseScale(picture, box) {
+  const values = shownSeries(picture).flatMap(s => s.phase).filter(Number.isFinite);
+  const low = values.reduce((m, v) => Math.min(m, Math.floor(v / 90 + 1e-9) * 90), -180);
+  const high = values.reduce((m, v) => Math.max(m, Math.ceil(v / 90 - 1e-9) * 90), 180);
+  const step = [45, 90, 180, 360, 720, 1440].find(s => (high - low) / s <= 8) ?? 3600;
+  const ticks = [];
+  for (let v = Math.ceil(low / step) * step; v <= high; v += step) ticks.push({value: v, label: String(v)});
+  const air = 0.02 * (high - low);
+  return {...scale(low - air, high + air, box.bottom, box.top, false, ticks), label: 'phase [°]', wrapped: low >= -180 && high <= 180};
+}
+
+// ---------------------------------------------------------------- drawing a picture
+
+/// The path of a curve; a wrapped phase leaves at ±180° and enters at the other side.
+function path(points, x, y, wrapped) {
+  let d = '', previous = null;
+  const go = (command, px, py) => { d += `${command}${px.toFixed(2)},${Math.max(-1e4, Math.min(1e4, py)).toFixed(2)}`; };
+  for (const [w, value] of points) {
+    if (!Number.isFinite(value) || (y.from > 0 && !(value > 0))) { previous = null; continue; }
+    const px = x.at(w), py = y.at(value);
+    if (previous && wrapped && Math.abs(value - previous.value) > 180) {
+      const edge = Math.sign(previous.value) * 180, way = 360 - Math.abs(value - previous.value);
+      const part = way > 0 ? Math.abs(edge - previous.value) / way : 0.5, middle = previous.px + part * (px - previous.px);
+      go('L', middle, y.at(edge));
+      go('M', middle, y.at(-edge));
+    }
+    go(previous ? 'L' : 'M', px, py);
+    previous = {value, px};
+  }
+  return d;
+}
+
+function drawFrame(picture, x, y, box, width) {
+  const middle = (box.top + box.bottom) / 2;
+  const label = (tick, place) => (tick.label ? svg('text', {...place, fill: '#333'}, tick.label) : null);
+  const colour = tick => (tick.minor ? '#f1f1f1' : '#dfdfdf');
+  return svg('g', {},
+    x.ticks.map(t => [svg('path', {d: `M${x.at(t.value)},${box.top}V${box.bottom}`, stroke: colour(t)}), label(t, {x: x.at(t.value), y: box.bottom + 16, 'text-anchor': 'middle'})]),
+    y.ticks.map(t => [svg('path', {d: `M${box.left},${y.at(t.value)}H${box.right}`, stroke: colour(t)}), label(t, {x: box.left - 6, y: y.at(t.value) + 4, 'text-anchor': 'end'})]),
+    svg('rect', {x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top, fill: 'none', stroke: '#333'}),
+    svg('text', {x: (box.left + box.right) / 2, y: box.bottom + 34, 'text-anchor': 'middle'}, view.hz ? 'f [Hz]' : 'ω [rad/s]'),
+    svg('text', {x: 13, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 13 ${middle})`}, y.label));
+}
+
+/// Undamped natural frequencies as short ticks on the upper edge.
+function drawModes(picture, x, box) {
+  return picture.modes.filter(m => m.angular_frequency >= x.from && m.angular_frequency <= x.to && m.angular_frequency > 0).map(m =>
+    svg('path', {d: `M${x.at(m.angular_frequency)},${box.top}v9`, stroke: '#666', 'stroke-width': 2},
+      svg('title', {}, `mode ${m.number}, ω = ${result(m.angular_frequency, 6)} rad/s = ${result(m.frequency_hz, 6)} Hz\n${m.name}`)));
+}
+
+function peakWords(peak, label) {
+  const lines = [`peak of ${label}: ${peak.unbounded ? 'unbounded (undamped)' : withUnit(peak.amplitude, peak.unit)}`,
+                 `ω = ${result(peak.angular_frequency, 6)} rad/s = ${result(hertz(peak.angular_frequency), 6)} Hz`];
+  if (isNumber(peak.ratio_to_static)) lines.push(`${result(peak.ratio_to_static)} × static`);
+  if (peak.nearest_mode) lines.push(`nearest mode: ${peak.nearest_mode}`);
+  return lines.join('\n');
+}
+function drawPeaks(series, x, y, box) {
+  return series.peaks.filter(p => p.angular_frequency >= x.from && p.angular_frequency <= x.to).map(p => {
+    const title = svg('title', {}, peakWords(p, series.label)), px = x.at(p.angular_frequency);
+    if (p.unbounded) {
+      return svg('g', {}, title, svg('path', {d: `M${px},${box.top}V${box.bottom}`, stroke: series.colour, 'stroke-width': 1.6, 'stroke-dasharray': '1.5,4'}),
+        svg('text', {x: px + 4, y: box.top + 22, fill: series.colour, 'font-size': 15}, '∞'));
+    }
+    if (p.amplitude < y.from || p.amplitude > y.to) return null;
+    const place = {cx: px, cy: y.at(p.amplitude)};
+    return svg('g', {}, title, svg('circle', {...place, r: 9, fill: 'transparent'}), svg('circle', {...place, r: 3.2, fill: '#fff', stroke: series.colour, 'stroke-width': 1.5}));
+  });
+}
+
+function drawLimits(picture, y, box) {
+  let above = 0;
+  return limitsOf(picture).map(l => {
+    const unit = prefix(l.limit, l.unit), style = {fill: '#b00020', x: box.left + 6, stroke: '#fff', 'stroke-width': 3, 'paint-order': 'stroke'};
+    const words = ['limit', l.label, number(l.limit * unit.factor), unit.unit].filter(Boolean).join(' ');
+    if (l.limit > y.to || l.limit < y.from) return svg('text', {...style, y: box.top + 24 + 15 * above++}, `${words} (${l.limit > y.to ? 'above' : 'below'} this picture)`);
+    const py = y.at(l.limit);
+    return svg('g', {}, svg('path', {d: `M${box.left},${py}H${box.right}`, stroke: '#b00020', 'stroke-width': 1.4, 'stroke-dasharray': '10,4'}),
+      svg('text', {...style, y: py - 5 < box.top + 12 ? py + 14 : py - 5}, words));
+  });
+}
+
+let clips = 0;
+function drawPicture(picture) {
+  const width = Math.max(280, picture.holder.clientWidth || 560), height = picture.height;
+  const box = {left: 68, right: width - 12, top: 10, bottom: height - 44};
+  const x = frequencyScale(picture, box), y = picture.phase ? phaseScale(picture, box) : amplitudeScale(picture, x, box);
+  const clip = `clip${++clips}`, shown = shownSeries(picture);
+  const values = s => (picture.phase ? s.phase : s.amplitude);
+  const dots = s => (s.omega.length > FEW_POINTS ? [] : within(s, values(s), x.from, x.to).filter(p => s.omega.includes(p[0]) && Number.isFinite(p[1]) && p[1] >= y.from)
+    .map(p => svg('circle', {cx: x.at(p[0]), cy: y.at(p[1]), r: 3, fill: s.colour})));
+  const curve = s => svg('path', {d: path(within(s, values(s), x.from, x.to), x, y, y.wrapped), fill: 'none', stroke: s.colour, 'stroke-width': 1.7,
+                                  opacity: s.omega.length > FEW_POINTS ? null : 0.35, 'stroke-linejoin': 'round', 'stroke-dasharray': s.dash || null});
+  const overlay = svg('g', {});
+  picture.frame = {x, y, box, width, overlay};
+  picture.holder.replaceChildren(svg('svg', {viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': picture.title},
+    svg('defs', {}, svg('clipPath', {id: clip}, svg('rect', {x: box.left, y: box.top - 3, width: box.right - box.left, height: box.bottom - box.top + 6}))),
+    svg('rect', {x: 0, y: 0, width, height, fill: '#fff'}),
+    drawFrame(picture, x, y, box, width),
+    svg('g', {'clip-path': `url(#${clip})`}, shown.filter(s => !(picture.phase && s.vanishes)).map(s => [curve(s), dots(s)])),
+    overlay, drawModes(picture, x, box),
+    picture.phase ? null : [drawLimits(picture, y, box), shown.map(s => drawPeaks(s, x, y, box))]));
+}
+
+// ---------------------------------------------------------------- pointer, keys, legend
+
+const allPictures = () => (comparison ? [...pictures, comparison] : pictures);
+
+/// Index of the computed frequency nearest to ω.
+function nearestIndex(omega, w) {
+  let low = 0, high = omega.length - 1;
+  while (high - low > 1) omega[(low + high) >> 1] < w ? low = (low + high) >> 1 : high = (low + high) >> 1;
+  return high >= 0 && omega[high] - w < w - omega[low] ? high : low;
+}
+function amplitudeAt(series, w) {
+  const i = nearestIndex(series.omega, w), j = w < series.omega[i] ? i - 1 : i + 1;
+  if (series.omega[i] === w || j < 0 || j >= series.omega.length) return Math.abs(series.omega[i] - w) < 1e-9 * w ? series.amplitude[i] : NaN;
+  return series.amplitude[i] + (series.amplitude[j] - series.amplitude[i]) * (w - series.omega[i]) / (series.omega[j] - series.omega[i]);
+}
+
+function drawCursor(picture) {
+  const {x, y, box, overlay} = picture.frame;
+  overlay.replaceChildren();
+  if (cursor === null || cursor < x.from || cursor > x.to) return;
+  overlay.append(svg('path', {d: `M${x.at(cursor)},${box.top}V${box.bottom}`, stroke: '#333', 'stroke-dasharray': '3,2'}));
+  for (const s of shownSeries(picture)) {
+    const value = picture.phase ? s.phase[nearestIndex(s.omega, cursor)] : amplitudeAt(s, cursor);
+    if (Number.isFinite(value) && value >= y.from && value <= y.to && !(picture.phase && s.vanishes))
+      overlay.append(svg('circle', {cx: x.at(cursor), cy: y.at(value), r: 3.2, fill: s.colour, stroke: '#fff'}));
+  }
+}
+const highestWords = s => s.vanishes ? 'below round-off' : `max ${s.peaks.some(p => p.unbounded && p.angular_frequency <= s.omega.at(-1)) ? '∞' : withUnit(largestOf(s.amplitude), s.unit, 4)}`;
+function readOut(legend) {
+  const none = cursor === null;
+  legend.frequency.textContent = none ? '' : `ω = ${result(cursor, 6)} rad/s, f = ${result(hertz(cursor), 6)} Hz`;
+  for (const {series, reading} of legend.entries) {
+    const phase = series.phase?.[nearestIndex(series.omega, cursor ?? 0)], amplitude = none ? NaN : amplitudeAt(series, cursor);
+    const angle = legend.withPhase && Number.isFinite(phase) ? `  ${phase.toFixed(1)}°` : '';
+    reading.textContent = none ? highestWords(series) : Number.isFinite(amplitude) ? withUnit(amplitude, series.unit, 4) + angle : '–';
+  }
+}
+function setCursor(w) {
+  cursor = w;
+  for (const picture of allPictures()) drawCursor(picture);
+  for (const legend of new Set(allPictures().map(p => p.legend))) readOut(legend);
+}
+
+/// ω at a pointer event, clamped to the axis; inside the pictures of one case the nearest computed one.
+function frequencyAt(picture, event, snap) {
+  const {x, box, width} = picture.frame, rectangle = picture.holder.getBoundingClientRect();
+  const pixel = Math.max(box.left, Math.min(box.right, (event.clientX - rectangle.left) * width / rectangle.width));
+  const w = x.value(pixel), omega = picture.series[0]?.omega ?? [];
+  if (!snap || picture === comparison || !omega.length) return {w, pixel};
+  const near = omega[nearestIndex(omega, w)];
+  return {w: near >= x.from && near <= x.to ? near : w, pixel};
+}
+
+function listen(picture) {
+  const holder = picture.holder;
+  let start = null;
+  const mark = event => {
+    const {box, overlay} = picture.frame, end = frequencyAt(picture, event).pixel;
+    overlay.replaceChildren(svg('rect', {x: Math.min(start.pixel, end), y: box.top, width: Math.abs(end - start.pixel), height: box.bottom - box.top, fill: '#0072b2', 'fill-opacity': 0.15, stroke: '#0072b2'}));
+  };
+  const finish = event => {
+    if (!start) return;
+    const end = frequencyAt(picture, event), from = start;
+    start = null;
+    if (Math.abs(end.pixel - from.pixel) > 6) change({zoom: [from.w, end.w].sort((a, b) => a - b)});
+  };
+  holder.addEventListener('pointerdown', event => {
+    if (event.button !== 0) return;
+    start = frequencyAt(picture, event);
+    holder.setPointerCapture(event.pointerId);
+  });
+  holder.addEventListener('pointermove', event => {
+    setCursor(frequencyAt(picture, event, true).w);
+    if (start) mark(event);
+  });
+  holder.addEventListener('pointerup', finish);
+  holder.addEventListener('pointercancel', () => { start = null; setCursor(null); });
+  holder.addEventListener('pointerleave', () => { if (!start) setCursor(null); });
+  holder.addEventListener('dblclick', () => change({zoom: null}));
+  holder.addEventListener('keydown', event => moveByKey(picture, event));
+}
+function moveByKey(picture, event) {
+  const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
+  if (event.key === 'Escape') setCursor(null);
+  if (!step || !picture.series.length) return;
+  event.preventDefault();
+  const {x} = picture.frame, omega = picture.series[0].omega;
+  const from = cursor === null ? (x.from + x.to) / 2 : cursor;
+  const index = nearestIndex(omega, from) + step * (event.shiftKey ? 10 : 1);
+  setCursor(Math.max(x.from, Math.min(x.to, omega[Math.max(0, Math.min(omega.length - 1, index))])));
+}
+
+function makePicture(options) {
+  const picture = {height: 250, phase: false, modes: [], ...options, holder: html('div', {class: 'picture', tabindex: 0})};
+  listen(picture);
+  return picture;
+}
+
+/// Buttons that switch curves, each with room for the values under the cursor.
+function makeLegend(series, withPhase) {
+  const legend = {withPhase, frequency: html('span', {class: 'frequency'}), entries: []};
+  const entries = series.map(s => {
+    const reading = html('span', {class: 'reading'});
+    legend.entries.push({series: s, reading});
+    const sample = svg('svg', {width: 28, height: 10, 'aria-hidden': 'true'}, svg('path', {d: 'M0,5H28', stroke: s.colour, 'stroke-width': 2, 'stroke-dasharray': s.dash || null}));
+    const button = html('button', {type: 'button', 'aria-pressed': !view.hidden.has(s.key), 'data-key': s.key, title: 'show or hide this curve', onclick: () => toggle(s.key)},
+      sample, s.vanishes ? `${s.label} (≈ 0)` : s.label);
+    return html('span', {class: 'entry'}, button, reading);
+  });
+  legend.node = html('div', {class: withPhase ? 'legend' : 'legend many'}, entries, legend.frequency);
+  return legend;
+}
+function toggle(key) {
+  view.hidden.has(key) ? view.hidden.delete(key) : view.hidden.add(key);
+  for (const button of document.querySelectorAll('.legend button')) button.setAttribute('aria-pressed', !view.hidden.has(button.dataset.key));
+  refresh();
+}
+
+// ---------------------------------------------------------------- characteristics and comparison
+
+const bandOf = c => [Math.min(...frequencies(c)), Math.max(...frequencies(c))];
+const landmarksOf = c => [...(c.modes?.modes ?? []).map(m => m.angular_frequency), ...(c.peaks?.peaks ?? []).map(p => p.angular_frequency)].filter(w => w > 0);
+const styled = (series, i) => ({...series, colour: COLOURS[i % 6], dash: DASHES[(i + Math.floor(i / 6)) % 6]});
+
+function characteristicsRow(c, series) {
+  const legend = makeLegend(series, true);
+  const common = {series, legend, unit: series[0].unit, band: bandOf(c), landmarks: landmarksOf(c), modes: c.modes?.modes ?? []};
+  const title = `${series[0].owner}, ${series.map(s => s.label).join(', ')}`;
+  const pair = [makePicture({...common, title: `Amplitude of ${title}`}), makePicture({...common, phase: true, title: `Phase of ${title}`})];
+  pictures.push(...pair);
+  return html('div', {class: 'row'}, legend.node, html('div', {class: 'pair'}, pair.map(p => p.holder)));
+}
+
+function responseTable(curves) {
+  return table(['curve', num('ω [rad/s]'), num('f [Hz]'), num('amplitude'), num('phase [°]')],
+    curves.flatMap(s => s.omega.map((w, i) => [s.name, num(result(w, 6)), num(result(hertz(w), 6)),
+      num(Number.isFinite(s.amplitude[i]) ? withUnit(s.amplitude[i], s.unit) : 'not defined'), num(Number.isFinite(s.phase[i]) ? s.phase[i].toFixed(2) : '–')])), {tall: true});
+}
+
+function characteristics(c) {
+  const curves = curvesOf(c);
+  pictures = [];
+  if (!curves.length) return null;
+  const points = c.response.angular_frequency.length;
+  if (points < 2) return section('characteristics', 'Response', responseTable(curves));
+  return section('characteristics', 'Amplitude and phase characteristics',
+    html('p', {class: 'hint'}, 'Move over a picture to read values at the computed frequencies (or focus it and use ← →, with Shift by tens). Drag to zoom all pictures in frequency, ' +
+      'double-click for the whole band. Legend entries switch curves. Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.'),
+    grouped(curves).map(group => html('div', {}, html('h3', {}, group.name), group.rows.filter(r => r.length).map(r => characteristicsRow(c, r.map(styled))))),
+    points <= FEW_POINTS ? folded('The same as a table', responseTable(curves)) : null);
+}
+
+function comparedNames() {
+  return [...new Set(cases.filter(c => frequencies(c).length > 1).flatMap(c => c.response.results.map(r => r.name)))];
+}
+function buildComparison() {
+  const names = comparedNames();
+  comparison = null;
+  if (cases.length < 2 || !names.length) return;
+  if (!names.includes(view.compare)) view.compare = names[0];
+  const series = cases.flatMap((c, i) => {
+    const curve = frequencies(c).length > 1 && curvesOf(c).find(s => s.name === view.compare);
+    return curve ? [styled({...curve, key: `case ${i}`, label: caseName(i)}, i)] : [];
+  });
+  const legend = makeLegend(series, false), own = cases.filter(c => frequencies(c).length > 1);
+  const limits = cases[view.case].limits.filter(l => l.name === view.compare).map(l => ({...l, label: ''}));
+  comparison = makePicture({series, legend, limits, height: 360, unit: series[0].unit, band: [Math.min(...own.map(c => bandOf(c)[0])), Math.max(...own.map(c => bandOf(c)[1]))],
+                            landmarks: own.flatMap(landmarksOf), title: `Amplitude of ${view.compare} in all cases`});
+  const choice = html('select', {id: 'compare', onchange: event => { view.compare = event.target.value; buildComparison(); refresh(); byId('compare').focus(); }},
+    names.map(name => html('option', {value: name, selected: name === view.compare ? '' : null}, name)));
+  byId('comparison').replaceChildren(html('h2', {}, 'Comparison of cases'), html('p', {}, html('label', {}, 'Curve ', choice)), legend.node, comparison.holder,
+    html('p', {class: 'hint'}, 'Zoom and axes are those of the pictures above. Values under the cursor are interpolated between the frequencies computed in each case.'));
+  byId('comparison').hidden = false;
+}
+
+// ---------------------------------------------------------------- tables of a case
+
+function limitsSection(c) {
+  if (!c.limits.length) return null;
+  return section('limits', 'Limits',
+    table(['curve', num('limit'), num('largest in the band'), num('at ω [rad/s]'), num('f [Hz]'), num('largest anywhere'), num('of the limit'), 'verdict'],
+      c.limits.map(l => ({mark: l.kept ? null : 'failed', cells: [l.name, num(withUnit(l.limit, l.unit)), num(withUnit(l.in_band, l.unit)), num(result(l.in_band_at, 6)),
+        num(result(hertz(l.in_band_at), 6)), num(withUnit(l.anywhere, l.unit)), num(isNumber(l.in_band) ? percent(l.in_band / l.limit) : '∞'), verdict(l.kept, 'kept', 'EXCEEDED')]}))));
+}
+
+function peakRow(p, c) {
+  const band = c.band ?? [0, Infinity], tolerance = c.peaks.peak_tolerance;
+  const counted = p.unbounded || p.relative_prominence === null || p.relative_prominence >= tolerance;
+  const remarks = [p.unbounded ? 'unbounded: no damping here' : '', counted ? '' : `prominence under ${number(100 * tolerance)} %`,
+                   band[0] < band[1] && (p.angular_frequency < band[0] || p.angular_frequency > band[1]) ? 'outside the band' : '', p.method === 'series' ? 'very flat, less exact' : ''];
+  const share = p.relative_prominence === null ? '∞' : result(100 * p.relative_prominence, 4);
+  return {mark: counted ? null : 'minor', cells: [p.name, num(result(p.angular_frequency, 6)), num(result(hertz(p.angular_frequency), 6)),
+    num(p.unbounded ? '∞' : withUnit(p.amplitude, p.unit)), num(result(p.ratio_to_static)), num(share), num(p.nearest_mode ?? '–'), remarks.filter(Boolean).join('; ')]};
+}
+function peakless(s) {
+  if (s.vanishes) return `${s.name}: below round-off everywhere, no resonance peak.`;
+  const at = isNumber(s.highest_at) ? `at ω = ${number(s.highest_at, 5)} rad/s` : 'as ω → ∞';
+  return `${s.name}: no resonance peak; highest amplitude ${withUnit(s.highest, s.unit)} ${at}.`;
+}
+function peaksSection(c) {
+  if (!c.peaks) return null;
+  const none = c.peaks.curves.filter(s => s.peaks === 0);
+  return section('peaks', 'Resonance peaks',
+    c.peaks.peaks.length ? table(['curve', num('ω [rad/s]'), num('f [Hz]'), num('amplitude'), num('ratio to static'), num('relative prominence [%]'), num('nearest mode'), 'remark'],
+      c.peaks.peaks.map(p => peakRow(p, c)), {tall: true}) : null,
+    none.length ? html('ul', {class: 'sentences'}, none.map(s => html('li', {}, peakless(s)))) : null,
+    html('p', {class: 'hint'}, `All peaks at 0 < ω < ∞. Those lower than ${number(c.peaks.min_prominence)} of the curve's largest amplitude are left out; grey ones lie less than ${number(100 * c.peaks.peak_tolerance)} % ` +
+      'over the minimum beside them. “∞” as prominence: the amplitude beside the peak falls to 0. “–” as ratio: the static amplitude is 0 or not defined.'));
+}
+
+function frequencyCells(m) {
+  if (m.angular_frequency === null) return [{span: 2, content: html('span', {class: 'bad'}, `▲ grows, ω² = ${result(m.eigenvalue_squared)} rad²/s²`)}];
+  if (m.angular_frequency === 0) return [{span: 2, content: 'free (ω = 0)'}];
+  return [num(result(m.angular_frequency, 6)), num(result(m.frequency_hz, 6))];
+}
+function stiffestElement(m, names) {
+  if (!m.strain_energy_share) return '–';
+  const most = m.strain_energy_share.reduce((best, share, i, all) => (share > all[best] ? i : best), 0);
+  const ties = m.strain_energy_share.filter(share => Math.abs(share - m.strain_energy_share[most]) < 5e-4).length - 1;
+  return `${names[most]} (${percent(m.strain_energy_share[most])})${ties ? `, ${ties} more alike` : ''}`;
+}
+function kineticWords(m, body) {
+  const share = m.principal_kinetic_energy_share.slice(6 * body, 6 * body + 6), sum = part => part.reduce((a, b) => a + b, 0);
+  return `${percent(sum(share.slice(0, 3)))} / ${percent(sum(share.slice(3)))}`;
+}
+function modesSection(c) {
+  if (!c.modes) return null;
+  const {bodies, elements, modes} = c.modes;
+  const coordinates = bodies.flatMap(b => MOTIONS.map(x => num(bodies.length > 1 ? `${b} ${x}` : x)));
+  const shapes = key => table([num('mode'), ...coordinates], modes.map(m => [num(m.number), ...m[key].map(v => num(quietIf(v !== 0 && Math.abs(v) < 1e-12, result(v, 4))))]));
+  return section('modes', 'Undamped modes',
+    table([num('mode'), num('ω [rad/s]'), num('f [Hz]'), 'motion', 'most strained element (share)', ...bodies.map(b => num(`kinetic energy${bodies.length > 1 ? ' of ' + b : ''}: translation / rotation`))],
+      modes.map(m => ({mark: m.angular_frequency === null ? 'failed' : null,
+        cells: [num(m.number), ...frequencyCells(m), m.name + (m.repeated ? ' (repeated root)' : ''), stiffestElement(m, elements), ...bodies.map((_, b) => num(kineticWords(m, b)))]}))),
+    folded('Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass', shapes('shape')),
+    folded('Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may leave 0 … 1)', shapes('kinetic_energy_share')));
+}
+
+function rootsSection(c) {
+  if (!c.roots) return null;
+  const all = c.roots.roots;
+  const conjugate = r => r.eigenvalue[1] !== 0 && all.some(o => Math.hypot(o.eigenvalue[0] - r.eigenvalue[0], o.eigenvalue[1] + r.eigenvalue[1]) < 1e-9 * Math.hypot(...r.eigenvalue));
+  const rows = all.filter(r => r.eigenvalue[1] >= 0 || !conjugate(r)).map(r => ({mark: r.kind === 'growing' ? 'failed' : null,
+    cells: [num(result(r.eigenvalue[0], 6)), num((conjugate(r) ? '± ' : '') + result(r.eigenvalue[1], 6)), r.kind === 'growing' ? html('span', {class: 'bad'}, '▲ GROWING') : r.kind,
+            num(result(r.angular_frequency, 6)), num(result(r.damped_angular_frequency, 6)), num(result(r.damping_ratio)), num(r.nearest_mode ?? '–')]}));
+  return section('roots', 'Damped roots',
+    table([num('Re λ [1/s]'), num('Im λ [rad/s]'), 'kind', num('|λ| [rad/s]'), num('damped ω [rad/s]'), num('damping ratio'), num('nearest mode')], rows, {tall: true}));
+}
+
+function staticTable(c, kind) {
+  const items = c.static.results.map(r => ({...r, ...place(r.name, r.unit)})).filter(r => r.kind === kind);
+  if (!items.length) return null;
+  const sizes = [false, true].map(lower => largestOf(items.filter(r => r.lower === lower).map(r => Math.abs(r.value))));
+  const units = [0, 1].map(i => prefix(sizes[i], kind === 'motions' ? ['m', 'rad'][i] : ['N', 'N m'][i]));
+  const labels = kind === 'motions' ? MOTIONS : FORCES;
+  const cell = (group, label, i) => {
+    const item = group.rows[i].find(r => r.label === label);
+    return num(item ? quietIf(item.value !== 0 && Math.abs(item.value) < 1e-11 * sizes[i], result(item.value * units[i].factor)) : '–');
+  };
+  return table([kind === 'motions' ? 'body or point' : 'forces of', ...labels.map((label, k) => num(`${label} [${units[k < 3 ? 0 : 1].unit}]`))],
+    grouped(items).map(group => [group.name, ...labels.map((label, k) => cell(group, label, k < 3 ? 0 : 1))]));
+}
+function staticSection(c) {
+  if (!c.static) return null;
+  return section('static', 'Static answer', staticTable(c, 'motions'), html('p', {}), staticTable(c, 'forces'),
+    html('p', {class: 'hint'}, `Under gravity and the constant forces. Grey values are round-off. Backward error of the solution: ${number(c.static.backward_error, 3)}.`));
+}
+
+function checksSection(c) {
+  const rows = c.checks.map(k => ({mark: k.passed ? null : 'failed', cells: [k.subject, k.what, k.value, verdict(k.passed)]}));
+  const r = c.response?.checks;
+  if (r) {
+    const second = r.second_solver;
+    rows.push(['response', 'backward error of the solution, worst over all frequencies', `${number(r.worst_backward_error, 3)} at ω = ${number(r.at_angular_frequency, 5)} rad/s`, '']);
+    rows.push({mark: second.passed ? null : 'failed', cells: ['response', `second solver agrees at ${second.frequencies} frequencies`,
+      `worst difference ${number(second.worst_difference, 3)}, allowed ${number(second.allowed, 3)}, at ω = ${number(second.at_angular_frequency, 5)} rad/s`, verdict(second.passed)]});
+    rows.push(['response', 'frequencies that needed the pivoted solver', String(r.pivoted_fallbacks), '']);
+    rows.push(['response', 'frequencies at which the answer is not defined', String(r.undefined_frequencies), '']);
+  }
+  const failed = rows.filter(row => row.mark).length;
+  return section('checks', 'Checks', html('p', {class: failed ? 'bad' : 'good'}, failed ? `✗ ${failed} failed.` : '✓ All passed.'), table(['subject', 'check', 'value', 'verdict'], rows, {tall: true}));
+}
+
+// ---------------------------------------------------------------- inputs of a case
+
+const matrix = (labels, rows, style) => table(['', ...labels.map(num)], rows.map((row, i) => [labels[i], ...row.map(v => num(number(v, 6)))]), {style});
+
+function bodiesTable(bodies) {
+  const points = b => Object.entries(b.points).map(([name, at]) => html('div', {}, `${name} ${vector(at)}`));
+  return [table(['body', num('mass [kg]'), 'centre of mass [m]', 'principal central moments [kg m²]', 'free coordinates', 'pole in ground [m]', 'points [m]'],
+    bodies.map(b => [b.name, num(number(b.mass)), vector(b.center_of_mass),
+      html('span', {class: b.principal_moments.some(j => j <= 0) ? 'bad' : null}, b.principal_moments.map(j => number(j)).join(', ')),
+      b.free.map(f => f.replace('r', 'θ')).join(' ') || 'none', vector(b.position), points(b).length ? html('span', {}, points(b)) : '–'])),
+    folded('Inertia about the pole [kg m²] and axes of the bodies', bodies.map(b => [matrix(['x', 'y', 'z'], b.inertia_about_pole),
+      html('p', {class: 'hint'}, `${b.name}: body axes ${sameAxes(b.rotation) ? 'parallel to the ground axes' : 'as columns in the ground: ' + b.rotation.map(vector).join(' ')}`)]))];
+}
+function elementsTable(elements) {
+  const end = e => [e.on, vector(e.in_ground)];
+  const labels = ['N', 'K'].flatMap(e => MOTIONS.map(x => `${e} ${x}`));
+  const turned = e => ['n', 'k'].filter(k => !sameAxes(e[k].axes_in_ground)).map(k => `Local axes of end ${k.toUpperCase()} as columns in the ground: ${e[k].axes_in_ground.map(vector).join(' ')}`);
+  return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'],
+    elements.map(e => [e.name, e.type, ...end(e.n), ...end(e.k), num(number(e.scale)), e.damping])),
+    elements.map(e => folded(`Stiffness 12×12 of ${e.name}`, matrix(labels, e.stiffness, 'matrix'),
+      html('p', {class: 'hint'}, 'Scale included; local axes of the ends, [N/m], [N/rad], [N m/m], [N m/rad]. ', turned(e).join('. '))))];
+}
+function excitationsTable(excitations) {
+  return table(['excitation', 'type', 'on', 'at, body axes [m]', 'force x, y, z [N]', 'moment x, y, z [N m]', 'phases of the six [°]'],
+    excitations.map(e => [e.name, e.type, e.on, vector(e.at), vector(e.force), vector(e.moment), e.phase ? vector(e.phase.map(p => p * 360 / TURN)) : '–']));
+}
+function inputsSection(c) {
+  const {bodies, elements, excitations, gravity} = c.model;
+  return section('inputs', 'Inputs', html('h3', {}, 'Bodies'), bodiesTable(bodies), html('h3', {}, 'Elements'), elements.length ? elementsTable(elements) : html('p', {}, 'None.'),
+    html('h3', {}, 'Excitations'), excitations.length ? excitationsTable(excitations) : html('p', {}, 'None.'),
+    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers only.` : 'No gravity.'));
+}
+
+// ---------------------------------------------------------------- the page
+
+/// Equal texts of several cases once, with the cases they belong to: [{text, origin, of: [index]}].
+function gathered(textsOf) {
+  const found = new Map();
+  cases.forEach((c, index) => textsOf(c).forEach(full => {
+    const [, origin, rest] = /^(.*?:\d+: )?(?:warning: )?([^]*)$/.exec(full);
+    const text = rest.replace(`case "${c.name}": `, '');
+    if (!found.has(text)) found.set(text, {text, origin: origin?.replace(/: $/, ''), of: []});
+    if (!found.get(text).of.includes(index)) found.get(text).of.push(index);
+  }));
+  return [...found.values()];
+}
+function notice(style, title, items) {
+  const where = item => [item.origin, cases.length === 1 ? '' : item.of.length === cases.length ? 'all cases' : item.of.map(caseName).join(', ')].filter(Boolean).join('; ');
+  return items.length ? html('div', {class: style, role: 'note'}, html('h2', {}, title),
+    html('ul', {}, items.map(item => html('li', {}, item.text, where(item) ? html('span', {class: 'where'}, ` (${where(item)})`) : null)))) : null;
+}
+function failures(c) {
+  const failed = c.checks.filter(k => !k.passed).map(k => `${k.subject}: “${k.what}” fails: ${k.value}`);
+  if (c.response && !c.response.checks.second_solver.passed) failed.push('response: the second solver does not agree');
+  return failed;
+}
+const failedChecks = c => failures(c).length;
+const grows = c => (c.modes?.modes ?? []).some(m => m.angular_frequency === null) || (c.roots?.roots ?? []).some(r => r.kind === 'growing');
+
+function buildNotices() {
+  const warnings = gathered(c => c.warnings), failed = gathered(failures), free = gathered(c => c.free_motions);
+  const clean = !warnings.length && !failed.length;
+  byId('notices').append(...[notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
+    notice('note', 'Free motions', free),
+    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks passed${cases.length > 1 ? ' in all cases' : ''}.`) : null].filter(Boolean));
+}
+
+function buildGlance() {
+  const limits = c => (c.limits.length ? verdict(c.limits.every(l => l.kept), 'kept', `${c.limits.filter(l => !l.kept).length} of ${c.limits.length} EXCEEDED`) : '–');
+  const natural = c => (c.modes?.modes ?? []).map(m => m.angular_frequency).filter(w => w > 0);
+  const cells = (c, i) => {
+    const all = natural(c), ends = all.length ? [Math.min(...all), Math.max(...all)] : [NaN, NaN];
+    return [html('button', {type: 'button', class: 'link', onclick: () => { change({case: i}); byId('case-pictures').scrollIntoView(); }}, caseName(i)), num(c.changes.length || '–'),
+      c.warnings.length ? html('span', {class: 'bad'}, `⚠ ${c.warnings.length}`) : 'none', verdict(!failedChecks(c), 'ok', `${failedChecks(c)} FAILED`), limits(c),
+      grows(c) ? html('span', {class: 'bad'}, '▲ grows') : c.free_motions.length ? 'free motion' : 'stable', ...ends.flatMap(w => [num(result(w)), num(result(hertz(w)))])];
+  };
+  if (!cases.length) return;
+  const glance = byId('cases');
+  glance.append(table(['case', num('changes'), 'warnings', 'checks', 'limits', 'motion', num('lowest mode [rad/s]'), num('[Hz]'), num('highest mode [rad/s]'), num('[Hz]')],
+    cases.map((c, i) => cells(c, i))));
+  glance.hidden = false;
+}
+
+function buildCase() {
+  const c = cases[view.case];
+  const changes = c.changes.length ? [html('p', {}, 'Changes against the base model:'), html('ul', {class: 'changes'}, c.changes.map(text => html('li', {}, html('code', {}, text))))] : null;
+  const faults = [c.warnings.length ? count(c.warnings.length, 'warning') : '', failedChecks(c) ? count(failedChecks(c), 'failed check') : '', grows(c) ? 'motion grows' : ''].filter(Boolean);
+  cursor = null;
+  byId('case-pictures').replaceChildren(...[section('case-head', cases.length > 1 ? `Case: ${caseName(view.case)}` : caseName(view.case), faults.length ? html('p', {class: 'bad'}, `⚠ Doubtful: ${faults.join(', ')}; see the top of the page and the checks.`) : null, changes),
+    limitsSection(c), characteristics(c), peaksSection(c)].filter(Boolean));
+  byId('case-tables').replaceChildren(...[modesSection(c), rootsSection(c), staticSection(c), inputsSection(c), checksSection(c)].filter(Boolean));
+  buildComparison();
+  const inside = [...document.querySelectorAll('main section')].filter(s => !s.hidden && s.id !== 'case-head');
+  byId('contents').replaceChildren(...inside.map(s => html('button', {type: 'button', class: 'link', onclick: () => s.scrollIntoView()}, s.querySelector('h2').textContent)));
+  byId('switches').hidden = !allPictures().length;
+}
+
+/// Controls and address follow the view; the pictures are drawn anew.
+function refresh() {
+  for (const key of ['ylog', 'xlog', 'hz']) byId(key).checked = view[key];
+  byId('case').value = view.case;
+  const range = pictures.length ? frequencyRange(pictures[0]) : [0, 0], factor = view.hz ? 1 / TURN : 1;
+  [byId('from').value, byId('to').value] = range.map(w => Number((w * factor).toPrecision(5)));
+  byId('zoom-unit').textContent = view.hz ? 'Hz' : 'rad/s';
+  byId('unzoom').disabled = !view.zoom;
+  [...document.querySelectorAll('#cases tbody tr')].forEach((row, i) => row.classList.toggle('selected', i === view.case && cases.length > 1));
+  for (const picture of allPictures()) drawPicture(picture);
+  setCursor(cursor);
+  writeAddress();
+}
+function change(patch) {
+  Object.assign(view, patch);
+  if ('case' in patch) buildCase();
+  refresh();
+}
+
+function writeAddress() {
+  const parts = [view.case ? `case=${view.case}` : '', ...['ylog', 'xlog', 'hz'].map(key => (view[key] ? key : '')),
+    view.zoom ? `zoom=${view.zoom.map(w => Number(w.toPrecision(6))).join(',')}` : '', view.compare && view.compare !== comparedNames()[0] ? `compare=${encodeURIComponent(view.compare)}` : '',
+    view.hidden.size ? `hide=${[...view.hidden].map(encodeURIComponent).join(',')}` : ''].filter(Boolean);
+  try { history.replaceState(null, '', parts.length || location.hash ? `#${parts.join('&')}` : location.href); } catch { /* some browsers refuse this for files */ }
+}
+function readAddress() {
+  const given = new Map(location.hash.slice(1).split('&').map(part => [part.split('=')[0], part.split('=').slice(1).join('=')]));
+  const index = Number(given.get('case') ?? 0), zoom = (given.get('zoom') ?? '').split(',').map(Number);
+  view.case = Number.isInteger(index) && cases[index] ? index : 0;
+  for (const key of ['ylog', 'xlog', 'hz']) view[key] = given.has(key);
+  view.zoom = zoom.length === 2 && zoom[0] >= 0 && zoom[1] > zoom[0] ? zoom : null;
+  view.compare = decodeURIComponent(given.get('compare') ?? '');
+  view.hidden = new Set((given.get('hide') ?? '').split(',').filter(Boolean).map(decodeURIComponent));
+}
+
+function zoomByNumbers() {
+  const factor = view.hz ? TURN : 1, from = byId('from').valueAsNumber * factor, to = byId('to').valueAsNumber * factor;
+  if (from >= 0 && to > from) change({zoom: [from, to]});
+}
+function start() {
+  byId('input').append(`input ${results.input.file} · sha256 `, html('span', {class: 'hash'}, results.input.sha256));
+  buildNotices();
+  buildGlance();
+  byId('overview').hidden = !cases.some(c => frequencies(c).length > 1);
+  byId('case').append(...cases.map((_, i) => html('option', {value: i}, caseName(i))));
+  byId('controls').hidden = !cases.length;
+  if (!cases.length) return;
+  byId('case').addEventListener('change', event => change({case: Number(event.target.value)}));
+  for (const key of ['ylog', 'xlog', 'hz']) byId(key).addEventListener('change', event => change({[key]: event.target.checked}));
+  for (const id of ['from', 'to']) byId(id).addEventListener('change', zoomByNumbers);
+  byId('unzoom').addEventListener('click', () => change({zoom: null}));
+  byId('controls').addEventListener('submit', event => event.preventDefault());
+  const follow = () => { readAddress(); buildCase(); refresh(); };
+  window.addEventListener('hashchange', follow);
+  let timer = 0;
+  window.addEventListener('resize', () => { clearTimeout(timer); timer = setTimeout(refresh, 150); });
+  follow();
+}
+start();
+
+})();

@@ -14,11 +14,15 @@ using Extended = long double;
 using Complex = std::complex<Extended>;
 using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
+constexpr Extended unit_round_off = std::numeric_limits<double>::epsilon() / 2;
 
-/// y, dy/dω, d²y/dω², and the size of the terms that make them up.
-struct Jet {
-  std::array<Complex, 3> y;
-  std::array<Extended, 2> terms;
+/// y, dy/dω and d²y/dω².
+using Jet = std::array<Complex, 3>;
+
+/// First-order bounds on what round-off in the entries of A, B, K can do.
+struct Sensitivity {
+  Extended amplitude = 0;
+  Extended value = 0;  ///< of the complex y: also turns of its phase
 };
 
 class Curve {
@@ -43,16 +47,31 @@ class Curve {
     const ExtendedVector q2 = solver.solve(-(Extended(2) * (slope * q1)) + Extended(2) * (A_ * q0));
     const auto with = [](const ExtendedVector& c, const ExtendedVector& q) -> Complex { return c.transpose() * q; };
     // y = c0ᵀq + iω c1ᵀq, then each time derivative multiplies by iω.
-    Jet jet;
-    jet.y = {with(c0_, q0) + i * w * with(c1_, q0), with(c0_, q1) + i * (with(c1_, q0) + w * with(c1_, q1)),
+    Jet y = {with(c0_, q0) + i * w * with(c1_, q0), with(c0_, q1) + i * (with(c1_, q0) + w * with(c1_, q1)),
              with(c0_, q2) + i * (Extended(2) * with(c1_, q1) + w * with(c1_, q2))};
-    const auto size = [&](const ExtendedVector& q) -> Extended { return (c0_.cwiseAbs() + w * c1_.cwiseAbs()).dot(q.cwiseAbs()); };
-    jet.terms = {size(q0), size(q1)};
-    for (int k = 0; k < derivative_; ++k) {
-      jet.terms = {w * jet.terms[0], w * jet.terms[1] + jet.terms[0]};
-      jet.y = {i * w * jet.y[0], i * (jet.y[0] + w * jet.y[1]), i * (Extended(2) * jet.y[1] + w * jet.y[2])};
-    }
-    return jet;
+    for (int k = 0; k < derivative_; ++k) y = {i * w * y[0], i * (y[0] + w * y[1]), i * (Extended(2) * y[1] + w * y[2])};
+    return y;
+  }
+
+  /// δy = −pᵀ δZ q with pᵀ = cᵀZ⁻¹; entries of K and ω²A change by real, those of ωB by imaginary amounts of one unit of
+  /// round-off. Only what lies along y changes its amplitude.
+  Sensitivity sensitivity(Extended w) const {
+    const Complex i(0, 1);
+    const ExtendedMatrix z = K_ + i * w * B_ - w * w * A_;
+    const ExtendedVector q = numerics::RefinedSolver(z).solve(h_);
+    const ExtendedVector p = numerics::RefinedSolver(ExtendedMatrix(z.transpose())).solve(ExtendedVector(c0_ + i * w * c1_));
+    const Complex y = p.transpose() * h_;
+    const Complex along = std::abs(y) > 0 ? std::conj(y) / std::abs(y) : Complex(1);
+    const Extended rate = std::pow(w, Extended(derivative_));
+    Sensitivity sum;
+    for (Eigen::Index row = 0; row < q.size(); ++row)
+      for (Eigen::Index column = 0; column < q.size(); ++column) {
+        const Complex effect = along * p(row) * q(column);
+        const Extended real = std::abs(K_(row, column)) + w * w * std::abs(A_(row, column)), imaginary = w * std::abs(B_(row, column));
+        sum.amplitude += rate * unit_round_off * (real * std::abs(effect.real()) + imaginary * std::abs(effect.imag()));
+        sum.value += rate * unit_round_off * (real + imaginary) * std::abs(effect);
+      }
+    return sum;
   }
 
  private:
@@ -67,34 +86,31 @@ class Curve {
 RefinedPeak refine_peak(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& load, double omega,
                         double reach) {
   constexpr int most_steps = 8;
-  constexpr Extended unit_round_off = std::numeric_limits<double>::epsilon() / 2;
   const Curve curve(assembled, channel, load);
-  RefinedPeak result;
   Extended w = omega;
-  Jet jet = curve.at(w);
+  Jet y = curve.at(w);
+  const Sensitivity sensitivity = curve.sensitivity(w);
+  RefinedPeak result;
+  result.amplitude_uncertainty = static_cast<double>(sensitivity.amplitude);
+  // A change of the data moves the curve along the axis by about δy / y'.
+  result.frequency_uncertainty = static_cast<double>(sensitivity.value / std::max(std::abs(y[1]), std::numeric_limits<Extended>::min()));
   Extended previous = std::numeric_limits<Extended>::infinity();
-  for (int step = 0; step < most_steps; ++step) {
-    const Extended gradient = std::real(std::conj(jet.y[0]) * jet.y[1]);
-    const Extended curvature = std::norm(jet.y[1]) + std::real(std::conj(jet.y[0]) * jet.y[2]);
+  for (int step = 0; step < most_steps && !result.converged; ++step) {
+    const Extended gradient = std::real(std::conj(y[0]) * y[1]);
+    const Extended curvature = std::norm(y[1]) + std::real(std::conj(y[0]) * y[2]);
     const Extended change = -gradient / curvature;
     if (!(curvature < 0) || !std::isfinite(change) || std::abs(w + change - Extended(omega)) > Extended(reach)) break;
-    result.frequency_uncertainty =
-        static_cast<double>(unit_round_off * (std::abs(jet.y[0]) * jet.terms[1] + std::abs(jet.y[1]) * jet.terms[0]) / -curvature);
+    result.converged = std::abs(change) <= Extended(1e-17) * w;
     if (std::abs(change) >= Extended(0.5) * previous) {
       result.converged = std::abs(change) <= Extended(result.frequency_uncertainty) + Extended(1e-12) * w;
       break;
     }
     w += change;
-    jet = curve.at(w);
+    y = curve.at(w);
     previous = std::abs(change);
-    if (previous <= Extended(1e-17) * w) {
-      result.converged = true;
-      break;
-    }
   }
   result.angular_frequency = static_cast<double>(w);
-  result.amplitude = static_cast<double>(std::abs(jet.y[0]));
-  result.amplitude_uncertainty = static_cast<double>(unit_round_off * jet.terms[0]);
+  result.amplitude = static_cast<double>(std::abs(y[0]));
   return result;
 }
 

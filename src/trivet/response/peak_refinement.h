@@ -9,8 +9,8 @@ namespace trivet::response {
 struct RefinedPeak {
   double angular_frequency = 0;   ///< [rad/s]
   double amplitude = 0;
-  double frequency_uncertainty = 0;  ///< [rad/s] that round-off of double-precision data can move the maximum
-  double amplitude_uncertainty = 0;
+  double frequency_uncertainty = 0;  ///< [rad/s] by which one unit of round-off in A, B, K can move it (first order)
+  double amplitude_uncertainty = 0;  ///< likewise its height
   bool converged = false;
 };
 

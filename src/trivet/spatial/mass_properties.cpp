@@ -56,8 +56,13 @@ std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
   const Eigen::Vector3d moments = principal_inertia(p).moments;
   const std::string found =
       fmt::format("principal moments about the centre of mass = {:.6g}, {:.6g}, {:.6g} kg m²", moments(0), moments(1), moments(2));
-  if (moments(0) <= rounding)
-    broken.push_back({found, fmt::format("all three must be > 0; the smallest is {:.6g} kg m²", moments(0))});
+  if (moments(0) <= rounding) {
+    const Eigen::SelfAdjointEigenSolver<Matrix6> mass(mass_matrix(p), Eigen::EigenvaluesOnly);
+    const auto negative = (mass.eigenvalues().array() < 0).count();
+    broken.push_back({found, fmt::format("all three must be > 0, or some motion has negative kinetic energy (the 6×6 mass matrix has {} positive and "
+                                         "{} negative eigenvalues, the lowest {:.6g})",
+                                         6 - negative, negative, mass.eigenvalues()(0))});
+  }
   if (moments(0) + moments(1) < moments(2) - rounding)
     broken.push_back({found, fmt::format("no moment may exceed the sum of the other two (triangle inequality); it does by {:.6g} kg m²",
                                          moments(2) - moments(0) - moments(1))});

@@ -10,47 +10,66 @@ namespace {
 
 constexpr int most_points = 2'000'000;
 
-/// Unit of a full result name, if it is one: a group, a dot and a component.
-std::optional<Quantity> component_quantity(const std::string& name, const std::vector<std::string>& groups, assembly::Quantity wanted) {
-  for (const std::string& group : groups) {
-    if (!name.starts_with(group + ".")) continue;
-    const std::string component = name.substr(group.size() + 1);
-    for (std::size_t j = 0; j < 6; ++j) {
-      static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
-      static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
-      if (component == model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
-    }
-    for (const char* letter : {"x", "y", "z"}) {
-      if (component == std::string("force.") + letter) return Quantity::force;
-      if (component == std::string("moment.") + letter) return Quantity::moment;
-    }
+/// What can be asked for: motions of bodies and points, forces of elements and on the ground.
+class ResultNames {
+ public:
+  explicit ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements) {
+    forces_.push_back("ground");
+    motions_ = mentioned.bodies;
+    motions_.insert(motions_.end(), mentioned.points.begin(), mentioned.points.end());
+    groups_ = {"coordinates"};
+    for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());
   }
-  return std::nullopt;
-}
 
-void read_of(TableReader& reader, const model::Description& description, std::vector<std::string>& of) {
+  [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
+  [[nodiscard]] bool is_group(const std::string& name) const { return std::find(groups_.begin(), groups_.end(), name) != groups_.end(); }
+
+  /// What a full name (group, dot, component) measures, if it is one.
+  [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const {
+    static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
+    static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
+    for (const std::string& group : motions_)
+      for (std::size_t j = 0; j < 6; ++j)
+        if (name == group + "." + model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
+    for (const std::string& group : forces_)
+      for (const char* letter : {"x", "y", "z"}) {
+        if (name == group + ".force." + letter) return Quantity::force;
+        if (name == group + ".moment." + letter) return Quantity::moment;
+      }
+    return std::nullopt;
+  }
+
+ private:
+  std::vector<std::string> motions_, forces_, groups_;
+};
+
+void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
   const auto words = reader.texts("of");
   if (!words) return;
-  const std::vector<std::string> groups = assembly::channel_words(description);
   for (const std::string& word : *words) {
-    const bool group = std::find(groups.begin(), groups.end(), word) != groups.end();
-    if (group || component_quantity(word, groups, assembly::Quantity::displacement)) continue;
-    const std::string guess = foundation::nearest_name(word, groups);
-    reader.error("of", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, ground, a body, BODY.POINT, an element, or one component of these",
+    if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
+    const std::string guess = foundation::nearest_name(word, names.groups());
+    reader.error("of", "\"" + word.substr(0, 60) + "\"",
+                 "it names no result: coordinates, ground, a body, BODY.POINT, an element, or one component (x … rz of a motion, force.x … moment.z of an element or the ground)",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
   if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
   of = *words;
 }
 
-void read_wanted(TableReader& reader, const model::Description& description, Wanted& wanted) {
-  read_of(reader, description, wanted.of);
+/// A steady response needs something that drives it.
+void check_driven(TableReader& analyses, const std::string& key, const Mentioned& mentioned) {
+  if (mentioned.harmonic_excitations.empty())
+    analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it", "add [excitations.NAME] with type = \"harmonic\"");
+}
+
+void read_wanted(TableReader& reader, const ResultNames& result_names, const Mentioned& mentioned, Wanted& wanted) {
+  read_of(reader, result_names, wanted.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
   if (quantity == "acceleration") wanted.quantity = assembly::Quantity::acceleration;
   if (const auto names = reader.texts("excitations")) {
-    std::vector<std::string> known;
-    for (const auto& force : description.harmonic_forces) known.push_back(force.name);
+    const std::vector<std::string>& known = mentioned.harmonic_excitations;
     for (const std::string& name : *names)
       if (std::find(known.begin(), known.end(), name) == known.end()) {
         const std::string guess = foundation::nearest_name(name, known);
@@ -61,10 +80,10 @@ void read_wanted(TableReader& reader, const model::Description& description, Wan
   }
 }
 
-ResponseRequest read_response(const Node& node, const model::Description& description, foundation::Problems& problems) {
+ResponseRequest read_response(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "analyses.response", problems);
   ResponseRequest request;
-  read_wanted(reader, description, request.wanted);
+  read_wanted(reader, names, mentioned, request.wanted);
   if (const auto band = reader.numbers("band", Quantity::angular_frequency)) {
     if (band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0]) request.band = response::Band{(*band)[0], (*band)[1]};
     else
@@ -79,7 +98,7 @@ ResponseRequest read_response(const Node& node, const model::Description& descri
   if (const auto points = reader.number("points", Quantity::pure)) {
     if (*points >= 2 && *points <= most_points && *points == static_cast<int>(*points)) request.points = static_cast<int>(*points);
     else reader.error("points", fmt::format("{:.6g}", *points), fmt::format("a whole number from 2 to {} is wanted", most_points), "change it");
-    if (request.spacing == response::Spacing::automatic)
+    if (!reader.has("spacing") || spacing == "automatic")
       reader.error("points", "points without spacing", "an automatic grid chooses its points itself", "add spacing = \"linear\" or \"logarithmic\"");
   }
   if (const auto at = reader.numbers("at", Quantity::angular_frequency)) {
@@ -94,12 +113,12 @@ ResponseRequest read_response(const Node& node, const model::Description& descri
   return request;
 }
 
-PeaksRequest read_peaks(const Node& node, const model::Description& description, const std::optional<ResponseRequest>& response,
+PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentioned& mentioned, const std::optional<ResponseRequest>& response,
                         foundation::Problems& problems) {
   TableReader reader(node, "analyses.peaks", problems);
   PeaksRequest request;
   if (response) request.wanted = response->wanted;  // the peaks of the same curves, unless it says otherwise
-  read_wanted(reader, description, request.wanted);
+  read_wanted(reader, names, mentioned, request.wanted);
   for (const auto& [key, target] : {std::pair{"min_prominence", &request.min_prominence}, {"peak_tolerance", &request.peak_tolerance}})
     if (const auto value = reader.number(key, Quantity::pure)) {
       if (!(*value >= 0 && *value < 1)) reader.error(key, fmt::format("{:.6g}", *value), "it is a share of the amplitude, 0 … 1", "give a fraction");
@@ -109,19 +128,19 @@ PeaksRequest read_peaks(const Node& node, const model::Description& description,
   return request;
 }
 
-std::vector<Limit> read_limits(TableReader& root, const model::Description& description, assembly::Quantity quantity) {
+std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, const std::optional<ResponseRequest>& response, bool quantity_is_clear) {
   std::vector<Limit> limits;
   const Node* table = root.table("limits");
   if (!table) return limits;
+  if (!response) root.error("limits", "no response to compare with", "limits hold over the band of analyses.response", "add response = {…} to [analyses]");
   TableReader reader(*table, "limits", root.problems());
-  const std::vector<std::string> groups = assembly::channel_words(description);
   for (const std::string& name : table->keys) {
-    const auto measured = component_quantity(name, groups, quantity);
+    const auto measured = names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
     if (!measured) {
-      static_cast<void>(reader.node(name));
       reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"", "check the name");
       continue;
     }
+    if (!quantity_is_clear) continue;  // its unit depends on what could not be read
     const auto amplitude = reader.number(name, *measured);
     if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");
     if (amplitude) limits.push_back({name, *amplitude});
@@ -129,10 +148,22 @@ std::vector<Limit> read_limits(TableReader& root, const model::Description& desc
   return limits;
 }
 
+std::vector<std::string> read_static(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
+  TableReader reader(node, "analyses.static", problems);
+  std::vector<std::string> of = {"coordinates"};
+  of.insert(of.end(), mentioned.elements.begin(), mentioned.elements.end());
+  of.push_back("ground");
+  read_of(reader, names, of);
+  reader.finish();
+  return of;
+}
+
 }  // namespace
 
-Analyses read_analyses(TableReader& root, const model::Description& description) {
+Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
   Analyses analyses;
+  const ResultNames names(mentioned);
+  bool quantity_is_clear = true;
   if (const Node* table = root.table("analyses")) {
     TableReader reader(*table, "analyses", root.problems());
     for (const auto& [key, wanted] : {std::pair{"modes", &analyses.modes}, {"roots", &analyses.roots}})
@@ -140,19 +171,24 @@ Analyses read_analyses(TableReader& root, const model::Description& description)
         TableReader(*node, std::string("analyses.") + key, root.problems()).finish();
         *wanted = true;
       }
-    if (const Node* node = reader.table("response")) analyses.response = read_response(*node, description, root.problems());
-    if (const Node* node = reader.table("peaks")) analyses.peaks = read_peaks(*node, description, analyses.response, root.problems());
+    if (const Node* node = reader.table("response")) {
+      check_driven(reader, "response", mentioned);
+      const std::size_t before = root.problems().list().size();
+      analyses.response = read_response(*node, names, mentioned, root.problems());
+      quantity_is_clear = root.problems().list().size() == before || !node->find("quantity");
+    }
+    if (const Node* node = reader.table("peaks")) {
+      if (!analyses.response) check_driven(reader, "peaks", mentioned);
+      analyses.peaks = read_peaks(*node, names, mentioned, analyses.response, root.problems());
+    }
     if (const Node* node = reader.table("static")) {
-      TableReader inside(*node, "analyses.static", root.problems());
-      analyses.static_of = std::vector<std::string>{"coordinates"};
-      for (const auto& element : description.elements) analyses.static_of->push_back(element.name);
-      analyses.static_of->push_back("ground");
-      read_of(inside, description, *analyses.static_of);
-      inside.finish();
+      if (!root.has("gravity") && mentioned.constant_excitations.empty())
+        reader.error("static", "neither gravity nor a constant force", "a static answer needs a load", "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
+      analyses.static_of = read_static(*node, names, mentioned, root.problems());
     }
     reader.finish();
   }
-  analyses.limits = read_limits(root, description, analyses.response ? analyses.response->wanted.quantity : assembly::Quantity::displacement);
+  analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear);
   return analyses;
 }
 

@@ -41,43 +41,49 @@ void read_free(TableReader& reader, model::Body& body) {
   }
 }
 
-void read_points(TableReader& reader, model::Body& body) {
+void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
   const Node* table = reader.table("points");
   if (!table) return;
   TableReader points(*table, reader.path() + ".points", reader.problems());
-  for (const std::string& name : table->keys)
+  for (const std::string& name : table->keys) {
+    mentioned.points.push_back(body.name + "." + name);
     if (const auto at = points.vector(name, Quantity::length)) body.points.push_back({name, *at});
+  }
 }
 
-model::Body read_body(const Node& node, const std::string& name, foundation::Problems& problems) {
+model::Body read_body(const Node& node, const std::string& name, Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "bodies." + name, problems);
   model::Body body;
   body.name = name;
   body.allow_unphysical = reader.boolean("allow_unphysical").value_or(false);
   body.mass.mass = reader.required_number("mass", Quantity::mass);
   body.mass.centre = reader.vector("center_of_mass", Quantity::length).value_or(Eigen::Vector3d::Zero());
-  body.has_inertia = read_inertia(reader, body.mass) || reader.has("inertia");
+  body.has_inertia = read_inertia(reader, body.mass);
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
-  read_points(reader, body);
+  read_points(reader, body, mentioned);
   read_free(reader, body);
+  if (!reader.has("inertia") && (body.free[3] || body.free[4] || body.free[5]))
+    reader.missing("inertia", "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
   reader.finish();
   return body;
 }
 
 }  // namespace
 
-void read_bodies(TableReader& root, model::Description& description) {
+void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned) {
   const Node* table = root.table("bodies");
+  mentioned.bodies_unknown = !table;
   if (!table) {
     if (!root.has("bodies")) root.missing("bodies", "describe at least one body: [bodies.NAME]");
     return;
   }
   if (table->keys.size() > most_bodies)
     root.error("bodies", fmt::format("{} bodies", table->keys.size()), fmt::format("this version takes at most {}", most_bodies), "split the model");
+  mentioned.bodies = table->keys;
   for (std::size_t i = 0; i < table->keys.size() && i < most_bodies; ++i) {
     if (table->items[i].kind == Node::Kind::table) {
-      description.bodies.push_back(read_body(table->items[i], table->keys[i], root.problems()));
+      description.bodies.push_back(read_body(table->items[i], table->keys[i], mentioned, root.problems()));
     } else {
       root.problems().error("bodies." + table->keys[i], words(table->items[i].kind), "a body is a table", "write [bodies.NAME] and its mass below").origin =
           table->items[i].origin;
@@ -85,16 +91,18 @@ void read_bodies(TableReader& root, model::Description& description) {
   }
 }
 
-std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description) {
+std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description, const Mentioned& mentioned) {
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < description.bodies.size(); ++i)
     if (description.bodies[i].name == *name) return i;
-    names.push_back(description.bodies[i].name);
-  }
-  const std::string guess = foundation::nearest_name(*name, names);
-  reader.error(key, "\"" + name->substr(0, 60) + "\"", "no body has this name", guess.empty() ? "name one of the bodies" : "did you mean \"" + guess + "\"?");
+  const auto& known = mentioned.bodies;
+  if (mentioned.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
+  const std::string guess = foundation::nearest_name(*name, known);
+  const std::string remedy = *name == "ground" && key == "from" ? "leave `from` out for the ground"
+                             : guess.empty()                    ? "name one of the bodies"
+                                                                : "did you mean \"" + guess + "\"?";
+  reader.error(key, "\"" + name->substr(0, 60) + "\"", "no body has this name", remedy);
   return std::nullopt;
 }
 

@@ -7,6 +7,9 @@
 namespace trivet::study {
 namespace {
 
+/// Tables whose keys exclude each other: in braces, a new one takes the place of the old.
+bool is_one_thing(const std::string& key) { return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation"; }
+
 bool holds_named_things(const std::string& path) { return path == "bodies" || path == "elements" || path == "excitations"; }
 
 void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key, foundation::Problems& problems) {
@@ -34,7 +37,7 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
         base.keys.push_back(key);
         base.items.push_back(change);
       }
-    } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table && !change.written_inline) {
+    } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table && !(change.written_inline && is_one_thing(key))) {
       apply_changes(*old, change, here, problems);
     } else {
       *old = change;

@@ -28,29 +28,39 @@ Quantity matrix_entry(bool damping, int i, int j) {
 /// Builds one element: where its ends are, then its law in their axes.
 class ElementReader {
  public:
-  ElementReader(const Node& node, const std::string& name, const model::Description& description, foundation::Problems& problems)
-      : reader_(node, "elements." + name, problems), bodies_(description) {
+  ElementReader(const Node& node, const std::string& name, const model::Description& description, const Mentioned& mentioned, foundation::Problems& problems)
+      : node_(node), reader_(node, "elements." + name, problems), bodies_(description), mentioned_(mentioned) {
     element_.name = name;
   }
 
   std::optional<model::Element> read() {
     const std::size_t before = reader_.problems().list().size();
     element_.type = reader_.required_text("type");
-    if (!read_ends()) return std::nullopt;
+    const bool placed = read_ends();  // if not, the law is still read for its own problems
     element_.symmetric = reader_.boolean("symmetric").value_or(true);
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
-    read_law();
+    const bool known_law = read_law();
     read_damping();
-    reader_.finish();
-    return reader_.problems().list().size() == before ? std::optional(element_) : std::nullopt;
+    if (known_law) reader_.finish();
+    else report_tables_inside(node_);  // which other keys belong here depends on the type
+    return placed && reader_.problems().list().size() == before ? std::optional(element_) : std::nullopt;
   }
 
  private:
+  /// A table that no law has is most likely the rest of a name with a dot: [elements.front.left].
+  void report_tables_inside(const Node& node) {
+    for (std::size_t i = 0; i < node.keys.size(); ++i) {
+      const bool ours = node.keys[i] == "damping" || node.keys[i].ends_with("orientation");
+      if (node.items[i].kind == Node::Kind::table && !ours)
+        reader_.error(node.keys[i], "unknown key", "no element has a table of this name", "a name with a dot stands in quotes, and names here have none: write [elements.\"front left\"]");
+    }
+  }
+
   bool read_ends() {
     if (!reader_.has("on")) reader_.missing("on", "name the body at end K: on = \"BODY\"");
-    const auto on = body_named(reader_, "on", bodies_);
-    const auto from = body_named(reader_, "from", bodies_);
+    const auto on = body_named(reader_, "on", bodies_, mentioned_);
+    const auto from = body_named(reader_, "from", bodies_, mentioned_);
     const bool from_is_wrong = reader_.has("from") && !from;
     const auto at = reader_.vector("at", Quantity::length);
     if (!reader_.has("at")) reader_.missing("at", "give the point on the body: at = [x, y, z]");
@@ -71,17 +81,21 @@ class ElementReader {
     element_.n.at = from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (body.position + body.rotation * *at - other.position));
     element_.n.axes = from_orientation ? *from_orientation : Eigen::Matrix3d(other.rotation.transpose() * body.rotation * element_.k.axes);
     span_ = model::span(bodies_.bodies, element_.n, element_.k);
+    placed_ = true;
     return true;
   }
 
-  void read_law() {
+  /// False if the type is none of the laws.
+  bool read_law() {
     if (element_.type == "matrix") read_matrix();
     else if (element_.type == "bushing") read_bushing(true);
     else if (element_.type == "three_springs") read_bushing(false);
     else if (element_.type == "damper") read_damper();
-    else if (reader_.has("type")) {
-      static_cast<void>(reader_.choice("type", {"matrix", "bushing", "three_springs", "damper"}));
+    else {
+      if (reader_.has("type")) static_cast<void>(reader_.choice("type", {"matrix", "bushing", "three_springs", "damper"}));
+      return false;
     }
+    return true;
   }
 
   void read_matrix() {
@@ -125,15 +139,18 @@ class ElementReader {
     read_centre();
     const double c = reader_.required_number("coefficient", Quantity::damping_force_per_length);
     if (c < 0) reader_.error("coefficient", fmt::format("{:.6g} N s/m", c), "it must be ≥ 0", "a negative one would feed energy into the motion");
+    for (const char* key : {"damping", "scale"}) {
+      if (reader_.has(key)) reader_.error(key, std::string(key) + " of a damper", "its coefficient says it all", "remove it, and change the coefficient");
+      static_cast<void>(reader_.node(key));
+    }
     Eigen::Vector3d line = span_.arm;
     if (reader_.has("axis")) line = Eigen::Vector3d::UnitZ();  // the local e3 that `axis` laid
-    else if (!(line.norm() > 0))
-      return static_cast<void>(reader_.error("axis", "both ends are at the same point", "a damper works along a line",
-                                             "give axis = \"z\" or another from_at"));
+    else if (!(line.norm() > 0)) {
+      if (placed_) reader_.error("axis", "both ends are at the same point", "a damper works along a line", "give axis = \"z\" or another from_at");
+      return;
+    }
     element_.law.damping = elements::DampingMatrix{
         elements::in_end_axes(elements::constant_along_line(c, line.normalized(), span_.arm, centre_), span_.n_from_k)};
-    if (reader_.has("damping")) reader_.error("damping", "damping of a damper", "its coefficient says it all", "remove it");
-    reader_.node("damping");
   }
 
   void read_damping() {
@@ -141,11 +158,21 @@ class ElementReader {
     const Node* table = reader_.table("damping");
     if (!table) return;
     TableReader damping(*table, reader_.path() + ".damping", reader_.problems());
-    int laws = 0;
-    for (const char* key : {"proportional", "loss_factor", "matrix", "translation"}) laws += damping.has(key);
-    if (laws != 1)
-      reader_.error("damping", laws == 0 ? "no law" : "more than one law", "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}",
-                    "keep one of them");
+    std::vector<std::string> laws;
+    for (const char* key : {"proportional", "loss_factor", "matrix"})
+      if (damping.has(key)) laws.push_back(key);
+    if (damping.has("translation") || damping.has("rotation")) laws.push_back(damping.has("translation") ? "translation" : "rotation");
+    const char* const rule = "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}";
+    if (laws.empty()) reader_.error("damping", "no law", rule, "give one of them");
+    if (laws.size() > 1) {
+      std::string given;
+      const Node* latest = table;
+      for (const std::string& law : laws) {
+        given += (given.empty() ? "" : " and ") + law;
+        if (table->find(law)->origin.line > latest->origin.line) latest = table->find(law);
+      }
+      reader_.error("damping", given, rule, "keep one of them").origin = latest->origin;
+    }
     if (const auto factor = damping.number("proportional", Quantity::time)) {
       const auto of = damping.choice("of", {"scaled", "nominal"});
       element_.law.damping = elements::ProportionalDamping{*factor, of == "nominal"};
@@ -153,33 +180,42 @@ class ElementReader {
     if (const auto loss = damping.number("loss_factor", Quantity::pure)) element_.law.damping = elements::LossFactor{*loss};
     if (const auto matrix = damping.matrix("matrix", [](int, int i, int j) { return matrix_entry(true, i, j); }, {6, 12}))
       element_.law.damping = elements::DampingMatrix{full(*matrix)};
-    if (damping.has("translation")) {
+    if (damping.has("translation") || damping.has("rotation")) {
       const elements::Vector6 c = constants(damping, Quantity::damping_force_per_length, Quantity::damping_moment_per_angle, true);
       const double centre = element_.type == "matrix" ? 1 : centre_;
       element_.law.damping = elements::DampingMatrix{elements::in_end_axes(elements::constants_at_point(c, span_.arm, centre), span_.n_from_k)};
     }
+    for (const char* key : {"of", "translation", "rotation"}) {
+      const bool misplaced = std::string(key) == "of" && damping.has("of") && !damping.has("proportional");
+      if (misplaced) damping.error("of", "of without proportional", "it says of which stiffness a proportional damping is taken", "remove it");
+      static_cast<void>(damping.node(key));
+    }
     damping.finish();
   }
 
+  const Node& node_;
   TableReader reader_;
   const model::Description& bodies_;
+  const Mentioned& mentioned_;
   model::Element element_;
-  model::Span span_{};
+  model::Span span_{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+  bool placed_ = false;
   double centre_ = 0.5;
 };
 
 }  // namespace
 
-void read_elements(TableReader& root, model::Description& description) {
+void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned) {
   const Node* table = root.table("elements");
   if (!table) return;
+  mentioned.elements = table->keys;
   if (table->keys.size() > most_elements)
     root.error("elements", fmt::format("{} elements", table->keys.size()), fmt::format("this version takes at most {}", most_elements), "split the model");
   for (std::size_t i = 0; i < table->keys.size() && i < most_elements; ++i) {
     if (table->items[i].kind != Node::Kind::table) {
       root.problems().error("elements." + table->keys[i], words(table->items[i].kind), "an element is a table", "write [elements.NAME] and its type below").origin =
           table->items[i].origin;
-    } else if (auto element = ElementReader(table->items[i], table->keys[i], description, root.problems()).read()) {
+    } else if (auto element = ElementReader(table->items[i], table->keys[i], description, mentioned, root.problems()).read()) {
       description.elements.push_back(std::move(*element));
     }
   }
@@ -190,7 +226,8 @@ void read_system_damping(TableReader& root, model::Description& description) {
   if (!table) return;
   TableReader reader(*table, "damping", root.problems());
   if (reader.has("rayleigh") == reader.has("modal"))
-    root.error("damping", reader.has("modal") ? "rayleigh and modal" : "neither rayleigh nor modal", "the damping of the system is one of them", "keep one");
+    root.error("damping", reader.has("modal") ? "rayleigh and modal" : "neither rayleigh nor modal", "the damping of the system is one of them",
+               reader.has("modal") ? "keep one" : "give one, or remove the table");
   if (const Node* inside = reader.table("rayleigh")) {
     TableReader rayleigh(*inside, "damping.rayleigh", root.problems());
     description.damping = model::RayleighDamping{rayleigh.number("mass", Quantity::per_time).value_or(0), rayleigh.number("stiffness", Quantity::time).value_or(0)};

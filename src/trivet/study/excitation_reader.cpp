@@ -27,15 +27,16 @@ spatial::Vector6 read_phase(TableReader& reader) {
   return spatial::Vector6::Constant(reader.number("phase", Quantity::angle).value_or(0));
 }
 
-void read_excitation(const Node& node, const std::string& name, model::Description& description, foundation::Problems& problems) {
+void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "excitations." + name, problems);
   reader.required_text("type");
   const auto type = reader.choice("type", {"harmonic", "constant"});
-  if (!type) return;
   if (!reader.has("on")) reader.missing("on", "name the body: on = \"BODY\"");
-  const auto on = body_named(reader, "on", description);
+  const auto on = body_named(reader, "on", description, mentioned);
   const Eigen::Vector3d at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   if (!reader.has("at")) reader.missing("at", "give the point of action on the body: at = [x, y, z]");
+  (type == "constant" ? mentioned.constant_excitations : mentioned.harmonic_excitations).push_back(name);
+  if (!type) return;  // what else may stand here depends on the type
   const spatial::Wrench wrench = read_wrench(reader);
   if (type == "harmonic") {
     const spatial::Vector6 phase = read_phase(reader);
@@ -48,12 +49,13 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
 
 }  // namespace
 
-void read_excitations(TableReader& root, model::Description& description) {
+void read_excitations(TableReader& root, model::Description& description, Mentioned& mentioned) {
   description.gravity = root.vector("gravity", Quantity::acceleration);
   const Node* table = root.table("excitations");
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
-    if (table->items[i].kind == Node::Kind::table) read_excitation(table->items[i], table->keys[i], description, root.problems());
+    if (table->items[i].kind != Node::Kind::table) mentioned.harmonic_excitations.push_back(table->keys[i]);
+    if (table->items[i].kind == Node::Kind::table) read_excitation(table->items[i], table->keys[i], description, mentioned, root.problems());
     else
       root.problems().error("excitations." + table->keys[i], words(table->items[i].kind), "an excitation is a table", "write [excitations.NAME] and its type below").origin =
           table->items[i].origin;

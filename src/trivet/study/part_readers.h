@@ -8,13 +8,21 @@
 /// One function per part of a project file; each adds to the description and reports its problems.
 namespace trivet::study {
 
-void read_bodies(TableReader& root, model::Description& description);
-void read_elements(TableReader& root, model::Description& description);
-void read_system_damping(TableReader& root, model::Description& description);
-void read_excitations(TableReader& root, model::Description& description);
-[[nodiscard]] Analyses read_analyses(TableReader& root, const model::Description& description);
+/// Names that stand in the file, whether what they name could be read or not: a reference to an unreadable thing is no
+/// second problem.
+struct Mentioned {
+  bool bodies_unknown = false;  ///< there is no readable table of bodies at all
+  std::vector<std::string> bodies, points, elements, harmonic_excitations, constant_excitations;
+};
 
-/// The body of that name; an unknown name is a problem at `key`.
-[[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description);
+void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned);
+void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned);
+void read_system_damping(TableReader& root, model::Description& description);
+void read_excitations(TableReader& root, model::Description& description, Mentioned& mentioned);
+[[nodiscard]] Analyses read_analyses(TableReader& root, const Mentioned& mentioned);
+
+/// The body of that name, if it was read; a name that stands nowhere is a problem at `key`.
+[[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description,
+                                                    const Mentioned& mentioned);
 
 }  // namespace trivet::study

@@ -17,27 +17,32 @@ namespace {
 
 constexpr std::size_t most_cases = 1000;
 
-void check_format_version(TableReader& root) {
+/// False if the file is of a format that this program does not know.
+bool is_known_format(TableReader& root) {
   if (!root.has("trivet")) root.missing("trivet", "start the file with trivet = 1");
   const auto version = root.number("trivet", Quantity::pure);
   if (version && *version != 1) root.error("trivet", fmt::format("format {:.6g}", *version), "this program reads format 1", "write trivet = 1, or use a newer program");
+  return !version || *version == 1;
 }
 
+/// "bodies.frame" of "bodies.frame.mass".
+std::string thing(const std::string& subject) { return subject.substr(0, subject.find('.', subject.find('.') + 1)); }
+
 /// Problems of the checked model that are not just echoes of something the reader could not read.
-foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading) {
-  std::set<std::string> unread;  // "bodies.frame" of every problem of reading
-  bool geometry_unread = false;
+foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading, bool every_body_was_read) {
+  std::set<std::string> unread;
+  bool misplaced = !every_body_was_read;
   for (const auto& problem : reading.list()) {
     if (problem.severity != foundation::Severity::error) continue;
-    const std::size_t second = problem.subject.find('.', problem.subject.find('.') + 1);
-    unread.insert(problem.subject.substr(0, second));
-    geometry_unread = geometry_unread || problem.subject.starts_with("bodies");
+    unread.insert(thing(problem.subject));
+    const std::string part = problem.subject.substr(std::min(problem.subject.size(), thing(problem.subject).size()));
+    misplaced = misplaced || (problem.subject.starts_with("bodies.") && (part.starts_with(".position") || part.starts_with(".orientation")));
   }
   foundation::Problems result;
   for (const auto& problem : found.list()) {
-    const std::size_t second = problem.subject.find('.', problem.subject.find('.') + 1);
-    if (unread.contains(problem.subject.substr(0, second))) continue;
-    if (geometry_unread && !problem.subject.starts_with("bodies.")) continue;
+    if (unread.contains(thing(problem.subject))) continue;
+    if (misplaced && problem.subject.starts_with("elements.")) continue;  // lever arms are not known
+    if (!every_body_was_read && problem.subject == "bodies") continue;
     result.add(problem);
   }
   return result;
@@ -48,29 +53,41 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   foundation::Problems reading;
   TableReader root(document, "", reading);
   model::Description description;
-  check_format_version(root);
+  Mentioned mentioned;
+  if (!is_known_format(root)) return problems.add(reading), std::nullopt;
   title = root.text("title").value_or("");
   description.title = title;
-  read_bodies(root, description);
-  read_elements(root, description);
+  read_bodies(root, description, mentioned);
+  read_elements(root, description, mentioned);
   read_system_damping(root, description);
-  read_excitations(root, description);
-  Analyses analyses = read_analyses(root, description);
+  read_excitations(root, description, mentioned);
+  Analyses analyses = read_analyses(root, mentioned);
   static_cast<void>(root.node("cases"));
   root.finish();
 
+  const bool every_body_was_read = !mentioned.bodies_unknown && description.bodies.size() == mentioned.bodies.size();
   auto system = model::System::checked(std::move(description));
   foundation::Problems all = reading;
-  foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading);
+  foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   locate(physical, document);
   all.add(physical);
   const bool good = !all.has_errors();
-  if (!name.empty())
-    for (auto& problem : all.list()) problem.subject = "case \"" + name + "\": " + problem.subject;
+  all.sort_by_origin();
   problems.add(all);
   if (!good || !system) return std::nullopt;
-  all.sort_by_origin();
   return Case{name, {}, std::move(*system), std::move(analyses), std::move(all)};
+}
+
+/// Adds what a case brings beyond the base model, under the name of the case.
+void add_of_case(const foundation::Problems& found, const foundation::Problems& base, const std::string& name, foundation::Problems& problems) {
+  for (foundation::Problem problem : found.list()) {
+    const bool known = std::any_of(base.list().begin(), base.list().end(), [&](const foundation::Problem& p) {
+      return p.subject == problem.subject && p.finding == problem.finding && p.rule == problem.rule;
+    });
+    if (known) continue;
+    problem.subject = "case \"" + name + "\": " + problem.subject;
+    problems.add(problem);
+  }
 }
 
 void list_changes(const Node& node, const std::string& path, std::vector<std::string>& lines) {
@@ -113,7 +130,9 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
   Project project;
   project.source = source;
   project.sha256 = sha256(hashed);
-  auto base = read_case(document, "", project.title, problems);
+  foundation::Problems of_base;
+  auto base = read_case(document, "", project.title, of_base);
+  problems.add(of_base);
   if (base) base->changes = setting_lines;
   if (base) project.cases.push_back(std::move(*base));
   const Node* cases = document.find("cases");
@@ -121,22 +140,21 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
     problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
   } else if (cases && cases->keys.size() > most_cases) {
     problems.error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases), "split the file").origin = cases->origin;
-  } else if (cases && !project.cases.empty()) {  // with a broken base every case would only repeat its problems
+  } else if (cases) {
     for (std::size_t i = 0; i < cases->keys.size(); ++i) {
       const Node& change = cases->items[i];
       const std::string& name = cases->keys[i];
       if (change.kind != Node::Kind::table || name.empty()) {
-        problems.error("cases." + name, words(change.kind), "a case is a table with a name", "write [cases.NAME] and the changed numbers below").origin = change.origin;
+        problems.error("cases." + name, name.empty() ? "name \"\"" : words(change.kind), "a case is a table with a name", "write [cases.NAME] and the changed numbers below").origin = change.origin;
         continue;
       }
       Node variant = document;
-      foundation::Problems of_change;
-      apply_changes(variant, change, "", of_change);
-      for (auto& problem : of_change.list()) problem.subject = "case \"" + name + "\": " + problem.subject;
-      problems.add(of_change);
+      foundation::Problems of_case;
+      apply_changes(variant, change, "", of_case);
       std::string title;
-      auto variant_case = read_case(variant, name, title, problems);
-      if (!variant_case) continue;
+      auto variant_case = read_case(variant, name, title, of_case);
+      add_of_case(of_case, of_base, name, problems);
+      if (!variant_case || project.cases.empty()) continue;
       variant_case->changes = setting_lines;
       list_changes(change, "", variant_case->changes);
       project.cases.push_back(std::move(*variant_case));

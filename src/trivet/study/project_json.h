@@ -14,6 +14,7 @@ struct CheckLine {
   std::string what;
   std::string value;
   bool passed = true;
+  bool operator==(const CheckLine&) const = default;
 };
 
 /// Checks of every body and element of a case, with their figures.

@@ -50,14 +50,14 @@ foundation::Problem& TableReader::error(const std::string& key, std::string find
 void TableReader::missing(const std::string& key, const std::string& remedy) { error(key, "missing", "it is required", remedy); }
 
 const Node* TableReader::node(const std::string& key) {
-  known_.push_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   return table_.find(key);
 }
 
 const Node* TableReader::table(const std::string& key) {
   const Node* found = node(key);
   if (!found || found->kind == Node::Kind::table) return found;
-  error(key, shown(*found), "a table is wanted here", "write " + key + " = {…} or [" + key + "]");
+  error(key, shown(*found), "a table is wanted here", "write " + key + " = {…} or [" + (path_.empty() ? key : path_ + "." + key) + "]");
   return nullptr;
 }
 
@@ -140,7 +140,7 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind != Node::Kind::array) {
-    error(key, shown(*value), "an array of numbers is wanted here", "for instance " + key + " = [1, 2, 3]");
+    error(key, shown(*value), "an array of numbers is wanted here", "put the numbers in square brackets, with commas between them");
     return std::nullopt;
   }
   std::vector<double> result;
@@ -220,8 +220,9 @@ std::optional<Eigen::Matrix3d> TableReader::orientation(const std::string& key) 
     const double deviation = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     const double handed = axes.col(0).dot(spatial::cross_matrix(axes.col(1)) * axes.col(2));
     if (deviation <= orthonormal_within && handed > 0) return axes;
-    inside.error("matrix", handed > 0 ? fmt::format("columns deviate from unit, perpendicular vectors by {:.2g}", deviation) : "a left-handed set of axes",
-                 "the columns are the local x, y, z axes: unit vectors, perpendicular, right-handed", "give more digits, or use axis and angle");
+    const bool left_handed = deviation <= orthonormal_within;
+    inside.error("matrix", left_handed ? "a left-handed set of axes" : fmt::format("columns deviate from unit, perpendicular vectors by {:.2g}", deviation),
+                 "the columns are the local x, y, z axes: unit vectors, perpendicular, right-handed", "check signs and digits, or use axis and angle");
     return std::nullopt;
   }
   const auto axis = inside.direction("axis");

@@ -13,16 +13,35 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 
+/// Where the comment or string that starts at `at` ends (one past it); `at` itself if neither starts there.
+std::size_t skipped(std::string_view text, std::size_t at) {
+  const char c = text[at];
+  if (c == '#') return std::min(text.find('\n', at), text.size());
+  if (c != '"' && c != '\'') return at;
+  const std::string_view triple = c == '"' ? "\"\"\"" : "\'\'\'";
+  const bool multi_line = text.substr(at).starts_with(triple);
+  for (std::size_t i = at + (multi_line ? 3 : 1); i < text.size(); ++i) {
+    if (c == '"' && text[i] == '\\') ++i;
+    else if (multi_line ? text.substr(i).starts_with(triple) : text[i] == c) return i + (multi_line ? 3 : 1);
+    else if (!multi_line && text[i] == '\n') return i;
+  }
+  return text.size();
+}
+
 /// The parser builds one level of stack per bracket and per dot of a key: count them before it does.
 int line_of_excessive_nesting(std::string_view text) {
-  int line = 1, brackets = 0, dots = 0;
-  for (const char c : text) {
-    if (c == '\n') ++line;
+  int brackets = 0, dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (const std::size_t end = skipped(text, i); end > i) {
+      i = end - 1;
+      continue;
+    }
+    const char c = text[i];
     if (c == '[' || c == '{') ++brackets;
     if (c == ']' || c == '}') brackets = std::max(0, brackets - 1);
     if (c == '.') ++dots;
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == ']' || c == '{' || c == '}') dots = 0;
-    if (brackets > deepest_nesting || dots > deepest_nesting) return line;
+    if (brackets > deepest_nesting || dots > deepest_nesting) return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'));
   }
   return 0;
 }
@@ -93,8 +112,10 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     root.origin = {source, 0, 0};
     return root;
   } catch (const toml::parse_error& error) {
-    return refused(origin_of(error.source(), source), std::string(error.description()), "the file must be valid TOML",
-                   "mend this line (strings in quotes, one value per key, arrays in square brackets)");
+    const std::string finding(error.description());
+    const bool encoding = finding.find("utf-8") != std::string::npos || finding.find("UTF-8") != std::string::npos;
+    return refused(origin_of(error.source(), source), finding, "the file must be valid TOML",
+                   encoding ? "it is no UTF-8 text: save it as UTF-8" : "mend this line (strings in quotes, one value per key, arrays in square brackets)");
   }
 }
 

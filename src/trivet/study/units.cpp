@@ -69,12 +69,19 @@ const UnitSystem& unit_system() {
   return system;
 }
 
-/// The library also knows dates, logarithms and offsets; a project file has no use for them.
+/// The library also knows dates, logarithms, offsets and numbers inside a unit ("12 500 kg" would be 12 × 500 kg); here a unit
+/// is letters and signs, and a digit is an exponent right behind a letter, a ^ or a minus.
 bool is_plain_unit(std::string_view text) {
-  for (const unsigned char c : text)
-    if (!(std::isalnum(c) || c >= 0x80 || c == '*' || c == '/' || c == '^' || c == '.' || c == ' ' || c == '(' || c == ')' || c == '-' ||
-          c == '_' || c == '%'))
-      return false;
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 || c == '_' || c == ')' || c == '%'; };
+  if (text.starts_with("1/")) text.remove_prefix(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i], before = i > 0 ? text[i - 1] : ' ';
+    if (letter(c) || c == '*' || c == '/' || c == '(' || c == ' ') continue;
+    const bool exponent = std::isdigit(static_cast<unsigned char>(c)) && (letter(before) || before == '^' || before == '-' || std::isdigit(static_cast<unsigned char>(before)));
+    const bool sign = (c == '-' || c == '^') && (letter(before) || (c == '-' && before == '^'));
+    const bool product = c == '.' && letter(before) && i + 1 < text.size() && letter(text[i + 1]);
+    if (!exponent && !sign && !product) return false;
+  }
   return text.size() <= longest_unit;
 }
 
@@ -124,6 +131,7 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   const std::string expected = si_unit(quantity);
   if (unit_text.empty())
     return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit" : "the unit is missing");
+  if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
   if (!is_plain_unit(unit_text)) return tl::make_unexpected("\"" + std::string(unit_text.substr(0, longest_unit)) + "\" is not a unit");
   const Unit unit(unit_system().parsed(std::string(unit_text)));
   if (!unit) return tl::make_unexpected("\"" + std::string(unit_text) + "\" is not a unit");

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Matrices on which solvers fail: defective and coincident roots, vanishing pivots, near-singular mass, light damping.
+// Each response is compared with a solution in extended precision.
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <random>
+
+#include "support/matchers.h"
+#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/quadratic_roots.h"
+#include "trivet/numerics/refined_solution.h"
+#include "trivet/response/peak_refinement.h"
+#include "trivet/response/peaks.h"
+
+namespace {
+
+using namespace trivet;
+using numerics::DynamicMatrices;
+
+struct HardCase {
+  const char* name;
+  DynamicMatrices m;
+};
+
+/// A fixed orthogonal matrix: skew axes, no lucky zeros.
+Eigen::MatrixXd mixing(Eigen::Index n) {
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd g(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) g(i, j) = normal(generator);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(g + g.transpose());
+  return solver.eigenvectors();
+}
+
+DynamicMatrices mixed(const Eigen::VectorXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& k) {
+  const Eigen::MatrixXd q = mixing(a.size());
+  const auto turn = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
+    const Eigen::MatrixXd y = q * x * q.transpose();
+    return 0.5 * (y + y.transpose());
+  };
+  return {turn(a.asDiagonal()), turn(b), turn(k.asDiagonal()), {}, true};
+}
+
+Eigen::VectorXd six(double a, double b, double c, double d, double e, double f) { return (Eigen::VectorXd(6) << a, b, c, d, e, f).finished(); }
+
+Eigen::MatrixXd spread(double size) {
+  Eigen::MatrixXd b = Eigen::MatrixXd::Identity(6, 6) * size;
+  for (int i = 0; i < 5; ++i) b(i, i + 1) = b(i + 1, i) = 0.4 * size;
+  return b;
+}
+
+std::vector<HardCase> hard_cases() {
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(6), k = six(4, 9, 100, 400, 2500, 10000);
+  const Eigen::VectorXd twice_root = 2 * k.cwiseSqrt();
+  std::vector<HardCase> all;
+  all.push_back({"general damping, ratio 1e-3", mixed(one, spread(4e-3), k)});
+  all.push_back({"general damping, ratio 1e-6", mixed(one, spread(4e-6), k)});
+  all.push_back({"proportional, 1e-6", mixed(one, Eigen::MatrixXd((1e-6 * k).asDiagonal()), k)});
+  all.push_back({"mass ratio 1e-6", mixed(six(1, 1, 1, 1, 1, 1e-6), spread(0.1), k)});
+  all.push_back({"coincident frequencies, general damping", mixed(one, spread(0.3), six(4, 4, 100, 100, 100, 900))});
+  all.push_back({"coincident frequencies, proportional", mixed(one, Eigen::MatrixXd((0.01 * six(4, 4, 100, 100, 100, 900)).asDiagonal()), six(4, 4, 100, 100, 100, 900))});
+  DynamicMatrices critical{one.asDiagonal(), twice_root.asDiagonal(), k.asDiagonal(), {}, true};
+  all.push_back({"critical damping, exactly defective", critical});
+  all.push_back({"critical damping, turned", mixed(one, Eigen::MatrixXd(twice_root.asDiagonal()), k)});
+  Eigen::MatrixXd pair = Eigen::MatrixXd::Zero(6, 6);  // two equal masses and springs coupled by damping only: an exceptional point
+  pair.diagonal() << 0.8, 0, 0.3, 0.3, 1, 1;
+  pair(0, 1) = pair(1, 0) = 0.0;
+  DynamicMatrices exceptional = mixed(one, pair, six(100, 100, 400, 400, 2500, 10000));
+  all.push_back({"exceptional point", exceptional});
+  Eigen::MatrixXd rank_one = Eigen::MatrixXd::Zero(6, 6);
+  const Eigen::VectorXd line = six(0.3, -0.2, 0.5, 0.1, 0.4, 0.6);
+  rank_one = line * line.transpose();
+  all.push_back({"one damper, the rest undamped", mixed(one, rank_one, k)});
+  all.push_back({"overdamped", mixed(one, spread(500), k)});
+  all.push_back({"indefinite mass", mixed(six(1, 1, -0.3, 1, 1, 1), spread(0.2), k)});
+  DynamicMatrices vanishing{Eigen::MatrixXd::Identity(6, 6), Eigen::MatrixXd::Zero(6, 6), spread(1) * 50, {}, true};
+  vanishing.B(5, 5) = 1e-3;  // at ω² = 50 every leading pivot is zero
+  all.push_back({"vanishing leading pivots", vanishing});
+  DynamicMatrices lossy = mixed(one, Eigen::MatrixXd::Zero(6, 6), k);
+  lossy.K_loss = 1e-4 * lossy.K;
+  all.push_back({"loss factor 1e-4", lossy});
+  DynamicMatrices unsymmetric = mixed(one, spread(0.1), k);
+  unsymmetric.K(0, 1) += 0.7;
+  unsymmetric.symmetric = false;
+  all.push_back({"unsymmetric", unsymmetric});
+  all.push_back({"stiffness over twelve decades", mixed(one, spread(1e-2), six(1e-4, 1, 1e2, 1e4, 1e6, 1e8))});
+  return all;
+}
+
+Eigen::VectorXcd load() {
+  Eigen::VectorXcd h(6);
+  h << 1.0, std::complex<double>(0, 2), -0.5, 0.7, std::complex<double>(0.3, -1), 1.1;
+  return h;
+}
+
+std::vector<double> awkward_frequencies(const DynamicMatrices& m) {
+  std::vector<double> omega = {0.0, std::sqrt(50.0)};
+  const numerics::QuadraticRoots roots = numerics::roots_of_companion(m);
+  for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
+    const double centre = std::abs(roots.lambda(k).imag());
+    for (const double shift : {-1.0, -1e-3, -1e-12, 0.0, 1e-12, 1e-3, 1.0}) omega.push_back(std::abs(centre + shift * std::abs(roots.lambda(k).real())));
+  }
+  for (int i = 1; i < 60; ++i) omega.push_back(2.3 * i);
+  return omega;
+}
+
+TEST(HardCases, EveryReturnedValueHasASmallBackwardErrorAndTheForwardErrorOfItsCondition) {
+  for (const HardCase& hard : hard_cases()) {
+    const std::vector<double> omega = awkward_frequencies(hard.m);
+    const numerics::SweepResult found = numerics::sweep(hard.m, load(), omega);
+    const Eigen::VectorXd d = numerics::unit_scale(hard.m.A);
+    const DynamicMatrices scaled = numerics::scaled(hard.m, d);
+    for (std::size_t i = 0; i < omega.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      if (!found.response.col(column).allFinite()) continue;
+      EXPECT_LE(found.backward_error(column), numerics::accepted_backward_error) << hard.name << " at " << omega[i];
+      const std::complex<long double> iw(0, omega[i]);
+      numerics::ExtendedMatrix z = scaled.complex_stiffness().cast<std::complex<long double>>() + iw * scaled.B.cast<std::complex<long double>>() + iw * iw * scaled.A.cast<std::complex<long double>>();
+      const numerics::RefinedSolver exact(z);
+      const numerics::ExtendedVector q = exact.solve((d.asDiagonal() * load()).cast<std::complex<long double>>());
+      const Eigen::VectorXcd mine = d.cwiseInverse().asDiagonal() * found.response.col(column);
+      const double error = static_cast<double>((mine.cast<std::complex<long double>>() - q).norm() / q.norm());
+      EXPECT_LE(error, 16 * 6 * test::epsilon * exact.condition()) << hard.name << " at " << omega[i];
+    }
+    EXPECT_LE(found.singular, 3) << hard.name;
+  }
+}
+
+TEST(HardCases, PivotingIsCalledWhereTheFastPathFails) {
+  const auto cases = hard_cases();
+  const auto vanishing = std::find_if(cases.begin(), cases.end(), [](const auto& c) { return std::string(c.name).starts_with("vanishing"); });
+  EXPECT_GT(numerics::sweep(vanishing->m, load(), {std::sqrt(50.0)}).fallbacks, 0);
+}
+
+TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
+  for (const HardCase& hard : hard_cases()) {
+    assembly::Assembled assembled{assembly::Layout({}), hard.m, {}};
+    std::vector<assembly::Channel> channels;
+    for (int j = 0; j < 6; ++j) channels.push_back({"q" + std::to_string(j), "m", j % 3, Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6)});
+    modal::Modes modes;
+    modal::Roots roots;
+    roots.poles = numerics::roots_of_companion(hard.m).lambda;
+    const response::Peaks found = response::peaks(assembled, channels, load(), modes, roots);
+    int bounded = 0;
+    for (const response::Peak& peak : found.list) {
+      if (std::isinf(peak.amplitude)) continue;
+      ++bounded;
+      EXPECT_TRUE(peak.refined) << hard.name;
+      const double step = std::max(64 * peak.frequency_uncertainty, 1e-6 * peak.angular_frequency);
+      for (const double side : {-step, step}) {
+        const response::RefinedPeak beside = response::refine_peak(assembled, channels[peak.curve], load(), peak.angular_frequency + side, 0);
+        EXPECT_LE(beside.amplitude, peak.amplitude * (1 + 1e-12) + peak.amplitude_uncertainty) << hard.name << " near " << peak.angular_frequency;
+      }
+    }
+    if (std::string(hard.name) != "one damper, the rest undamped" && std::string(hard.name) != "overdamped" && std::string(hard.name).find("critical") == std::string::npos) {
+      EXPECT_GT(bounded, 0) << hard.name;
+    }
+  }
+}
+
+TEST(HardCases, AnIndefiniteMassIsNeverTakenForADefiniteOne) {
+  // The trap: a generalized symmetric solver that answers 1, 1, 1 for K = 1, A = diag(1, 1, −1).
+  const Eigen::MatrixXd K = Eigen::MatrixXd::Identity(3, 3), A = Eigen::Vector3d(1, 1, -1).asDiagonal();
+  const auto modes = numerics::generalized_modes(K, A, true);
+  EXPECT_EQ(modes.route, numerics::ModeRoute::definite_stiffness);
+  EXPECT_NEAR(modes.lambda(0), -1, 1e-14);
+  EXPECT_NEAR(modes.lambda(1), 1, 1e-14);
+  EXPECT_EQ(modes.norm(0), -1);
+}
+
+}  // namespace

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An outside program: describe, ask, read.
+#include <cmath>
+#include <cstdio>
+
+#include "trivet/modal/modes.h"
+#include "trivet/study/project.h"
+
+int main() {
+  trivet::model::Description description;
+  trivet::model::Body body;
+  body.name = "mass";
+  body.mass.mass = 4;
+  body.has_inertia = false;
+  body.free = {true, false, false, false, false, false};
+  description.bodies.push_back(body);
+  trivet::model::Element spring;
+  spring.name = "spring";
+  spring.k.body = 0;
+  spring.law.nominal_stiffness = trivet::elements::constants_at_point({100, 0, 0, 0, 0, 0}, {0, 0, 0}, 0.5);
+  description.elements.push_back(spring);
+  const auto system = trivet::model::System::checked(description);
+  if (!system) return 1;
+  const auto modes = trivet::modal::modes(*system);
+  std::printf("%.17g\n", *modes.list.at(0).angular_frequency);
+  const bool right = std::abs(*modes.list.at(0).angular_frequency - 5.0) < 1e-12;
+  const bool refuses = !trivet::study::project_from_text("trivet = 1", "empty").has_value();
+  return right && refuses ? 0 : 1;
+}

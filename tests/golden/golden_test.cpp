@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pins the paper's answers to what this program gave before: proves nothing but that nothing moved.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "trivet/study/answers.h"
+
+namespace {
+
+using namespace trivet;
+
+struct Pinned {
+  std::string name;
+  double omega, amplitude;
+};
+
+TEST(Golden, PeaksOfThePaperInAllCases) {
+  constexpr double tolerance = 1e-9;
+  const auto project = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
+  std::vector<Pinned> found;
+  for (const auto& variant : project.cases) {
+    const auto answers = study::answers(variant, variant.analyses);
+    for (const auto& peak : answers.peaks->peaks.list)
+      found.push_back({variant.name + "/" + answers.peaks->peaks.curves[peak.curve].name, peak.angular_frequency, peak.amplitude});
+  }
+  const std::string path = std::string(TRIVET_SOURCE_DIR) + "/tests/golden/paper_peaks.csv";
+  if (std::getenv("TRIVET_REWRITE_GOLDEN")) {
+    std::ofstream out(path);
+    out.precision(13);
+    for (const auto& p : found) out << p.name << "," << p.omega << "," << p.amplitude << "\n";
+  }
+  std::ifstream in(path);
+  std::size_t i = 0;
+  for (std::string name, omega, amplitude; std::getline(in, name, ',') && std::getline(in, omega, ',') && std::getline(in, amplitude); ++i) {
+    ASSERT_LT(i, found.size());
+    EXPECT_EQ(found[i].name, name);
+    EXPECT_NEAR(found[i].omega, std::stod(omega), tolerance * found[i].omega);
+    EXPECT_NEAR(found[i].amplitude, std::stod(amplitude), tolerance * found[i].amplitude);
+  }
+  EXPECT_EQ(i, found.size());
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every file of tests/bad is refused with the messages that stand beside it.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "trivet/study/project.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace trivet;
+
+class BadProject : public testing::TestWithParam<fs::path> {};
+
+TEST_P(BadProject, IsRefusedWithTheExpectedMessages) {
+  const auto refused = study::read_project(GetParam());
+  ASSERT_FALSE(refused.has_value()) << "it was accepted";
+  std::vector<std::string> messages;
+  int errors = 0;
+  std::string all;
+  for (const auto& problem : refused.error().list()) {
+    std::string text = foundation::message(problem);
+    const std::size_t folder = text.find(GetParam().parent_path().string() + "/");
+    if (folder == 0) text = text.substr(GetParam().parent_path().string().size() + 1);
+    errors += problem.severity == foundation::Severity::error;
+    all += text + "\n";
+    messages.push_back(text);
+    EXPECT_FALSE(problem.rule.empty()) << text;
+    EXPECT_FALSE(problem.remedy.empty()) << text;
+    EXPECT_FALSE(problem.origin.source.empty()) << text;
+  }
+  std::ifstream expected(fs::path(GetParam()).replace_extension(".expected"));
+  ASSERT_TRUE(expected) << "no .expected file beside " << GetParam();
+  int lines = 0;
+  for (std::string line; std::getline(expected, line);) {
+    if (line.empty()) continue;
+    ++lines;
+    if (line.starts_with("errors: ")) {
+      EXPECT_EQ(errors, std::stoi(line.substr(8))) << all;
+      continue;
+    }
+    EXPECT_TRUE(std::any_of(messages.begin(), messages.end(), [&](const std::string& m) { return m.find(line) != std::string::npos; }))
+        << "no message holds: " << line << "\nmessages:\n" << all;
+  }
+  EXPECT_GE(lines, 2);
+}
+
+std::vector<fs::path> files() {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(std::string(TRIVET_SOURCE_DIR) + "/tests/bad"))
+    if (entry.path().extension() == ".toml") all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadProject, testing::ValuesIn(files()), [](const auto& info) {
+  std::string name = info.param.stem().string();
+  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+});
+
+TEST(BadProjects, AreAtLeastSixty) { EXPECT_GE(files().size(), 60u); }
+
+}  // namespace

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "support/random_system.h"
+#include "trivet/elements/law.h"
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::elements;
+
+const Eigen::Vector3d arm(0.1, -0.3, 0.25);
+
+Matrix12 sound_matrix() { return from_moved_end(test::RandomSystem(8).stiffness(1e5, 0.3), arm); }
+
+MatrixVerdict verdict(const Matrix12& matrix) { return examine(matrix, rigid_motions(arm, Eigen::Matrix3d::Identity())); }
+
+TEST(Laws, ResistNoRigidMotion) {
+  const Vector6 constants = (Vector6() << 1e5, 2e5, 3e5, 10, 20, 30).finished();
+  for (const double centre : {0.0, 0.2, 1.0}) EXPECT_LE(verdict(constants_at_point(constants, arm, centre)).rigid_residual, 1e-14);
+  EXPECT_LE(verdict(constant_along_line(500, Eigen::Vector3d(1, 1, 0).normalized(), arm, 0.5)).rigid_residual, 1e-14);
+  EXPECT_LE(verdict(sound_matrix()).rigid_residual, 1e-13);
+}
+
+TEST(Laws, EndForcesBalance) {
+  Vector6 at_n, at_k;
+  const spatial::Vector12 d = spatial::Vector12::LinSpaced(12, -1, 2);
+  const spatial::Vector12 f = sound_matrix() * d;
+  at_n = f.head<6>();
+  at_k = spatial::rigid_motion(arm).transpose() * f.tail<6>();  // carried from K to N
+  EXPECT_LE((at_n + at_k).norm(), 1e-12 * at_n.norm());
+}
+
+TEST(FromMovedEnd, KeepsTheGivenBlock) {
+  const Matrix6 k = test::RandomSystem(8).stiffness(1e5, 0.3);
+  const Matrix6 moved_end = from_moved_end(k, arm).bottomRightCorner<6, 6>();
+  EXPECT_LE((moved_end - k).norm(), 1e-12 * k.norm());
+}
+
+TEST(Examine, FindsAWrongLeverArmBySize) {
+  const Matrix12 wrong = from_moved_end(test::RandomSystem(8).stiffness(1e5, 0.3), 1.5 * arm);
+  EXPECT_GT(verdict(wrong).rigid_residual, refused_residual);
+}
+
+TEST(Examine, AFlippedSignIsCaught) {
+  Matrix12 flipped = sound_matrix();
+  flipped.block<3, 3>(0, 9) *= -1;
+  flipped.block<3, 3>(9, 0) *= -1;
+  EXPECT_GT(verdict(flipped).rigid_residual, refused_residual);
+}
+
+TEST(Examine, MeasuresTheResidualAgainstTheStiffnessOfTheEntry) {
+  for (const double error : {1e-7, 0.01, 0.1}) {
+    Matrix12 matrix = constants_at_point((Vector6() << 1e5, 2e5, 3e5, 10, 20, 30).finished(), Eigen::Vector3d::Zero(), 0.5);
+    matrix(9, 9) *= 1 + error;  // the softest entry: a norm would hide it
+    const MatrixVerdict v = examine(matrix, rigid_motions(Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()));
+    EXPECT_NEAR(v.rigid_residual, error, 0.2 * error);
+    EXPECT_EQ(v.residual_row, 9);
+    EXPECT_TRUE(is_semidefinite(v));
+  }
+}
+
+TEST(Examine, AsymmetryIsScaledAndLocated) {
+  Matrix12 matrix = sound_matrix();
+  matrix(3, 7) += 1e-3 * std::sqrt(matrix(3, 3) * matrix(7, 7));
+  const MatrixVerdict v = verdict(matrix);
+  EXPECT_NEAR(v.asymmetry, 1e-3, 1e-9);
+  EXPECT_EQ(v.asymmetric_row, 3);
+  EXPECT_EQ(v.asymmetric_column, 7);
+}
+
+TEST(Examine, NegativeStiffnessIsIndefinite) {
+  EXPECT_FALSE(is_semidefinite(verdict(-sound_matrix())));
+  EXPECT_TRUE(is_semidefinite(verdict(sound_matrix())));
+  EXPECT_TRUE(is_semidefinite(verdict(Matrix12::Zero())));
+}
+
+TEST(Law, ScaleMultipliesStiffnessAndWhatFollowsItOnly) {
+  Law law{sound_matrix(), 3, ProportionalDamping{0.1, false}};
+  EXPECT_LE((viscous_damping(law) - 0.3 * law.nominal_stiffness).norm(), 1e-12 * law.nominal_stiffness.norm());
+  law.damping = ProportionalDamping{0.1, true};
+  EXPECT_LE((viscous_damping(law) - 0.1 * law.nominal_stiffness).norm(), 1e-12 * law.nominal_stiffness.norm());
+  law.damping = DampingMatrix{sound_matrix()};
+  EXPECT_EQ(viscous_damping(law), sound_matrix());
+  law.damping = LossFactor{0.2};
+  EXPECT_EQ(viscous_damping(law), Matrix12::Zero());
+  EXPECT_EQ(loss_factor(law), 0.2);
+}
+
+}  // namespace

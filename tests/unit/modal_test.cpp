@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <fmt/format.h>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/modal/free_motions.h"
+
+namespace {
+
+using namespace trivet;
+using testing::HasSubstr;
+
+std::string cube(const std::string& elements) {
+  return "trivet = 1\n[bodies.cube]\nmass = 6\ninertia = {about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}\n" + elements;
+}
+
+std::vector<std::string> free_words(const std::string& text) {
+  const auto project = test::project(text);
+  const auto assembled = assembly::assemble(project.base().system);
+  return modal::free_motions(project.base().system, assembled, modal::modes(project.base().system, assembled));
+}
+
+TEST(FreeMotions, AreNamed) {
+  EXPECT_EQ(free_words(cube("")).size(), 6u);
+  const auto slides = free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 0, 10]\nrotation = [5, 5, 5]\n"));
+  ASSERT_EQ(slides.size(), 1u);
+  EXPECT_EQ(slides[0], "the system is free to slide along y");
+  const auto turns = free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0.5, 0, 0]\ntranslation = [10, 10, 10]\nrotation = [5, 5, 0]\n"));
+  ASSERT_EQ(turns.size(), 1u);
+  EXPECT_THAT(turns[0], HasSubstr("free to turn about z through (0.500, 0.000, 0.000)"));
+}
+
+TEST(FreeMotions, OfAPartAreToldFromThoseOfTheWhole) {
+  const auto words = free_words(test::chain({1, 1}, {100, 0, 0}, {}));
+  ASSERT_EQ(words.size(), 1u);
+  EXPECT_THAT(words[0], HasSubstr("m2"));
+}
+
+TEST(Modes, RepeatedRootsGetAnOrthonormalBasisAndSaySo) {
+  const auto project = test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, 60]\nrotation = [40, 40, 90]\n"));
+  const modal::Modes modes = modal::modes(project.base().system);
+  const Eigen::MatrixXd A = assembly::assemble(project.base().system).matrices.A;
+  EXPECT_EQ(std::count_if(modes.list.begin(), modes.list.end(), [](const auto& m) { return m.repeated; }), 5);
+  for (const auto& a : modes.list)
+    for (const auto& b : modes.list) EXPECT_NEAR(a.shape.dot(A * b.shape), a.number == b.number ? 1 : 0, 1e-12);
+}
+
+TEST(Modes, AreNamedAfterTheirMotion) {
+  const auto project = test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 120, 240]\nrotation = [400, 900, 1600]\n"));
+  const modal::Modes modes = modal::modes(project.base().system);
+  EXPECT_EQ(modes.list[0].name, "translation along x");
+  EXPECT_EQ(modes.list[2].name, "translation along z");
+  EXPECT_THAT(modes.list[5].name, HasSubstr("rotation about z through (0.000, 0.000, 0.000)"));
+}
+
+TEST(Roots, OfOneMassFollowTheTextbook) {
+  const auto roots_of = [](double dashpot) { return modal::roots(test::project(test::chain({2}, {1800}, {dashpot})).base().system); };
+  const modal::Roots light = roots_of(12);  // ζ = 0.1
+  ASSERT_EQ(light.list.size(), 2u);
+  EXPECT_THAT(*light.list[0].damping_ratio, test::RelativelyNear(0.1, 1e-14));
+  EXPECT_THAT(*light.list[0].angular_frequency, test::RelativelyNear(30.0, 1e-14));
+  const modal::Roots heavy = roots_of(240);  // ζ = 2
+  EXPECT_EQ(heavy.list[0].kind, modal::RootKind::overdamped);
+  EXPECT_FALSE(heavy.list[0].angular_frequency.has_value());
+  EXPECT_THAT(heavy.list[0].eigenvalue.real(), test::RelativelyNear(-30 * (2 - std::sqrt(3.0)), 1e-12));
+  EXPECT_EQ(roots_of(120).list[0].kind, modal::RootKind::overdamped) << "critical damping does not oscillate";
+  const modal::Roots none = roots_of(0);
+  EXPECT_EQ(none.list[0].eigenvalue.real(), 0);
+  EXPECT_EQ(*none.list[0].damping_ratio, 0);
+}
+
+TEST(Roots, OfALossFactorAreThoseOfThePositiveHalfPlane) {
+  const modal::Roots roots = modal::roots(test::project(test::chain({2}, {1800}, {}, {0.3})).base().system);
+  ASSERT_EQ(roots.list.size(), 1u);
+  const std::complex<double> expected = std::sqrt(std::complex<double>(-900, -270));
+  EXPECT_LE(std::abs(roots.list[0].eigenvalue - (expected.imag() > 0 ? expected : -expected)), 1e-13 * 30);
+}
+
+TEST(Roots, ADashpotToTheWallLeavesOneDriftAndOneDecay) {
+  const modal::Roots roots = modal::roots(test::project(test::chain({2, 1}, {0, 100, 0}, {}) +
+                                                        "[elements.d]\ntype = \"damper\"\non = \"m1\"\nat = [0, 0, 0]\naxis = \"x\"\ncoefficient = 5\n").base().system);
+  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(), [](const auto& r) { return r.kind == modal::RootKind::rigid; }), 1);
+  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(), [](const auto& r) { return r.kind == modal::RootKind::overdamped; }), 1);
+}
+
+TEST(ModalDamping, GivesTheRatiosThatWereAskedFor) {
+  const std::string text = test::chain({1, 2, 3}, {100, 200, 300, 400}, {});
+  const modal::Roots roots = modal::roots(test::project(text + "[damping]\nmodal = [0.01, 0.05, 0.2]\n").base().system);
+  ASSERT_EQ(roots.list.size(), 6u);
+  for (const auto& [index, ratio] : {std::pair{0u, 0.01}, {2u, 0.05}, {4u, 0.2}}) EXPECT_THAT(*roots.list[index].damping_ratio, test::RelativelyNear(ratio, 1e-10));
+}
+
+TEST(RayleighDamping, IsAlphaAPlusBetaK) {
+  const auto m = assembly::assemble(test::project(test::chain({1, 2}, {100, 200, 0}, {}) + "[damping]\nrayleigh = {mass = 0.3, stiffness = \"2 ms\"}\n").base().system).matrices;
+  EXPECT_LE((m.B - 0.3 * m.A - 0.002 * m.K).norm(), 1e-15);
+}
+
+}  // namespace

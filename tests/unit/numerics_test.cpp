@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <rapidcheck/gtest.h>
+
+#include "support/matchers.h"
+#include "support/random_system.h"
+#include "trivet/assembly/assembled.h"
+#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/quadratic_roots.h"
+#include "trivet/numerics/response_series.h"
+#include "trivet/numerics/sign_changes.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::numerics;
+
+/// Coefficients of Π (τ − root).
+std::vector<double> polynomial(const std::vector<double>& roots) {
+  std::vector<double> c = {1};
+  for (const double root : roots) {
+    std::vector<double> next(c.size() + 1, 0.0);
+    for (std::size_t k = 0; k < c.size(); ++k) next[k + 1] += c[k], next[k] -= root * c[k];
+    c = next;
+  }
+  return c;
+}
+
+TEST(SignChanges, FindAllSimpleRootsAndTheirDirection) {
+  const auto found = sign_changes(polynomial({-0.9, -0.2, -0.1999, 0.5, 0.50001, 1.7}), -1, 1);
+  ASSERT_EQ(found.size(), 5u);
+  const double expected[] = {-0.9, -0.2, -0.1999, 0.5, 0.50001};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(found[i].at, expected[i], 1e-9);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_NE(found[i].falling, found[i - 1].falling);
+}
+
+TEST(SignChanges, ATouchingRootIsNone) { EXPECT_TRUE(sign_changes(polynomial({0.3, 0.3}), -1, 1).empty()); }
+
+TEST(SignChanges, ATripleRootIsOneWithItsUncertainty) {
+  const auto found = sign_changes(polynomial({0.3, 0.3, 0.3}), -1, 1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at, 0.3, 1e-4);
+  EXPECT_GT(found[0].uncertainty, 1e-7);
+}
+
+TEST(SignChanges, NoiseIsNoSignChange) {
+  std::vector<double> c(20, 0.0);
+  c[0] = 1e-17, c[1] = -1e-17, c[19] = 1;
+  EXPECT_LE(sign_changes(c, -1, 1).size(), 1u);
+  EXPECT_TRUE(sign_changes(std::vector<double>(10, 0.0), -1, 1).empty());
+}
+
+RC_GTEST_PROP(SignChanges, FindEverySeparatedRoot, ()) {
+  const auto count = *rc::gen::inRange(1, 8);
+  std::vector<double> roots;
+  double last = -0.95;
+  for (int i = 0; i < count; ++i) {
+    last += 0.02 + 0.2 * static_cast<double>(*rc::gen::inRange(0, 1000)) / 1000;
+    if (last < 0.95) roots.push_back(last);
+  }
+  const auto found = sign_changes(polynomial(roots), -1, 1);
+  RC_ASSERT(found.size() == roots.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) RC_ASSERT(std::abs(found[i].at - roots[i]) < 1e-6);
+}
+
+DynamicMatrices random_matrices(unsigned seed) {
+  return assembly::assemble(test::checked(test::RandomSystem(seed).description(2, test::RandomDamping::viscous))).matrices;
+}
+
+TEST(Sweep, IsTheSameForAnyNumberOfFrequencies) {
+  const DynamicMatrices m = random_matrices(2);
+  const Eigen::VectorXcd h = Eigen::VectorXcd::Constant(m.size(), Complex(1, -0.5));
+  std::vector<double> omega;
+  for (int i = 0; i < 19; ++i) omega.push_back(7.0 * i);
+  const SweepResult together = sweep(m, h, omega);
+  for (std::size_t i = 0; i < omega.size(); ++i)
+    EXPECT_EQ(together.response.col(static_cast<Eigen::Index>(i)), sweep(m, h, {omega[i]}).response.col(0)) << "a lane must not depend on its neighbours";
+}
+
+TEST(Sweep, ASingularMatrixIsSaidToBeOne) {
+  DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
+  const SweepResult found = sweep(m, Eigen::VectorXcd::Ones(2), {1.0, 2.0, 2.5});
+  EXPECT_EQ(found.singular, 1);
+  EXPECT_TRUE(found.response.col(0).allFinite());
+  EXPECT_FALSE(found.response.col(1).allFinite());
+}
+
+TEST(Sweep, NoLoadNoResponse) {
+  const SweepResult found = sweep(random_matrices(2), Eigen::VectorXcd::Zero(12), {0.0, 5.0});
+  EXPECT_EQ(found.response.cwiseAbs().maxCoeff(), 0);
+}
+
+TEST(ResponseSeries, SumsToTheResponseAndAtInfinityToo) {
+  const DynamicMatrices m = random_matrices(5);
+  const Eigen::VectorXcd h = Eigen::VectorXcd::Constant(m.size(), Complex(1, 2));
+  const double centre = 5000, radius = 40;
+  const Eigen::MatrixXcd c = response_series(m, h, centre, radius, 30);
+  const Eigen::MatrixXcd far = response_series_at_infinity(m, h, 1 / 8000.0, 36);
+  Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(m.size()), far_sum = sum;
+  for (Eigen::Index j = 0; j <= 30; ++j) sum += c.col(j) * std::pow(0.7, static_cast<double>(j));
+  for (Eigen::Index j = 0; j <= 36; ++j) far_sum += far.col(j) * std::pow(0.5, static_cast<double>(j));
+  EXPECT_THAT(sum, test::NearVector(sweep(m, h, {centre + 0.7 * radius}).response.col(0).eval(), 1e-12));
+  EXPECT_THAT((far_sum / (16000.0 * 16000.0)).eval(), test::NearVector(sweep(m, h, {16000.0}).response.col(0).eval(), 1e-12));
+}
+
+TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
+  for (unsigned seed = 1; seed < 6; ++seed) {
+    const DynamicMatrices m = random_matrices(seed);
+    const GeneralizedModes modes = generalized_modes(m.K, m.A, true);
+    QuadraticRoots one = roots_in_modal_basis(modes.lambda.cwiseSqrt(), modes.shapes.transpose() * m.B * modes.shapes, {});
+    const QuadraticRoots two = roots_of_companion(m);
+    ASSERT_EQ(one.lambda.size(), two.lambda.size());
+    for (Eigen::Index k = 0; k < one.lambda.size(); ++k)
+      EXPECT_LE((two.lambda.array() - one.lambda(k)).abs().minCoeff(), 1e-10 * std::abs(one.lambda(k)) + 1e-9);
+  }
+}
+
+TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
+  // ζ = 1e-7 beside a stiff, well-damped coordinate: a double eigensolver leaves few digits of Re λ.
+  DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(2e-7, 1e4).asDiagonal(), Eigen::Vector2d(1, 1e10).asDiagonal(), {}, true};
+  QuadraticRoots roots = roots_of_companion(m);
+  roots.lambda += Eigen::VectorXcd::Constant(4, Complex(3e-9, 0));
+  refine_roots(m, roots);
+  Eigen::Index nearest = 0;
+  (roots.lambda.array() - Complex(0, 1)).abs().minCoeff(&nearest);
+  EXPECT_THAT(roots.lambda(nearest).real(), test::RelativelyNear(-1e-7, 1e-9));
+}
+
+TEST(GeneralizedModes, ASoftModeBesideStiffOnesKeepsItsDigits) {
+  const Eigen::Matrix3d K = Eigen::Vector3d(1e-6, 1e6, 1e8).asDiagonal();
+  const auto modes = generalized_modes(K, Eigen::Matrix3d::Identity(), true);
+  EXPECT_THAT(modes.lambda(0), test::RelativelyNear(1e-6, 1e-14));
+}
+
+TEST(GeneralizedModes, UnsymmetricSystemsReportComplexPairs) {
+  Eigen::Matrix2d K;
+  K << 10, 4, -4, 10;  // circulatory: λ = 10 ± 4i
+  const auto modes = generalized_modes(K, Eigen::Matrix2d::Identity(), false);
+  EXPECT_EQ(modes.lambda.size(), 0);
+  EXPECT_EQ(modes.complex_pairs, 1);
+}
+
+}  // namespace

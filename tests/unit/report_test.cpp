@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "support/projects.h"
+#include "trivet/report/axis_ticks.h"
+#include "trivet/report/figures.h"
+#include "trivet/report/report_page.h"
+#include "trivet/study/embedded_text.h"
+#include "trivet/study/project_json.h"
+
+namespace {
+
+using namespace trivet;
+
+TEST(Ticks, AreRoundAndInside) {
+  const auto ticks = report::linear_ticks(0, 0.553, 5);
+  ASSERT_EQ(ticks.size(), 6u);
+  EXPECT_EQ(ticks[3].label, "0.3");
+  EXPECT_TRUE(report::linear_ticks(1, 1, 5).empty());
+  EXPECT_EQ(report::angle_ticks(-180, 180).front().label, "-180");
+  EXPECT_EQ(report::unit_prefix(0.0123, "m").unit, "mm");
+  EXPECT_NEAR(report::unit_prefix(0.0123, "m").factor * 0.0123, 12.3, 1e-12);
+  EXPECT_EQ(report::unit_prefix(0, "N").unit, "N");
+}
+
+TEST(Report, HoldsItsDataAndNothingFromOutside) {
+  const auto project = test::project(study::starter_text);
+  std::vector<study::Answers> all;
+  for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
+  const std::string results = study::results_json(project, all);
+  const std::string page = report::report_page(project, all, results);
+  EXPECT_THAT(page, testing::HasSubstr(project.sha256));
+  EXPECT_THAT(page, testing::HasSubstr("trivet 0.1.0"));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"}) EXPECT_THAT(page, testing::Not(testing::HasSubstr(outside)));
+}
+
+TEST(Report, NamesCannotBreakThePage) {
+  const auto project = test::project(R"(
+trivet = 1
+title = "</script><b>&"
+[bodies."<i>&\"x"]
+mass = 1
+free = ["x"]
+[excitations.f]
+type = "harmonic"
+on = "<i>&\"x"
+at = [0, 0, 0]
+force = [1, 0, 0]
+[analyses]
+response = {band = [1, 2]}
+)");
+  std::vector<study::Answers> all = {study::answers(project.base(), project.base().analyses)};
+  const std::string page = report::report_page(project, all, study::results_json(project, all));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("</script><b>")));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("<i>")));
+}
+
+TEST(Figures, OnePerGroupOfCurves) {
+  const auto project = test::project(study::starter_text);
+  const auto figures = report::characteristics(study::answers(project.base(), project.base().analyses));
+  ASSERT_EQ(figures.size(), 3u);  // machine, machine.seat, ground
+  for (const auto& figure : figures) {
+    EXPECT_THAT(figure.svg, testing::StartsWith("<svg"));
+    EXPECT_THAT(figure.svg, testing::Not(testing::HasSubstr("nan")));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/axis_panels.h"
+#include "trivet/response/frequency_grid.h"
+
+namespace {
+
+using namespace trivet;
+constexpr double pi = std::numbers::pi;
+
+TEST(Phase, OfNegativeRealValuesIsPlus180Degrees) {
+  EXPECT_EQ(response::phase({-1, 0.0}), pi);
+  EXPECT_EQ(response::phase({-1, -0.0}), pi);
+  EXPECT_EQ(response::phase({2, -0.0}), 0);
+  EXPECT_LT(response::phase({1, -1}), 0) << "a lag is negative";
+}
+
+TEST(Phase, ContinuousFollowsWholeTurns) {
+  Eigen::VectorXcd values(80);
+  for (int i = 0; i < 80; ++i) values(i) = std::polar(1.0, -0.2 * i);
+  EXPECT_NEAR(response::continuous_phase(values)(79), -0.2 * 79, 1e-12);
+}
+
+std::string driven_chain(const std::string& analyses) {
+  return test::chain({1, 1, 1}, {100, 100, 100, 0}, {0.2, 0.2, 0.2}) + "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" + analyses;
+}
+
+TEST(Phase, ContinuousFromRestAtAFewAskedFrequencies) {
+  // A transfer function of a chain of three: two resonances passed without a zero turn the phase of m3 by −π each.
+  const auto project = test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));
+  const auto answers = study::answers(project.base(), project.base().analyses);
+  EXPECT_NEAR(answers.response->phase[0](0), 0, 0.01);
+  EXPECT_NEAR(answers.response->phase[0](1), -3 * pi, 0.2);
+}
+
+TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
+  const auto project = test::project(driven_chain("[analyses]\nresponse = {band = [0, 30]}\npeaks = {}\n"));
+  const auto answers = study::answers(project.base(), project.base().analyses);
+  const auto& omega = answers.response->curves.angular_frequency;
+  EXPECT_LT(omega.size(), 1500u);
+  for (const auto& peak : answers.peaks->peaks.list) {
+    const auto nearest = *std::min_element(omega.begin(), omega.end(), [&](double a, double b) { return std::abs(a - peak.angular_frequency) < std::abs(b - peak.angular_frequency); });
+    EXPECT_NEAR(nearest, peak.angular_frequency, 1e-6 * peak.angular_frequency) << "no peak is cut";
+  }
+  const auto dense = test::project(driven_chain("[analyses]\nresponse = {band = [0, 30], spacing = \"linear\", points = 20001}\n"));
+  const auto truth = study::answers(dense.base(), dense.base().analyses);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double top = answers.response->curves.curves[c].value.cwiseAbs().maxCoeff();
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < truth.response->curves.angular_frequency.size(); ++i) {
+      const double w = truth.response->curves.angular_frequency[i];
+      while (k + 2 < omega.size() && omega[k + 1] < w) ++k;
+      const double share = (w - omega[k]) / (omega[k + 1] - omega[k]);
+      const auto at = [&](std::size_t j) { return std::abs(answers.response->curves.curves[c].value(static_cast<Eigen::Index>(j))); };
+      EXPECT_NEAR((1 - share) * at(k) + share * at(k + 1), std::abs(truth.response->curves.curves[c].value(static_cast<Eigen::Index>(i))), 0.004 * top);
+    }
+  }
+}
+
+TEST(Grids, EndWhereTheyShould) {
+  EXPECT_EQ(response::linear_grid({1, 2}, 3), (std::vector<double>{1, 1.5, 2}));
+  const auto log = response::logarithmic_grid({1, 100}, 3);
+  EXPECT_NEAR(log[1], 10, 1e-12);
+  EXPECT_EQ(log.back(), 100);
+}
+
+TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
+  Eigen::VectorXcd poles(4);
+  poles << std::complex<double>(-1e-6, 3), std::complex<double>(-1e-6, -3), std::complex<double>(-2, 40), std::complex<double>(-2, -40);
+  const auto cover = response::cover_axis(poles);
+  double end = 0;
+  for (const auto& panel : cover.panels) {
+    if (panel.at_infinity) {
+      EXPECT_NEAR(1 / panel.radius, end, 1e-9 * end);
+      continue;
+    }
+    EXPECT_NEAR(panel.centre - panel.radius, end, 1e-9 * panel.centre);
+    end = panel.centre + panel.radius;
+    EXPECT_LE(panel.radius, 0.4001 * (poles.array() - std::complex<double>(0, panel.centre)).abs().minCoeff());
+  }
+  EXPECT_TRUE(cover.panels.back().at_infinity);
+  EXPECT_TRUE(cover.poles_on_axis.empty());
+}
+
+TEST(Static, OfAFreeSystemIsRefusedInWords) {
+  const auto project = test::project("trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
+  try {
+    static_cast<void>(study::answers(project.base(), project.base().analyses));
+    FAIL() << "it was computed";
+  } catch (const foundation::NotComputable& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("slide along z"));
+  }
+}
+
+TEST(Limits, AreJudgedAtTheExactPeakWithinTheBand) {
+  const auto project = test::project(driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
+  const auto limits = study::answers(project.base(), project.base().analyses).limits;
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_TRUE(limits[0].kept);
+  EXPECT_GT(limits[0].anywhere, limits[0].in_band);
+}
+
+}  // namespace
