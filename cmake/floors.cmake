@@ -12,8 +12,8 @@ function(add_floor name)
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(trivet_${name} PUBLIC cxx_std_20)
   target_compile_options(trivet_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
-    # False alarms of GCC 12 inside the standard library and Eigen; the pack of eight doubles is used within one file only.
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict -Wno-psabi>)
+    # False alarm of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-psabi>)
   list(TRANSFORM FLOOR_USES PREPEND trivet_ OUTPUT_VARIABLE lower)
   target_link_libraries(trivet_${name} PUBLIC ${lower})
   string(REPLACE ";" " " uses "${FLOOR_USES}")

@@ -16,6 +16,7 @@ bool has_regular_mass(const Body& body) {
   std::vector<int> rows;
   for (int j = 0; j < 6; ++j)
     if (body.free[static_cast<std::size_t>(j)]) rows.push_back(j);
+  if (rows.empty()) return true;  // nothing to move, which is a problem of its own
   Eigen::MatrixXd block = a(rows, rows);
   for (Eigen::Index i = 0; i < block.rows(); ++i)
     if (block(i, i) == 0) return false;

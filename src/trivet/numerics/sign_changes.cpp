@@ -2,6 +2,7 @@
 #include "trivet/numerics/sign_changes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,25 +22,35 @@ double majorant(std::span<const double> c, double r) {
   return sum;
 }
 
+/// Derivatives that enter a bound by their value in the middle of an interval; the next one enters by its majorant.
+constexpr std::size_t local_orders = 4;
+
 class Search {
  public:
-  Search(std::span<const double> g, std::vector<SignChange>& found) : g_(g), slope_(derivative(g)), bend_(derivative(slope_)), found_(found) {}
+  Search(std::span<const double> g, std::vector<SignChange>& found) : g_(g), found_(found) {
+    derivatives_.emplace_back(g.begin(), g.end());
+    while (derivatives_.size() <= local_orders) derivatives_.push_back(derivative(derivatives_.back()));
+  }
 
   void between(double lower, double upper) {
     const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
     const double reach = std::max(std::abs(lower), std::abs(upper));
-    const double value = polynomial_value(g_, middle), slope = polynomial_value(slope_, middle);
-    const double bend = majorant(bend_, reach);
     const double noise = 8 * std::numeric_limits<double>::epsilon() * majorant(g_, reach);
-    if (std::abs(value) > half * std::abs(slope) + 0.5 * half * half * bend + noise) {
-      settle(lower, value > 0 ? 1 : -1);
-    } else if (std::abs(slope) > half * bend && half * std::abs(slope) > 4 * noise) {
+    std::array<double, local_orders + 1> d{};
+    for (std::size_t k = 0; k < local_orders; ++k) d[k] = polynomial_value(derivatives_[k], middle);
+    d[local_orders] = majorant(derivatives_[local_orders], reach);
+    // |g − g(middle)| and |g' − g'(middle)| on the interval, by Taylor's formula.
+    const double change = half * (std::abs(d[1]) + half / 2 * (std::abs(d[2]) + half / 3 * (std::abs(d[3]) + half / 4 * d[4])));
+    const double change_of_slope = half * (std::abs(d[2]) + half / 2 * (std::abs(d[3]) + half / 3 * d[4]));
+    if (std::abs(d[0]) > change + noise) {
+      settle(lower, d[0] > 0 ? 1 : -1);
+    } else if (std::abs(d[1]) > change_of_slope && half * std::abs(d[1]) > 4 * noise) {
       settle(lower, sign(polynomial_value(g_, lower), noise));
       const int after = sign(polynomial_value(g_, upper), noise);
-      if (sign_ != 0 && after != 0 && after != sign_) bisect(lower, upper, noise / std::abs(slope));
-      else if (after == 0) return open(upper - half * 1e-3);
+      if (after == 0) return open(upper - half * 1e-3);
+      if (sign_ != 0 && after != sign_) bisect(lower, upper, noise / std::abs(d[1]));
       settle(upper, after);
-    } else if (std::abs(value) + half * std::abs(slope) + 0.5 * half * half * bend <= 4 * noise || half < 1e-13) {
+    } else if (std::abs(d[0]) + change <= 4 * noise || half < 1e-13) {
       open(lower);
     } else {
       between(lower, middle);
@@ -80,7 +91,7 @@ class Search {
   }
 
   std::span<const double> g_;
-  std::vector<double> slope_, bend_;
+  std::vector<std::vector<double>> derivatives_;
   std::vector<SignChange>& found_;
   int sign_ = 0;
   bool unclear_ = false;

@@ -14,8 +14,8 @@ struct SignChange {
 };
 
 /// All sign changes of g(τ) = Σ coefficients[k] τᵏ for lower < τ < upper within [−1, 1], ascending. Complete by
-/// bisection: an interval is discarded only when a bound on |g'| proves that it has no root, and searched only when a bound
-/// on |g''| proves that g is monotonic there. Below round-off of the coefficients no sign is claimed.
+/// bisection: an interval is discarded only when bounds by Taylor's formula prove that it has no root, and searched only when
+/// they prove that g is monotonic there. Below round-off of the coefficients no sign is claimed.
 [[nodiscard]] std::vector<SignChange> sign_changes(std::span<const double> coefficients, double lower, double upper);
 
 /// Σ coefficients[k] τᵏ.

@@ -167,6 +167,16 @@ const char* quantity_letter(const study::ResponseAnswer& answer, const std::vect
   return (unit.starts_with("rad") ? rotation : translation)[static_cast<int>(answer.quantity)];
 }
 
+bool is_drawable(const study::Answers& answers) { return answers.response && answers.response->curves.angular_frequency.size() >= 2; }
+
+/// Does a case show the very curves of the base model (as where the base is the first of a series)?
+bool repeats_as_case(const study::Answers& base, const std::vector<study::Answers>& cases) {
+  return std::any_of(cases.begin(), cases.end(), [&](const study::Answers& other) {
+    return &other != &base && is_drawable(other) && other.response->curves.curves.front().value.size() == base.response->curves.curves.front().value.size() &&
+           other.response->curves.curves.front().value == base.response->curves.curves.front().value;
+  });
+}
+
 Figure group_figure(const study::Answers& answers, const Group& group) {
   const study::ResponseAnswer& answer = *answers.response;
   const double row_height = 200, panel_width = 400;
@@ -200,7 +210,7 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
 
 std::vector<Figure> characteristics(const study::Answers& answers) {
   std::vector<Figure> result;
-  if (!answers.response || answers.response->curves.angular_frequency.size() < 2) return result;
+  if (!is_drawable(answers)) return result;
   for (const Group& group : groups(*answers.response)) result.push_back(group_figure(answers, group));
   return result;
 }
@@ -210,8 +220,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   const double width = 270, height = 120, column_pitch = 335, row_pitch = 2 * height + 110;
   std::vector<const study::Answers*> shown;
   for (const study::Answers& answers : cases)
-    if (answers.response && answers.response->curves.angular_frequency.size() >= 2 && shown.size() < most_cases && !(answers.case_name.empty() && cases.size() > 1))
-      shown.push_back(&answers);
+    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && repeats_as_case(answers, cases))) shown.push_back(&answers);
   const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
   const std::size_t rows = (shown.size() + columns - 1) / columns;
   SvgCanvas canvas(30 + column_pitch * static_cast<double>(used_columns), 44 + row_pitch * static_cast<double>(rows));
@@ -227,7 +236,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
     const study::Answers& answers = *shown[i];
     const Group group = groups(*answers.response).front();
     const double left = 68 + column_pitch * static_cast<double>(i % columns), top = 66 + row_pitch * static_cast<double>(i / columns);
-    canvas.text({left + width / 2, top - 8}, answers.case_name.empty() ? group.name : answers.case_name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    canvas.text({left + width / 2, top - 8}, answers.case_name.empty() ? "Base model" : answers.case_name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const double scale = largest[static_cast<std::size_t>(part)];

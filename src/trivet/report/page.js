@@ -11,6 +11,7 @@ const COLOURS = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#000000', '#E69F00
 const DASHES = ['', '7,3', '2,2', '9,3,2,3', '5,2', '1,3'];
 const MOTIONS = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
 const FORCES = ['Fx', 'Fy', 'Fz', 'Mx', 'My', 'Mz'];
+const SWITCHES = ['ylog', 'xlog', 'hz'];
 const FEW_POINTS = 24;  // a response at so few frequencies is also shown as a table
 
 /// What the reader has chosen. `zoom` is null or [from, to] in rad/s; `hidden` holds the names of curves switched off.
@@ -34,7 +35,14 @@ function fill(node, attributes, children) {
 const html = (tag, attributes, ...children) => fill(document.createElement(tag), attributes, children);
 const svg = (tag, attributes, ...children) => fill(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
 
+/// New children for an element of the page.
+function put(id, ...children) {
+  byId(id).replaceChildren();
+  fill(byId(id), {}, children);
+}
+
 const isNumber = value => typeof value === 'number' && Number.isFinite(value);
+const smallestOf = values => values.reduce((least, v) => (v < least ? v : least), Infinity);
 const largestOf = values => values.reduce((most, v) => (Number.isFinite(v) && v > most ? v : most), 0);
 
 /// Significant digits without idle zeros, or with them in columns of results.
@@ -50,7 +58,6 @@ const result = (value, digits = 5) => number(value, digits, true);
 const percent = share => (isNumber(share) ? `${(100 * share).toFixed(1).replace(/^-0\.0$/, '0.0')}\u00a0%` : '–');
 const vector = v => `(${v.map(x => number(x, 7)).join(', ')})`;
 const sameAxes = rotation => rotation.every((row, i) => row.every((x, j) => Math.abs(x - (i === j ? 1 : 0)) < 1e-12));
-const hertz = omega => omega / TURN;
 
 /// A prefix under which the largest value reads well: {factor, unit}.
 function prefix(largest, unit) {
@@ -68,6 +75,9 @@ const count = (n, one, many = one + 's') => `${n} ${n === 1 ? one : many}`;
 
 /// A right-aligned cell or heading.
 const num = content => ({content, number: true});
+const hertz = omega => omega / TURN;
+const OMEGA_AND_HERTZ = [num('ω [rad/s]'), num('f [Hz]')];
+const omegaAndHertz = w => [num(result(w, 6)), num(isNumber(w) ? result(hertz(w), 6) : '–')];
 const quietIf = (quiet, text) => (quiet ? html('span', {class: 'quiet'}, text) : text);
 
 /// A unit stays on one line with the word before it.
@@ -81,6 +91,8 @@ function table(headings, rows, {tall = false, style = null} = {}) {
   return html('div', {class: tall && rows.length > 18 ? 'scroll tall' : 'scroll', tabindex: 0, role: 'region', 'aria-label': 'table'},
     html('table', {class: style}, html('thead', {}, html('tr', {}, headings.map(heading))), html('tbody', {}, rows.map(line))));
 }
+const bad = text => html('span', {class: 'bad'}, text);
+const hint = (...texts) => html('p', {class: 'hint'}, texts);
 function verdict(passed, yes = 'ok', no = 'FAILED') {
   return html('span', {class: passed ? 'good' : 'bad'}, passed ? `✓ ${yes}` : `✗ ${no}`);
 }
@@ -104,9 +116,13 @@ function place(name, unit) {
 
 const frequencies = c => (c.response ? c.response.angular_frequency : []);
 
-/// Curves of a case in ascending ω: amplitude in SI, phase in degrees; NaN where the answer is not defined.
+const known = new Map();
 function curvesOf(c) {
-  if (!c.response) return [];
+  if (!known.has(c)) known.set(c, c.response ? readCurves(c) : []);
+  return known.get(c);
+}
+/// Curves of a case in ascending ω: amplitude in SI, phase in degrees; NaN where the answer is not defined.
+function readCurves(c) {
   const all = c.response.angular_frequency;
   const order = all.map((_, i) => i).sort((a, b) => all[a] - all[b]);
   const omega = order.map(i => all[i]);
@@ -178,9 +194,8 @@ function frequencyRange(picture) {
   let [from, to] = view.zoom ?? picture.band;
   if (!(to > from)) [from, to] = [from * 0.9, from * 1.1 + 1e-9];
   if (view.xlog && from <= 0) {
-    const lowest = Math.min(...picture.landmarks.filter(w => w > 1e-6 * to), to);
-    const wanted = lowest / 10;
-    from = Math.max(wanted, to / 1e5);
+    const lowest = smallestOf(picture.landmarks.filter(w => w > 1e-6 * to));
+    from = Math.max(Math.min(lowest / 10, to / 100), to / 1e5);
   }
   return [from, to];
 }
@@ -191,15 +206,21 @@ function frequencyScale(picture, box) {
   return scale(from, to, box.left, box.right, view.xlog, ticks.map(tick => ({...tick, value: tick.value / factor})));
 }
 
-/// Points [ω, value] of a curve between `from` and `to`, with points interpolated at both ends; NaN values stay as gaps.
-function within(curve, values, from, to) {
-  const points = [];
-  const cut = (i, at) => [at, values[i] + (values[i + 1] - values[i]) * (at - curve.omega[i]) / (curve.omega[i + 1] - curve.omega[i])];
+const inside = (w, x) => w >= x.from && w <= x.to;
+
+/// Points [ω, value] of a curve inside the scale, with points interpolated at both ends; NaN values stay as gaps.
+/// A wrapped phase is interpolated the short way round.
+function within(curve, values, x, wrapped = false) {
+  const points = [], round = step => (wrapped && Math.abs(step) > 180 ? step - Math.sign(step) * 360 : step);
+  const cut = (i, at) => {
+    const part = (at - curve.omega[i]) / (curve.omega[i + 1] - curve.omega[i]);
+    return [at, round(values[i] + part * round(values[i + 1] - values[i]))];
+  };
   curve.omega.forEach((w, i) => {
     const next = curve.omega[i + 1];
-    if (w >= from && w <= to) points.push([w, values[i]]);
-    if (w < from && next > from) points.push(cut(i, from));
-    if (w < to && next > to) points.push(cut(i, to));
+    if (inside(w, x)) points.push([w, values[i]]);
+    if (w < x.from && next > x.from) points.push(cut(i, x.from));
+    if (w < x.to && next > x.to) points.push(cut(i, x.to));
   });
   return points;
 }
@@ -216,19 +237,17 @@ const shownSeries = picture => picture.series.filter(s => !view.hidden.has(s.key
 const limitsOf = picture => picture.limits ?? shownSeries(picture).flatMap(s => s.limits.map(l => ({...l, label: s.label})));
 
 function amplitudeScale(picture, x, box) {
-  const shown = shownSeries(picture);
-  const lines = shown.map(s => within(s, s.amplitude, x.from, x.to));
-  let largest = largestOf(lines.flat().map(p => p[1]));
-  const unbounded = shown.some(s => s.peaks.some(p => p.unbounded && p.angular_frequency >= x.from && p.angular_frequency <= x.to));
-  largest = Math.max(largest, largestOf(shown.flatMap(s => s.peaks.filter(p => p.angular_frequency >= x.from && p.angular_frequency <= x.to).map(p => p.amplitude))));
-  if (unbounded && !view.ylog) largest = Math.min(largest, 2 * largestOf(lines.map(commonTop)) || largest);
+  const shown = shownSeries(picture), peaks = shown.flatMap(s => s.peaks).filter(p => inside(p.angular_frequency, x));
+  const lines = shown.map(s => within(s, s.amplitude, x));
+  let largest = largestOf([...lines.flat().map(p => p[1]), ...peaks.map(p => p.amplitude)]);
+  if (peaks.some(p => p.unbounded) && !view.ylog) largest = Math.min(largest, 2 * largestOf(lines.map(commonTop)) || largest);
   const limits = limitsOf(picture).map(l => l.limit).filter(l => l <= largest * (view.ylog ? 100 : 3));
   const top = Math.max(largest, ...limits);
   const unit = prefix(top, picture.unit);
   let from = 0, to = top > 0 ? 1.06 * top : 1;
   if (view.ylog && top > 0) {
     const alive = lines.filter(line => largestOf(line.map(p => p[1])) > 1e-9 * largest).flat().map(p => p[1]).filter(v => v > 0);
-    from = Math.min(Math.max(Math.min(...alive, largest), 1e-8 * largest) / 1.6, to / 10);
+    from = Math.min(Math.max(smallestOf(alive), 1e-8 * largest) / 1.6, to / 10);
     to *= (to / from) ** 0.06;
   }
   const logarithmic = from > 0, factor = unit.factor;
@@ -274,8 +293,10 @@ function drawFrame(picture, x, y, box, width) {
   const label = (tick, place) => (tick.label ? svg('text', {...place, fill: '#333'}, tick.label) : null);
   const colour = tick => (tick.minor ? '#f1f1f1' : '#dfdfdf');
   return svg('g', {},
-    x.ticks.map(t => [svg('path', {d: `M${x.at(t.value)},${box.top}V${box.bottom}`, stroke: colour(t)}), label(t, {x: x.at(t.value), y: box.bottom + 16, 'text-anchor': 'middle'})]),
-    y.ticks.map(t => [svg('path', {d: `M${box.left},${y.at(t.value)}H${box.right}`, stroke: colour(t)}), label(t, {x: box.left - 6, y: y.at(t.value) + 4, 'text-anchor': 'end'})]),
+    x.ticks.map(t => [svg('path', {d: `M${x.at(t.value)},${box.top}V${box.bottom}`, stroke: colour(t)}),
+      label(t, {x: x.at(t.value), y: box.bottom + 16, 'text-anchor': 'middle'})]),
+    y.ticks.map(t => [svg('path', {d: `M${box.left},${y.at(t.value)}H${box.right}`, stroke: colour(t)}),
+      label(t, {x: box.left - 6, y: y.at(t.value) + 4, 'text-anchor': 'end'})]),
     svg('rect', {x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top, fill: 'none', stroke: '#333'}),
     svg('text', {x: (box.left + box.right) / 2, y: box.bottom + 34, 'text-anchor': 'middle'}, view.hz ? 'f [Hz]' : 'ω [rad/s]'),
     svg('text', {x: 13, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 13 ${middle})`}, y.label));
@@ -283,7 +304,7 @@ function drawFrame(picture, x, y, box, width) {
 
 /// Undamped natural frequencies as short ticks on the upper edge.
 function drawModes(picture, x, box) {
-  return picture.modes.filter(m => m.angular_frequency >= x.from && m.angular_frequency <= x.to && m.angular_frequency > 0).map(m =>
+  return picture.modes.filter(m => m.angular_frequency > 0 && inside(m.angular_frequency, x)).map(m =>
     svg('path', {d: `M${x.at(m.angular_frequency)},${box.top}v9`, stroke: '#666', 'stroke-width': 2},
       svg('title', {}, `mode ${m.number}, ω = ${result(m.angular_frequency, 6)} rad/s = ${result(m.frequency_hz, 6)} Hz\n${m.name}`)));
 }
@@ -296,7 +317,7 @@ function peakWords(peak, label) {
   return lines.join('\n');
 }
 function drawPeaks(series, x, y, box) {
-  return series.peaks.filter(p => p.angular_frequency >= x.from && p.angular_frequency <= x.to).map(p => {
+  return series.peaks.filter(p => inside(p.angular_frequency, x)).map(p => {
     const title = svg('title', {}, peakWords(p, series.label)), px = x.at(p.angular_frequency);
     if (p.unbounded) {
       return svg('g', {}, title, svg('path', {d: `M${px},${box.top}V${box.bottom}`, stroke: series.colour, 'stroke-width': 1.6, 'stroke-dasharray': '1.5,4'}),
@@ -304,7 +325,8 @@ function drawPeaks(series, x, y, box) {
     }
     if (p.amplitude < y.from || p.amplitude > y.to) return null;
     const place = {cx: px, cy: y.at(p.amplitude)};
-    return svg('g', {}, title, svg('circle', {...place, r: 9, fill: 'transparent'}), svg('circle', {...place, r: 3.2, fill: '#fff', stroke: series.colour, 'stroke-width': 1.5}));
+    return svg('g', {}, title, svg('circle', {...place, r: 9, fill: 'transparent'}),
+      svg('circle', {...place, r: 3.2, fill: '#fff', stroke: series.colour, 'stroke-width': 1.5}));
   });
 }
 
@@ -313,11 +335,21 @@ function drawLimits(picture, y, box) {
   return limitsOf(picture).map(l => {
     const unit = prefix(l.limit, l.unit), style = {fill: '#b00020', x: box.left + 6, stroke: '#fff', 'stroke-width': 3, 'paint-order': 'stroke'};
     const words = ['limit', l.label, number(l.limit * unit.factor), unit.unit].filter(Boolean).join(' ');
-    if (l.limit > y.to || l.limit < y.from) return svg('text', {...style, y: box.top + 24 + 15 * above++}, `${words} (${l.limit > y.to ? 'above' : 'below'} this picture)`);
+    if (l.limit > y.to || l.limit < y.from)
+      return svg('text', {...style, y: box.top + 24 + 15 * above++}, `${words} (${l.limit > y.to ? 'above' : 'below'} this picture)`);
     const py = y.at(l.limit);
     return svg('g', {}, svg('path', {d: `M${box.left},${py}H${box.right}`, stroke: '#b00020', 'stroke-width': 1.4, 'stroke-dasharray': '10,4'}),
       svg('text', {...style, y: py - 5 < box.top + 12 ? py + 14 : py - 5}, words));
   });
+}
+
+/// A curve, or its points where they are few and the line between them says little.
+function drawCurve(series, values, x, y) {
+  const points = within(series, values, x, y.wrapped), few = series.omega.length <= FEW_POINTS;
+  const dots = few ? points.filter(p => series.omega.includes(p[0]) && Number.isFinite(p[1])) : [];
+  return [svg('path', {d: path(points, x, y, y.wrapped), fill: 'none', stroke: series.colour, 'stroke-width': 1.7, opacity: few ? 0.35 : null,
+                       'stroke-linejoin': 'round', 'stroke-dasharray': series.dash || null}),
+          dots.filter(p => p[1] >= y.from).map(p => svg('circle', {cx: x.at(p[0]), cy: y.at(p[1]), r: 3, fill: series.colour}))];
 }
 
 let clips = 0;
@@ -326,18 +358,14 @@ function drawPicture(picture) {
   const box = {left: 68, right: width - 12, top: 10, bottom: height - 44};
   const x = frequencyScale(picture, box), y = picture.phase ? phaseScale(picture, box) : amplitudeScale(picture, x, box);
   const clip = `clip${++clips}`, shown = shownSeries(picture);
-  const values = s => (picture.phase ? s.phase : s.amplitude);
-  const dots = s => (s.omega.length > FEW_POINTS ? [] : within(s, values(s), x.from, x.to).filter(p => s.omega.includes(p[0]) && Number.isFinite(p[1]) && p[1] >= y.from)
-    .map(p => svg('circle', {cx: x.at(p[0]), cy: y.at(p[1]), r: 3, fill: s.colour})));
-  const curve = s => svg('path', {d: path(within(s, values(s), x.from, x.to), x, y, y.wrapped), fill: 'none', stroke: s.colour, 'stroke-width': 1.7,
-                                  opacity: s.omega.length > FEW_POINTS ? null : 0.35, 'stroke-linejoin': 'round', 'stroke-dasharray': s.dash || null});
+  const drawn = shown.filter(s => !(picture.phase && s.vanishes)).map(s => drawCurve(s, picture.phase ? s.phase : s.amplitude, x, y));
   const overlay = svg('g', {});
   picture.frame = {x, y, box, width, overlay};
   picture.holder.replaceChildren(svg('svg', {viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': picture.title},
     svg('defs', {}, svg('clipPath', {id: clip}, svg('rect', {x: box.left, y: box.top - 3, width: box.right - box.left, height: box.bottom - box.top + 6}))),
     svg('rect', {x: 0, y: 0, width, height, fill: '#fff'}),
     drawFrame(picture, x, y, box, width),
-    svg('g', {'clip-path': `url(#${clip})`}, shown.filter(s => !(picture.phase && s.vanishes)).map(s => [curve(s), dots(s)])),
+    svg('g', {'clip-path': `url(#${clip})`}, drawn),
     overlay, drawModes(picture, x, box),
     picture.phase ? null : [drawLimits(picture, y, box), shown.map(s => drawPeaks(s, x, y, box))]));
 }
@@ -361,7 +389,7 @@ function amplitudeAt(series, w) {
 function drawCursor(picture) {
   const {x, y, box, overlay} = picture.frame;
   overlay.replaceChildren();
-  if (cursor === null || cursor < x.from || cursor > x.to) return;
+  if (cursor === null || !inside(cursor, x)) return;
   overlay.append(svg('path', {d: `M${x.at(cursor)},${box.top}V${box.bottom}`, stroke: '#333', 'stroke-dasharray': '3,2'}));
   for (const s of shownSeries(picture)) {
     const value = picture.phase ? s.phase[nearestIndex(s.omega, cursor)] : amplitudeAt(s, cursor);
@@ -369,13 +397,17 @@ function drawCursor(picture) {
       overlay.append(svg('circle', {cx: x.at(cursor), cy: y.at(value), r: 3.2, fill: s.colour, stroke: '#fff'}));
   }
 }
-const highestWords = s => s.vanishes ? 'below round-off' : `max ${s.peaks.some(p => p.unbounded && p.angular_frequency <= s.omega.at(-1)) ? '∞' : withUnit(largestOf(s.amplitude), s.unit, 4)}`;
+function highestWords(s) {
+  if (s.vanishes) return 'below round-off';
+  const unbounded = s.peaks.some(p => p.unbounded && inside(p.angular_frequency, {from: s.omega[0], to: s.omega.at(-1)}));
+  return `max ${unbounded ? '∞' : withUnit(largestOf(s.amplitude), s.unit, 4)}`;
+}
 function readOut(legend) {
   const none = cursor === null;
   legend.frequency.textContent = none ? '' : `ω = ${result(cursor, 6)} rad/s, f = ${result(hertz(cursor), 6)} Hz`;
   for (const {series, reading} of legend.entries) {
     const phase = series.phase?.[nearestIndex(series.omega, cursor ?? 0)], amplitude = none ? NaN : amplitudeAt(series, cursor);
-    const angle = legend.withPhase && Number.isFinite(phase) ? `  ${phase.toFixed(1)}°` : '';
+    const angle = legend.withPhase && Number.isFinite(phase) ? `, ${phase.toFixed(1)}°` : '';
     reading.textContent = none ? highestWords(series) : Number.isFinite(amplitude) ? withUnit(amplitude, series.unit, 4) + angle : '–';
   }
 }
@@ -392,7 +424,7 @@ function frequencyAt(picture, event, snap) {
   const w = x.value(pixel), omega = picture.series[0]?.omega ?? [];
   if (!snap || picture === comparison || !omega.length) return {w, pixel};
   const near = omega[nearestIndex(omega, w)];
-  return {w: near >= x.from && near <= x.to ? near : w, pixel};
+  return {w: inside(near, x) ? near : w, pixel};
 }
 
 function listen(picture) {
@@ -400,7 +432,8 @@ function listen(picture) {
   let start = null;
   const mark = event => {
     const {box, overlay} = picture.frame, end = frequencyAt(picture, event).pixel;
-    overlay.replaceChildren(svg('rect', {x: Math.min(start.pixel, end), y: box.top, width: Math.abs(end - start.pixel), height: box.bottom - box.top, fill: '#0072b2', 'fill-opacity': 0.15, stroke: '#0072b2'}));
+    overlay.replaceChildren(svg('rect', {x: Math.min(start.pixel, end), y: box.top, width: Math.abs(end - start.pixel), height: box.bottom - box.top,
+                                         fill: '#0072b2', 'fill-opacity': 0.15, stroke: '#0072b2'}));
   };
   const finish = event => {
     if (!start) return;
@@ -446,9 +479,10 @@ function makeLegend(series, withPhase) {
   const entries = series.map(s => {
     const reading = html('span', {class: 'reading'});
     legend.entries.push({series: s, reading});
-    const sample = svg('svg', {width: 28, height: 10, 'aria-hidden': 'true'}, svg('path', {d: 'M0,5H28', stroke: s.colour, 'stroke-width': 2, 'stroke-dasharray': s.dash || null}));
-    const button = html('button', {type: 'button', 'aria-pressed': !view.hidden.has(s.key), 'data-key': s.key, title: 'show or hide this curve', onclick: () => toggle(s.key)},
-      sample, s.vanishes ? `${s.label} (≈ 0)` : s.label);
+    const sample = svg('svg', {width: 28, height: 10, 'aria-hidden': 'true'},
+      svg('path', {d: 'M0,5H28', stroke: s.colour, 'stroke-width': 2, 'stroke-dasharray': s.dash || null}));
+    const button = html('button', {type: 'button', 'aria-pressed': !view.hidden.has(s.key), 'data-key': s.key, title: 'show or hide this curve',
+                                   onclick: () => toggle(s.key)}, sample, s.vanishes ? `${s.label} (≈ 0)` : s.label);
     return html('span', {class: 'entry'}, button, reading);
   });
   legend.node = html('div', {class: withPhase ? 'legend' : 'legend many'}, entries, legend.frequency);
@@ -462,8 +496,9 @@ function toggle(key) {
 
 // ---------------------------------------------------------------- characteristics and comparison
 
-const bandOf = c => [Math.min(...frequencies(c)), Math.max(...frequencies(c))];
-const landmarksOf = c => [...(c.modes?.modes ?? []).map(m => m.angular_frequency), ...(c.peaks?.peaks ?? []).map(p => p.angular_frequency)].filter(w => w > 0);
+const bandOf = c => [smallestOf(frequencies(c)), largestOf(frequencies(c))];
+const naturalOf = c => (c.modes?.modes ?? []).map(m => m.angular_frequency).filter(w => w > 0);
+const landmarksOf = c => [...naturalOf(c), ...(c.peaks?.peaks ?? []).map(p => p.angular_frequency)];
 const styled = (series, i) => ({...series, colour: COLOURS[i % 6], dash: DASHES[(i + Math.floor(i / 6)) % 6]});
 
 function characteristicsRow(c, series) {
@@ -476,27 +511,27 @@ function characteristicsRow(c, series) {
 }
 
 function responseTable(curves) {
-  return table(['curve', num('ω [rad/s]'), num('f [Hz]'), num('amplitude'), num('phase [°]')],
-    curves.flatMap(s => s.omega.map((w, i) => [s.name, num(result(w, 6)), num(result(hertz(w), 6)),
-      num(Number.isFinite(s.amplitude[i]) ? withUnit(s.amplitude[i], s.unit) : 'not defined'), num(Number.isFinite(s.phase[i]) ? s.phase[i].toFixed(2) : '–')])), {tall: true});
+  const cells = (s, i) => [s.name, ...omegaAndHertz(s.omega[i]), num(Number.isFinite(s.amplitude[i]) ? withUnit(s.amplitude[i], s.unit) : 'not defined'),
+                           num(Number.isFinite(s.phase[i]) ? s.phase[i].toFixed(2) : '–')];
+  return table(['curve', ...OMEGA_AND_HERTZ, num('amplitude'), num('phase [°]')], curves.flatMap(s => s.omega.map((_, i) => cells(s, i))), {tall: true});
 }
 
 function characteristics(c) {
-  const curves = curvesOf(c);
+  const curves = curvesOf(c), points = frequencies(c).length;
   pictures = [];
   if (!curves.length) return null;
-  const points = c.response.angular_frequency.length;
   if (points < 2) return section('characteristics', 'Response', responseTable(curves));
+  const pair = group => html('div', {}, html('h3', {}, group.name), group.rows.filter(row => row.length).map(row => characteristicsRow(c, row.map(styled))));
   return section('characteristics', 'Amplitude and phase characteristics',
-    html('p', {class: 'hint'}, 'Move over a picture to read values at the computed frequencies (or focus it and use ← →, with Shift by tens). Drag to zoom all pictures in frequency, ' +
-      'double-click for the whole band. Legend entries switch curves. Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.'),
-    grouped(curves).map(group => html('div', {}, html('h3', {}, group.name), group.rows.filter(r => r.length).map(r => characteristicsRow(c, r.map(styled))))),
-    points <= FEW_POINTS ? folded('The same as a table', responseTable(curves)) : null);
+    hint('Move over a picture to read values at the computed frequencies (or focus it and use ← →, with Shift by tens). ',
+      'Drag to zoom all pictures in frequency, double-click for the whole band. Legend entries switch curves. ',
+      'Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.'),
+    grouped(curves).map(pair), points <= FEW_POINTS ? folded('The same as a table', responseTable(curves)) : null);
 }
 
-function comparedNames() {
-  return [...new Set(cases.filter(c => frequencies(c).length > 1).flatMap(c => c.response.results.map(r => r.name)))];
-}
+const drawable = () => cases.filter(c => frequencies(c).length > 1);
+const comparedNames = () => [...new Set(drawable().flatMap(c => c.response.results.map(r => r.name)))];
+
 function buildComparison() {
   const names = comparedNames();
   comparison = null;
@@ -506,159 +541,177 @@ function buildComparison() {
     const curve = frequencies(c).length > 1 && curvesOf(c).find(s => s.name === view.compare);
     return curve ? [styled({...curve, key: `case ${i}`, label: caseName(i)}, i)] : [];
   });
-  const legend = makeLegend(series, false), own = cases.filter(c => frequencies(c).length > 1);
-  const limits = cases[view.case].limits.filter(l => l.name === view.compare).map(l => ({...l, label: ''}));
-  comparison = makePicture({series, legend, limits, height: 360, unit: series[0].unit, band: [Math.min(...own.map(c => bandOf(c)[0])), Math.max(...own.map(c => bandOf(c)[1]))],
-                            landmarks: own.flatMap(landmarksOf), title: `Amplitude of ${view.compare} in all cases`});
-  const choice = html('select', {id: 'compare', onchange: event => { view.compare = event.target.value; buildComparison(); refresh(); byId('compare').focus(); }},
-    names.map(name => html('option', {value: name, selected: name === view.compare ? '' : null}, name)));
-  byId('comparison').replaceChildren(html('h2', {}, 'Comparison of cases'), html('p', {}, html('label', {}, 'Curve ', choice)), legend.node, comparison.holder,
-    html('p', {class: 'hint'}, 'Zoom and axes are those of the pictures above. Values under the cursor are interpolated between the frequencies computed in each case.'));
+  const bands = drawable().map(bandOf), legend = makeLegend(series, false);
+  comparison = makePicture({series, legend, height: 360, unit: series[0].unit, band: [smallestOf(bands.map(b => b[0])), largestOf(bands.map(b => b[1]))],
+                            limits: cases[view.case].limits.filter(l => l.name === view.compare).map(l => ({...l, label: ''})),
+                            landmarks: drawable().flatMap(landmarksOf), title: `Amplitude of ${view.compare} in all cases`});
+  const choose = event => {
+    view.compare = event.target.value;
+    buildComparison();
+    refresh();
+    byId('compare').focus();
+  };
+  const options = names.map(name => html('option', {value: name, selected: name === view.compare ? '' : null}, name));
+  put('comparison', html('h2', {}, 'Comparison of cases'), html('p', {}, html('label', {}, 'Curve ', html('select', {id: 'compare', onchange: choose}, options))),
+    legend.node, comparison.holder,
+    hint('Zoom and axes are those of the pictures above. Values under the cursor are interpolated between the frequencies computed in each case.'));
   byId('comparison').hidden = false;
 }
 
-// ---------------------------------------------------------------- tables of a case
+// ---------------------------------------------------------------- results of a case
 
 function limitsSection(c) {
   if (!c.limits.length) return null;
-  return section('limits', 'Limits',
-    table(['curve', num('limit'), num('largest in the band'), num('at ω [rad/s]'), num('f [Hz]'), num('largest anywhere'), num('of the limit'), 'verdict'],
-      c.limits.map(l => ({mark: l.kept ? null : 'failed', cells: [l.name, num(withUnit(l.limit, l.unit)), num(withUnit(l.in_band, l.unit)), num(result(l.in_band_at, 6)),
-        num(result(hertz(l.in_band_at), 6)), num(withUnit(l.anywhere, l.unit)), num(isNumber(l.in_band) ? percent(l.in_band / l.limit) : '∞'), verdict(l.kept, 'kept', 'EXCEEDED')]}))));
+  const row = l => ({mark: l.kept ? null : 'failed', cells: [
+    l.name, num(withUnit(l.limit, l.unit)), num(withUnit(l.in_band, l.unit)), num(isNumber(l.in_band) ? percent(l.in_band / l.limit) : '∞'),
+    ...omegaAndHertz(l.in_band_at), num(withUnit(l.anywhere, l.unit)), verdict(l.kept, 'kept', 'EXCEEDED')]});
+  return section('limits', 'Limits', table(['curve', num('limit'), num('largest in the band'), num('of the limit'), ...OMEGA_AND_HERTZ,
+    num('largest at any frequency'), 'verdict'], c.limits.map(row)));
 }
 
 function peakRow(p, c) {
-  const band = c.band ?? [0, Infinity], tolerance = c.peaks.peak_tolerance;
-  const counted = p.unbounded || p.relative_prominence === null || p.relative_prominence >= tolerance;
+  const [from, to] = c.band ?? [0, Infinity], tolerance = c.peaks.peak_tolerance, endless = p.relative_prominence === null;
+  const counted = p.unbounded || endless || p.relative_prominence >= tolerance;
   const remarks = [p.unbounded ? 'unbounded: no damping here' : '', counted ? '' : `prominence under ${number(100 * tolerance)} %`,
-                   band[0] < band[1] && (p.angular_frequency < band[0] || p.angular_frequency > band[1]) ? 'outside the band' : '', p.method === 'series' ? 'very flat, less exact' : ''];
-  const share = p.relative_prominence === null ? '∞' : result(100 * p.relative_prominence, 4);
-  return {mark: counted ? null : 'minor', cells: [p.name, num(result(p.angular_frequency, 6)), num(result(hertz(p.angular_frequency), 6)),
-    num(p.unbounded ? '∞' : withUnit(p.amplitude, p.unit)), num(result(p.ratio_to_static)), num(share), num(p.nearest_mode ?? '–'), remarks.filter(Boolean).join('; ')]};
+                   from < to && !inside(p.angular_frequency, {from, to}) ? 'outside the band' : '', p.method === 'series' ? 'very flat, less exact' : ''];
+  return {mark: counted ? null : 'minor', cells: [
+    p.name, ...omegaAndHertz(p.angular_frequency), num(p.unbounded ? '∞' : withUnit(p.amplitude, p.unit)), num(result(p.ratio_to_static)),
+    num(endless ? '∞' : result(100 * p.relative_prominence, 4)), num(p.nearest_mode ?? '–'), remarks.filter(Boolean).join('; ')]};
 }
 function peakless(s) {
-  if (s.vanishes) return `${s.name}: below round-off everywhere, no resonance peak.`;
+  if (s.vanishes) return `${s.name}: no resonance peak; below round-off everywhere.`;
   const at = isNumber(s.highest_at) ? `at ω = ${number(s.highest_at, 5)} rad/s` : 'as ω → ∞';
   return `${s.name}: no resonance peak; highest amplitude ${withUnit(s.highest, s.unit)} ${at}.`;
 }
 function peaksSection(c) {
   if (!c.peaks) return null;
-  const none = c.peaks.curves.filter(s => s.peaks === 0);
-  return section('peaks', 'Resonance peaks',
-    c.peaks.peaks.length ? table(['curve', num('ω [rad/s]'), num('f [Hz]'), num('amplitude'), num('ratio to static'), num('relative prominence [%]'), num('nearest mode'), 'remark'],
-      c.peaks.peaks.map(p => peakRow(p, c)), {tall: true}) : null,
+  const {peaks, curves, min_prominence, peak_tolerance} = c.peaks, none = curves.filter(s => s.peaks === 0);
+  const headings = ['curve', ...OMEGA_AND_HERTZ, num('amplitude'), num('ratio to static'), num('relative prominence [%]'), num('nearest mode'), 'remark'];
+  return section('peaks', 'Resonance peaks', peaks.length ? table(headings, peaks.map(p => peakRow(p, c)), {tall: true}) : null,
     none.length ? html('ul', {class: 'sentences'}, none.map(s => html('li', {}, peakless(s)))) : null,
-    html('p', {class: 'hint'}, `All peaks at 0 < ω < ∞. Those lower than ${number(c.peaks.min_prominence)} of the curve's largest amplitude are left out; grey ones lie less than ${number(100 * c.peaks.peak_tolerance)} % ` +
-      'over the minimum beside them. “∞” as prominence: the amplitude beside the peak falls to 0. “–” as ratio: the static amplitude is 0 or not defined.'));
+    hint(`All peaks at 0 < ω < ∞. Those lower than ${number(min_prominence)} of the curve's largest amplitude are left out; `,
+      `grey ones rise less than ${number(100 * peak_tolerance)} % over the minimum beside them. `,
+      '“∞” as prominence: the amplitude beside the peak falls to 0. “–” as ratio: the static amplitude is 0 or not defined.'));
 }
 
-function frequencyCells(m) {
-  if (m.angular_frequency === null) return [{span: 2, content: html('span', {class: 'bad'}, `▲ grows, ω² = ${result(m.eigenvalue_squared)} rad²/s²`)}];
-  if (m.angular_frequency === 0) return [{span: 2, content: 'free (ω = 0)'}];
-  return [num(result(m.angular_frequency, 6)), num(result(m.frequency_hz, 6))];
+function modeFrequency(m) {
+  if (m.angular_frequency === null) return [{span: 2, content: bad(`▲ grows, ω² = ${result(m.eigenvalue_squared)} rad²/s²`)}];
+  return m.angular_frequency === 0 ? [{span: 2, content: 'free (ω = 0)'}] : omegaAndHertz(m.angular_frequency);
 }
-function stiffestElement(m, names) {
-  if (!m.strain_energy_share) return '–';
-  const most = m.strain_energy_share.reduce((best, share, i, all) => (share > all[best] ? i : best), 0);
-  const ties = m.strain_energy_share.filter(share => Math.abs(share - m.strain_energy_share[most]) < 5e-4).length - 1;
-  return `${names[most]} (${percent(m.strain_energy_share[most])})${ties ? `, ${ties} more alike` : ''}`;
+function mostStrained(m, names) {
+  const shares = m.strain_energy_share;
+  if (!shares?.length) return '–';
+  const most = shares.indexOf(Math.max(...shares)), alike = shares.filter(share => Math.abs(share - shares[most]) < 5e-4).length - 1;
+  return `${names[most]} (${percent(shares[most])})${alike ? `, ${alike} more alike` : ''}`;
 }
 function kineticWords(m, body) {
-  const share = m.principal_kinetic_energy_share.slice(6 * body, 6 * body + 6), sum = part => part.reduce((a, b) => a + b, 0);
-  return `${percent(sum(share.slice(0, 3)))} / ${percent(sum(share.slice(3)))}`;
+  const sum = from => percent(m.principal_kinetic_energy_share.slice(6 * body + from, 6 * body + from + 3).reduce((a, b) => a + b, 0));
+  return `${sum(0)} / ${sum(3)}`;
 }
 function modesSection(c) {
   if (!c.modes) return null;
-  const {bodies, elements, modes} = c.modes;
-  const coordinates = bodies.flatMap(b => MOTIONS.map(x => num(bodies.length > 1 ? `${b} ${x}` : x)));
-  const shapes = key => table([num('mode'), ...coordinates], modes.map(m => [num(m.number), ...m[key].map(v => num(quietIf(v !== 0 && Math.abs(v) < 1e-12, result(v, 4))))]));
+  const {bodies, elements, modes} = c.modes, several = bodies.length > 1;
+  const coordinates = bodies.flatMap(b => MOTIONS.map(x => num(several ? `${b} ${x}` : x)));
+  const value = v => num(quietIf(v !== 0 && Math.abs(v) < 1e-12, result(v, 4)));
+  const byCoordinate = key => table([num('mode'), ...coordinates], modes.map(m => [num(m.number), ...m[key].map(value)]));
+  const row = m => ({mark: m.angular_frequency === null ? 'failed' : null, cells: [
+    num(m.number), ...modeFrequency(m), m.name + (m.repeated ? ' (repeated root)' : ''), mostStrained(m, elements), ...bodies.map((_, b) => num(kineticWords(m, b)))]});
   return section('modes', 'Undamped modes',
-    table([num('mode'), num('ω [rad/s]'), num('f [Hz]'), 'motion', 'most strained element (share)', ...bodies.map(b => num(`kinetic energy${bodies.length > 1 ? ' of ' + b : ''}: translation / rotation`))],
-      modes.map(m => ({mark: m.angular_frequency === null ? 'failed' : null,
-        cells: [num(m.number), ...frequencyCells(m), m.name + (m.repeated ? ' (repeated root)' : ''), stiffestElement(m, elements), ...bodies.map((_, b) => num(kineticWords(m, b)))]}))),
-    folded('Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass', shapes('shape')),
-    folded('Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may leave 0 … 1)', shapes('kinetic_energy_share')));
+    table([num('mode'), ...OMEGA_AND_HERTZ, 'motion', 'most strained element (share)',
+      ...bodies.map(b => num(`kinetic energy${several ? ' of ' + b : ''}: translation / rotation`))], modes.map(row)),
+    folded('Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass', byCoordinate('shape')),
+    folded('Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may leave 0 … 1)', byCoordinate('kinetic_energy_share')));
 }
 
 function rootsSection(c) {
   if (!c.roots) return null;
-  const all = c.roots.roots;
-  const conjugate = r => r.eigenvalue[1] !== 0 && all.some(o => Math.hypot(o.eigenvalue[0] - r.eigenvalue[0], o.eigenvalue[1] + r.eigenvalue[1]) < 1e-9 * Math.hypot(...r.eigenvalue));
-  const rows = all.filter(r => r.eigenvalue[1] >= 0 || !conjugate(r)).map(r => ({mark: r.kind === 'growing' ? 'failed' : null,
-    cells: [num(result(r.eigenvalue[0], 6)), num((conjugate(r) ? '± ' : '') + result(r.eigenvalue[1], 6)), r.kind === 'growing' ? html('span', {class: 'bad'}, '▲ GROWING') : r.kind,
-            num(result(r.angular_frequency, 6)), num(result(r.damped_angular_frequency, 6)), num(result(r.damping_ratio)), num(r.nearest_mode ?? '–')]}));
+  const all = c.roots.roots.map(r => ({...r, re: r.eigenvalue[0], im: r.eigenvalue[1]}));
+  const paired = r => r.im !== 0 && all.some(o => Math.hypot(o.re - r.re, o.im + r.im) < 1e-9 * Math.hypot(r.re, r.im));
+  const row = r => ({mark: r.kind === 'growing' ? 'failed' : null, cells: [
+    num(result(r.re, 6)), num((paired(r) ? '± ' : '') + result(r.im, 6)), r.kind === 'growing' ? bad('▲ GROWING') : r.kind,
+    num(result(r.angular_frequency, 6)), num(result(r.damped_angular_frequency, 6)), num(result(r.damping_ratio)), num(r.nearest_mode ?? '–')]});
   return section('roots', 'Damped roots',
-    table([num('Re λ [1/s]'), num('Im λ [rad/s]'), 'kind', num('|λ| [rad/s]'), num('damped ω [rad/s]'), num('damping ratio'), num('nearest mode')], rows, {tall: true}));
+    table([num('Re λ [1/s]'), num('Im λ [rad/s]'), 'kind', num('|λ| [rad/s]'), num('damped ω [rad/s]'), num('damping ratio'), num('nearest mode')],
+      all.filter(r => r.im >= 0 || !paired(r)).map(row), {tall: true}));
 }
 
 function staticTable(c, kind) {
   const items = c.static.results.map(r => ({...r, ...place(r.name, r.unit)})).filter(r => r.kind === kind);
   if (!items.length) return null;
+  const motions = kind === 'motions', labels = motions ? MOTIONS : FORCES;
   const sizes = [false, true].map(lower => largestOf(items.filter(r => r.lower === lower).map(r => Math.abs(r.value))));
-  const units = [0, 1].map(i => prefix(sizes[i], kind === 'motions' ? ['m', 'rad'][i] : ['N', 'N m'][i]));
-  const labels = kind === 'motions' ? MOTIONS : FORCES;
+  const units = sizes.map((size, i) => prefix(size, (motions ? ['m', 'rad'] : ['N', 'N m'])[i]));
   const cell = (group, label, i) => {
     const item = group.rows[i].find(r => r.label === label);
     return num(item ? quietIf(item.value !== 0 && Math.abs(item.value) < 1e-11 * sizes[i], result(item.value * units[i].factor)) : '–');
   };
-  return table([kind === 'motions' ? 'body or point' : 'forces of', ...labels.map((label, k) => num(`${label} [${units[k < 3 ? 0 : 1].unit}]`))],
+  return table([motions ? 'body or point' : 'forces of', ...labels.map((label, k) => num(`${label} [${units[k < 3 ? 0 : 1].unit}]`))],
     grouped(items).map(group => [group.name, ...labels.map((label, k) => cell(group, label, k < 3 ? 0 : 1))]));
 }
 function staticSection(c) {
   if (!c.static) return null;
   return section('static', 'Static answer', staticTable(c, 'motions'), html('p', {}), staticTable(c, 'forces'),
-    html('p', {class: 'hint'}, `Under gravity and the constant forces. Grey values are round-off. Backward error of the solution: ${number(c.static.backward_error, 3)}.`));
+    hint(`Under gravity and the constant forces. Grey values are round-off. Backward error of the solution: ${number(c.static.backward_error, 3)}.`));
 }
 
+function solutionRows({worst_backward_error, at_angular_frequency, pivoted_fallbacks, undefined_frequencies, second_solver: second}) {
+  const at = w => `at ω = ${number(w, 5)} rad/s`;
+  return [
+    ['response', 'worst backward error of the solution', `${number(worst_backward_error, 3)} ${at(at_angular_frequency)}`, ''],
+    {mark: second.passed ? null : 'failed', cells: ['response', `second solver agrees at ${count(second.frequencies, 'frequency', 'frequencies')}`,
+      `worst difference ${number(second.worst_difference, 3)} ${at(second.at_angular_frequency)}, allowed ${number(second.allowed, 3)}`, verdict(second.passed)]},
+    ['response', 'frequencies that needed the pivoted solver', String(pivoted_fallbacks), ''],
+    ['response', 'frequencies at which the answer is not defined', String(undefined_frequencies), '']];
+}
 function checksSection(c) {
   const rows = c.checks.map(k => ({mark: k.passed ? null : 'failed', cells: [k.subject, k.what, k.value, verdict(k.passed)]}));
-  const r = c.response?.checks;
-  if (r) {
-    const second = r.second_solver;
-    rows.push(['response', 'backward error of the solution, worst over all frequencies', `${number(r.worst_backward_error, 3)} at ω = ${number(r.at_angular_frequency, 5)} rad/s`, '']);
-    rows.push({mark: second.passed ? null : 'failed', cells: ['response', `second solver agrees at ${second.frequencies} frequencies`,
-      `worst difference ${number(second.worst_difference, 3)}, allowed ${number(second.allowed, 3)}, at ω = ${number(second.at_angular_frequency, 5)} rad/s`, verdict(second.passed)]});
-    rows.push(['response', 'frequencies that needed the pivoted solver', String(r.pivoted_fallbacks), '']);
-    rows.push(['response', 'frequencies at which the answer is not defined', String(r.undefined_frequencies), '']);
-  }
-  const failed = rows.filter(row => row.mark).length;
-  return section('checks', 'Checks', html('p', {class: failed ? 'bad' : 'good'}, failed ? `✗ ${failed} failed.` : '✓ All passed.'), table(['subject', 'check', 'value', 'verdict'], rows, {tall: true}));
+  if (c.response) rows.push(...solutionRows(c.response.checks));
+  const failed = failures(c).length;
+  return section('checks', 'Checks', html('p', {class: failed ? 'bad' : 'good'}, failed ? `✗ ${failed} failed.` : '✓ All passed.'),
+    table(['subject', 'check', 'value', 'verdict'], rows, {tall: true}));
 }
 
 // ---------------------------------------------------------------- inputs of a case
 
-const matrix = (labels, rows, style) => table(['', ...labels.map(num)], rows.map((row, i) => [labels[i], ...row.map(v => num(number(v, 6)))]), {style});
+const matrix = (labels, rows, style) => table(['', ...labels.map(num)], rows.map((row, i) => [labels[i], ...row.map(v => num(number(v)))]), {style});
+const axesWords = rotation => (sameAxes(rotation) ? 'are parallel to the ground axes' : `are the columns of the matrix with the rows ${rotation.map(vector).join(' ')} in the ground`);
 
-function bodiesTable(bodies) {
+function bodiesTables(bodies) {
   const points = b => Object.entries(b.points).map(([name, at]) => html('div', {}, `${name} ${vector(at)}`));
-  return [table(['body', num('mass [kg]'), 'centre of mass [m]', 'principal central moments [kg m²]', 'free coordinates', 'pole in ground [m]', 'points [m]'],
-    bodies.map(b => [b.name, num(number(b.mass)), vector(b.center_of_mass),
-      html('span', {class: b.principal_moments.some(j => j <= 0) ? 'bad' : null}, b.principal_moments.map(j => number(j)).join(', ')),
-      b.free.map(f => f.replace('r', 'θ')).join(' ') || 'none', vector(b.position), points(b).length ? html('span', {}, points(b)) : '–'])),
-    folded('Inertia about the pole [kg m²] and axes of the bodies', bodies.map(b => [matrix(['x', 'y', 'z'], b.inertia_about_pole),
-      html('p', {class: 'hint'}, `${b.name}: body axes ${sameAxes(b.rotation) ? 'parallel to the ground axes' : 'as columns in the ground: ' + b.rotation.map(vector).join(' ')}`)]))];
+  const moments = b => html('span', {class: b.principal_moments.some(j => j <= 0) ? 'bad' : null}, b.principal_moments.map(j => number(j)).join(', '));
+  const row = b => [b.name, num(number(b.mass)), vector(b.center_of_mass), moments(b), b.free.map(f => f.replace('r', 'θ')).join(' ') || 'none',
+                    vector(b.position), html('span', {}, points(b))];
+  return [table(['body', num('mass [kg]'), 'centre of mass [m]', 'principal central moments [kg m²]', 'free coordinates', 'pole in ground [m]', 'points [m]'], bodies.map(row)),
+    folded('Inertia about the pole [kg m²] and axes of the bodies',
+      bodies.map(b => [html('p', {}, `${b.name}: the body axes ${axesWords(b.rotation)}`), matrix(['x', 'y', 'z'], b.inertia_about_pole)]))];
 }
-function elementsTable(elements) {
-  const end = e => [e.on, vector(e.in_ground)];
-  const labels = ['N', 'K'].flatMap(e => MOTIONS.map(x => `${e} ${x}`));
-  const turned = e => ['n', 'k'].filter(k => !sameAxes(e[k].axes_in_ground)).map(k => `Local axes of end ${k.toUpperCase()} as columns in the ground: ${e[k].axes_in_ground.map(vector).join(' ')}`);
-  return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'],
-    elements.map(e => [e.name, e.type, ...end(e.n), ...end(e.k), num(number(e.scale)), e.damping])),
-    elements.map(e => folded(`Stiffness 12×12 of ${e.name}`, matrix(labels, e.stiffness, 'matrix'),
-      html('p', {class: 'hint'}, 'Scale included; local axes of the ends, [N/m], [N/rad], [N m/m], [N m/rad]. ', turned(e).join('. '))))];
+function elementsTables(elements) {
+  const row = e => [e.name, e.type, e.n.on, vector(e.n.in_ground), e.k.on, vector(e.k.in_ground), num(number(e.scale)), e.damping];
+  const stiffness = e => folded(`Stiffness 12×12 of ${e.name}`,
+    hint(`Scale included; [N/m], [N/rad], [N m/m], [N m/rad]. The local axes of N ${axesWords(e.n.axes_in_ground)}; those of K ${axesWords(e.k.axes_in_ground)}.`),
+    matrix(['N', 'K'].flatMap(end => MOTIONS.map(x => `${end} ${x}`)), e.stiffness, 'matrix'));
+  const viscous = e => folded(`Viscous damping 12×12 of ${e.name}`, hint('[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.'),
+    matrix(['N', 'K'].flatMap(end => MOTIONS.map(x => `${end} ${x}`)), e.viscous_damping, 'matrix'));
+  return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'], elements.map(row)), elements.map(stiffness), elements.filter(e => e.damping === 'viscous matrix').map(viscous)];
 }
 function excitationsTable(excitations) {
-  return table(['excitation', 'type', 'on', 'at, body axes [m]', 'force x, y, z [N]', 'moment x, y, z [N m]', 'phases of the six [°]'],
-    excitations.map(e => [e.name, e.type, e.on, vector(e.at), vector(e.force), vector(e.moment), e.phase ? vector(e.phase.map(p => p * 360 / TURN)) : '–']));
+  const row = e => [e.name, e.type, e.on, vector(e.at), vector(e.force), vector(e.moment), e.phase ? vector(e.phase.map(p => p * 360 / TURN)) : '–'];
+  return table(['excitation', 'type', 'on', 'at, body axes [m]', 'force x, y, z [N]', 'moment x, y, z [N m]', 'phases of the six [°]'], excitations.map(row));
 }
 function inputsSection(c) {
-  const {bodies, elements, excitations, gravity} = c.model;
-  return section('inputs', 'Inputs', html('h3', {}, 'Bodies'), bodiesTable(bodies), html('h3', {}, 'Elements'), elements.length ? elementsTable(elements) : html('p', {}, 'None.'),
-    html('h3', {}, 'Excitations'), excitations.length ? excitationsTable(excitations) : html('p', {}, 'None.'),
-    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers only.` : 'No gravity.'));
+  const {bodies, elements, excitations, gravity, damping} = c.model, part = (title, list, make) => [html('h3', {}, title), list.length ? make(list) : html('p', {}, 'None.')];
+  return section('inputs', 'Inputs', part('Bodies', bodies, bodiesTables), part('Elements', elements, elementsTables), part('Excitations', excitations, excitationsTable),
+    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers only.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
 }
 
-// ---------------------------------------------------------------- the page
+// ---------------------------------------------------------------- all cases together
+
+function failures(c) {
+  const failed = c.checks.filter(k => !k.passed).map(k => `${k.subject}, “${k.what}”: ${k.value}`);
+  if (c.response && !c.response.checks.second_solver.passed) failed.push('response: the second solver does not agree');
+  return failed;
+}
+const grows = c => (c.modes?.modes ?? []).some(m => m.angular_frequency === null) || (c.roots?.roots ?? []).some(r => r.kind === 'growing');
 
 /// Equal texts of several cases once, with the cases they belong to: [{text, origin, of: [index]}].
 function gathered(textsOf) {
@@ -666,71 +719,76 @@ function gathered(textsOf) {
   cases.forEach((c, index) => textsOf(c).forEach(full => {
     const [, origin, rest] = /^(.*?:\d+: )?(?:warning: )?([^]*)$/.exec(full);
     const text = rest.replace(`case "${c.name}": `, '');
-    if (!found.has(text)) found.set(text, {text, origin: origin?.replace(/: $/, ''), of: []});
-    if (!found.get(text).of.includes(index)) found.get(text).of.push(index);
+    if (!found.has(text)) found.set(text, {text, origin: origin?.replace(/: $/, ''), of: new Set()});
+    found.get(text).of.add(index);
   }));
   return [...found.values()];
 }
 function notice(style, title, items) {
-  const where = item => [item.origin, cases.length === 1 ? '' : item.of.length === cases.length ? 'all cases' : item.of.map(caseName).join(', ')].filter(Boolean).join('; ');
-  return items.length ? html('div', {class: style, role: 'note'}, html('h2', {}, title),
-    html('ul', {}, items.map(item => html('li', {}, item.text, where(item) ? html('span', {class: 'where'}, ` (${where(item)})`) : null)))) : null;
+  if (!items.length) return null;
+  const owners = item => (cases.length === 1 ? '' : item.of.size === cases.length ? 'all cases' : [...item.of].map(caseName).join(', '));
+  const where = item => [item.origin, owners(item)].filter(Boolean).join('; ');
+  const line = item => html('li', {}, item.text, where(item) ? html('span', {class: 'where'}, ` (${where(item)})`) : null);
+  return html('div', {class: style, role: 'note'}, html('h2', {}, title), html('ul', {}, items.map(line)));
 }
-function failures(c) {
-  const failed = c.checks.filter(k => !k.passed).map(k => `${k.subject}: “${k.what}” fails: ${k.value}`);
-  if (c.response && !c.response.checks.second_solver.passed) failed.push('response: the second solver does not agree');
-  return failed;
-}
-const failedChecks = c => failures(c).length;
-const grows = c => (c.modes?.modes ?? []).some(m => m.angular_frequency === null) || (c.roots?.roots ?? []).some(r => r.kind === 'growing');
-
 function buildNotices() {
-  const warnings = gathered(c => c.warnings), failed = gathered(failures), free = gathered(c => c.free_motions);
-  const clean = !warnings.length && !failed.length;
-  byId('notices').append(...[notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
-    notice('note', 'Free motions', free),
-    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks passed${cases.length > 1 ? ' in all cases' : ''}.`) : null].filter(Boolean));
+  const warnings = gathered(c => c.warnings), failed = gathered(failures);
+  const clean = cases.length && !warnings.length && !failed.length;
+  put('notices', notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
+    notice('note', 'Free motions', gathered(c => c.free_motions)),
+    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks passed${cases.length > 1 ? ' in all cases' : ''}.`) : null);
 }
 
-function buildGlance() {
-  const limits = c => (c.limits.length ? verdict(c.limits.every(l => l.kept), 'kept', `${c.limits.filter(l => !l.kept).length} of ${c.limits.length} EXCEEDED`) : '–');
-  const natural = c => (c.modes?.modes ?? []).map(m => m.angular_frequency).filter(w => w > 0);
-  const cells = (c, i) => {
-    const all = natural(c), ends = all.length ? [Math.min(...all), Math.max(...all)] : [NaN, NaN];
-    return [html('button', {type: 'button', class: 'link', onclick: () => { change({case: i}); byId('case-pictures').scrollIntoView(); }}, caseName(i)), num(c.changes.length || '–'),
-      c.warnings.length ? html('span', {class: 'bad'}, `⚠ ${c.warnings.length}`) : 'none', verdict(!failedChecks(c), 'ok', `${failedChecks(c)} FAILED`), limits(c),
-      grows(c) ? html('span', {class: 'bad'}, '▲ grows') : c.free_motions.length ? 'free motion' : 'stable', ...ends.flatMap(w => [num(result(w)), num(result(hertz(w)))])];
+function glanceRow(c, i) {
+  const natural = naturalOf(c), broken = c.limits.filter(l => !l.kept).length, failed = failures(c).length;
+  const open = () => {
+    change({case: i});
+    byId('case-pictures').scrollIntoView();
   };
+  return [html('button', {type: 'button', class: 'link', onclick: open}, caseName(i)), num(c.changes.length || '–'),
+    c.warnings.length ? bad(`⚠ ${c.warnings.length}`) : 'none', verdict(!failed, 'ok', `${failed} FAILED`),
+    c.limits.length ? verdict(!broken, 'kept', `${broken} of ${c.limits.length} EXCEEDED`) : '–',
+    grows(c) ? bad('▲ grows') : c.free_motions.length ? 'free motion' : 'stable',
+    ...omegaAndHertz(natural.length ? smallestOf(natural) : null), ...omegaAndHertz(natural.length ? largestOf(natural) : null)];
+}
+function buildGlance() {
   if (!cases.length) return;
-  const glance = byId('cases');
-  glance.append(table(['case', num('changes'), 'warnings', 'checks', 'limits', 'motion', num('lowest mode [rad/s]'), num('[Hz]'), num('highest mode [rad/s]'), num('[Hz]')],
-    cases.map((c, i) => cells(c, i))));
-  glance.hidden = false;
+  byId('cases').append(table(['case', num('changes'), 'warnings', 'checks', 'limits', 'motion', num('lowest mode [rad/s]'), num('[Hz]'), num('highest mode [rad/s]'), num('[Hz]')],
+    cases.map(glanceRow)));
+  byId('cases').hidden = false;
+}
+
+// ---------------------------------------------------------------- the page
+
+function caseHead(c) {
+  const faults = [c.warnings.length ? count(c.warnings.length, 'warning') : '', failures(c).length ? count(failures(c).length, 'failed check') : '', grows(c) ? 'motion grows' : ''];
+  const words = faults.filter(Boolean).join(', ');
+  return section('case-head', cases.length > 1 ? `Case: ${caseName(view.case)}` : caseName(view.case),
+    words ? html('p', {class: 'bad'}, `⚠ Doubtful: ${words}; see the top of the page.`) : null,
+    c.changes.length ? [html('p', {}, 'Changes against the base model:'), html('ul', {class: 'changes'}, c.changes.map(text => html('li', {}, html('code', {}, text))))] : null);
 }
 
 function buildCase() {
   const c = cases[view.case];
-  const changes = c.changes.length ? [html('p', {}, 'Changes against the base model:'), html('ul', {class: 'changes'}, c.changes.map(text => html('li', {}, html('code', {}, text))))] : null;
-  const faults = [c.warnings.length ? count(c.warnings.length, 'warning') : '', failedChecks(c) ? count(failedChecks(c), 'failed check') : '', grows(c) ? 'motion grows' : ''].filter(Boolean);
   cursor = null;
-  byId('case-pictures').replaceChildren(...[section('case-head', cases.length > 1 ? `Case: ${caseName(view.case)}` : caseName(view.case), faults.length ? html('p', {class: 'bad'}, `⚠ Doubtful: ${faults.join(', ')}; see the top of the page and the checks.`) : null, changes),
-    limitsSection(c), characteristics(c), peaksSection(c)].filter(Boolean));
-  byId('case-tables').replaceChildren(...[modesSection(c), rootsSection(c), staticSection(c), inputsSection(c), checksSection(c)].filter(Boolean));
+  put('case-pictures', caseHead(c), limitsSection(c), characteristics(c), peaksSection(c));
+  put('case-tables', modesSection(c), rootsSection(c), staticSection(c), inputsSection(c), checksSection(c));
   buildComparison();
-  const inside = [...document.querySelectorAll('main section')].filter(s => !s.hidden && s.id !== 'case-head');
-  byId('contents').replaceChildren(...inside.map(s => html('button', {type: 'button', class: 'link', onclick: () => s.scrollIntoView()}, s.querySelector('h2').textContent)));
+  const shown = [...document.querySelectorAll('main section')].filter(s => !s.hidden && s.id !== 'case-head');
+  const link = s => html('button', {type: 'button', class: 'link', onclick: () => s.scrollIntoView()}, s.querySelector('h2').textContent);
+  put('contents', shown.map(link));
   byId('switches').hidden = !allPictures().length;
 }
 
 /// Controls and address follow the view; the pictures are drawn anew.
 function refresh() {
-  for (const key of ['ylog', 'xlog', 'hz']) byId(key).checked = view[key];
+  for (const key of SWITCHES) byId(key).checked = view[key];
   byId('case').value = view.case;
-  const range = pictures.length ? frequencyRange(pictures[0]) : [0, 0], factor = view.hz ? 1 / TURN : 1;
-  [byId('from').value, byId('to').value] = range.map(w => Number((w * factor).toPrecision(5)));
+  const range = pictures.length ? frequencyRange(pictures[0]) : [0, 0];
+  [byId('from').value, byId('to').value] = range.map(w => Number((view.hz ? hertz(w) : w).toPrecision(5)));
   byId('zoom-unit').textContent = view.hz ? 'Hz' : 'rad/s';
   byId('unzoom').disabled = !view.zoom;
-  [...document.querySelectorAll('#cases tbody tr')].forEach((row, i) => row.classList.toggle('selected', i === view.case && cases.length > 1));
+  document.querySelectorAll('#cases tbody tr').forEach((row, i) => row.classList.toggle('selected', i === view.case && cases.length > 1));
   for (const picture of allPictures()) drawPicture(picture);
   setCursor(cursor);
   writeAddress();
@@ -741,43 +799,62 @@ function change(patch) {
   refresh();
 }
 
+/// The view in the address, as in #case=1&ylog&xlog&hz&zoom=2,40&compare=pump.z&hide=pump.x
 function writeAddress() {
-  const parts = [view.case ? `case=${view.case}` : '', ...['ylog', 'xlog', 'hz'].map(key => (view[key] ? key : '')),
-    view.zoom ? `zoom=${view.zoom.map(w => Number(w.toPrecision(6))).join(',')}` : '', view.compare && view.compare !== comparedNames()[0] ? `compare=${encodeURIComponent(view.compare)}` : '',
-    view.hidden.size ? `hide=${[...view.hidden].map(encodeURIComponent).join(',')}` : ''].filter(Boolean);
-  try { history.replaceState(null, '', parts.length || location.hash ? `#${parts.join('&')}` : location.href); } catch { /* some browsers refuse this for files */ }
+  const parts = SWITCHES.filter(key => view[key]);
+  if (view.case) parts.unshift(`case=${view.case}`);
+  if (view.zoom) parts.push(`zoom=${view.zoom.map(w => Number(w.toPrecision(6))).join(',')}`);
+  if (view.compare && view.compare !== comparedNames()[0]) parts.push(`compare=${encodeURIComponent(view.compare)}`);
+  if (view.hidden.size) parts.push(`hide=${[...view.hidden].map(encodeURIComponent).join(',')}`);
+  try {
+    history.replaceState(null, '', `#${parts.join('&')}`);
+  } catch { /* some browsers refuse this for files */ }
+}
+function decoded(text) {
+  try { return decodeURIComponent(text); } catch { return ''; }
 }
 function readAddress() {
   const given = new Map(location.hash.slice(1).split('&').map(part => [part.split('=')[0], part.split('=').slice(1).join('=')]));
   const index = Number(given.get('case') ?? 0), zoom = (given.get('zoom') ?? '').split(',').map(Number);
-  view.case = Number.isInteger(index) && cases[index] ? index : 0;
-  for (const key of ['ylog', 'xlog', 'hz']) view[key] = given.has(key);
+  view.case = cases[index] ? index : 0;
+  for (const key of SWITCHES) view[key] = given.has(key);
   view.zoom = zoom.length === 2 && zoom[0] >= 0 && zoom[1] > zoom[0] ? zoom : null;
-  view.compare = decodeURIComponent(given.get('compare') ?? '');
-  view.hidden = new Set((given.get('hide') ?? '').split(',').filter(Boolean).map(decodeURIComponent));
+  view.compare = decoded(given.get('compare') ?? '');
+  view.hidden = new Set((given.get('hide') ?? '').split(',').filter(Boolean).map(decoded));
 }
 
 function zoomByNumbers() {
-  const factor = view.hz ? TURN : 1, from = byId('from').valueAsNumber * factor, to = byId('to').valueAsNumber * factor;
+  const factor = view.hz ? TURN : 1, from = byId('from').valueAsNumber * factor;
+  const to = Math.min(byId('to').valueAsNumber * factor, largestOf(allPictures().map(p => p.band[1])));
   if (from >= 0 && to > from) change({zoom: [from, to]});
 }
-function start() {
-  byId('input').append(`input ${results.input.file} · sha256 `, html('span', {class: 'hash'}, results.input.sha256));
-  buildNotices();
-  buildGlance();
-  byId('overview').hidden = !cases.some(c => frequencies(c).length > 1);
-  byId('case').append(...cases.map((_, i) => html('option', {value: i}, caseName(i))));
-  byId('controls').hidden = !cases.length;
-  if (!cases.length) return;
+function listenToControls() {
   byId('case').addEventListener('change', event => change({case: Number(event.target.value)}));
-  for (const key of ['ylog', 'xlog', 'hz']) byId(key).addEventListener('change', event => change({[key]: event.target.checked}));
+  for (const key of SWITCHES) byId(key).addEventListener('change', event => change({[key]: event.target.checked}));
   for (const id of ['from', 'to']) byId(id).addEventListener('change', zoomByNumbers);
   byId('unzoom').addEventListener('click', () => change({zoom: null}));
   byId('controls').addEventListener('submit', event => event.preventDefault());
-  const follow = () => { readAddress(); buildCase(); refresh(); };
-  window.addEventListener('hashchange', follow);
   let timer = 0;
-  window.addEventListener('resize', () => { clearTimeout(timer); timer = setTimeout(refresh, 150); });
+  window.addEventListener('resize', () => {
+    clearTimeout(timer);
+    timer = setTimeout(refresh, 150);
+  });
+}
+function start() {
+  put('input', `input ${results.input.file} · sha256 `, html('span', {class: 'hash'}, results.input.sha256));
+  buildNotices();
+  buildGlance();
+  byId('overview').hidden = !drawable().length;
+  byId('controls').hidden = !cases.length;
+  if (!cases.length) return;
+  put('case', cases.map((_, i) => html('option', {value: i}, caseName(i))));
+  listenToControls();
+  const follow = () => {
+    readAddress();
+    buildCase();
+    refresh();
+  };
+  window.addEventListener('hashchange', follow);
   follow();
 }
 start();

@@ -27,8 +27,8 @@ Eigen::Matrix<Extended, Eigen::Dynamic, 12> carrier(const assembly::Layout& layo
       for (int j = 0; j < 6; ++j) {
         const Eigen::Index row = layout.row(*end->body, j);
         if (row < 0) continue;
-        const auto x = spatial::rigid_motion(end->at).cast<Extended>();
-        const auto r = spatial::both_blocks(end->axes).cast<Extended>();
+        const Eigen::Matrix<Extended, 6, 6> x = spatial::rigid_motion(end->at).cast<Extended>();
+        const Eigen::Matrix<Extended, 6, 6> r = spatial::both_blocks(end->axes).cast<Extended>();
         t.block<1, 6>(row, first) += (x.transpose() * r).row(j);
       }
     first += 6;
@@ -46,9 +46,9 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
   ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n), mass = ExtendedMatrix::Zero(n, n);
   Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
   for (const model::Element& element : system.elements()) {
-    const auto t = carrier(layout, element);
-    const auto c = elements::stiffness(element.law).cast<Extended>();
-    const auto b = elements::viscous_damping(element.law).cast<Extended>();
+    const Eigen::Matrix<Extended, Eigen::Dynamic, 12> t = carrier(layout, element);
+    const Eigen::Matrix<Extended, 12, 12> c = elements::stiffness(element.law).cast<Extended>();
+    const Eigen::Matrix<Extended, 12, 12> b = elements::viscous_damping(element.law).cast<Extended>();
     stiffness += (t * c * t.transpose()).cast<Complex>() * Complex(1, elements::loss_factor(element.law));
     const Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> carried = t * b * t.transpose();
     damping += carried.cast<Complex>();

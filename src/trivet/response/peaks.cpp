@@ -18,6 +18,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double vanishing = 1e-12;
 /// Panels are searched a little beyond their ends, so that an extremum on a seam is not lost; repeats merge afterwards.
 constexpr double overlap = 1e-6;
+/// Below this share of the first panel's radius an extremum stands at ω = 0.
+constexpr double at_rest = 1e-7;
 
 /// What one walk along the axis collects for one curve.
 struct Walk {
@@ -39,7 +41,9 @@ void walk_panel(const assembly::Channel& channel, const Panel& panel, const Eige
     walk.end = series.power > 0 ? 0 : amplitude(series, panel, 0);
   } else {
     const double possible = possible_amplitude(channel, scale, q.col(0), panel.centre);
-    if (possible > 0) walk.largest_share = std::max(walk.largest_share, amplitude(series, panel, 0) / possible);
+    const double size = std::sqrt(std::abs(*std::max_element(series.square.begin(), series.square.end(), [](double a, double b) { return std::abs(a) < std::abs(b); })));
+    if (!(size > vanishing * possible)) return;  // its ups and downs are round-off
+    walk.largest_share = std::max(walk.largest_share, size / possible);
   }
   const double lower = panel.at_infinity ? 0 : -1 - overlap;
   std::vector<numerics::SignChange> changes = numerics::sign_changes(slope(series), lower, 1 + overlap);
@@ -47,7 +51,8 @@ void walk_panel(const assembly::Channel& channel, const Panel& panel, const Eige
   for (const numerics::SignChange& change : changes) {
     if (panel.at_infinity && !(change.at > 0)) continue;
     const double omega = angular_frequency(panel, change.at);
-    if (!(omega > 0)) continue;
+    // |y|² is even about ω = 0 without damping: the extremum at rest is no peak, and round-off may put it beside 0.
+    if (!panel.at_infinity && !(omega > at_rest * panel.radius)) continue;
     // A maximum stays one whichever way the axis runs.
     const double step = panel.at_infinity ? omega : panel.radius;
     walk.turnings.push_back({omega, amplitude(series, panel, change.at), change.falling, step, step * change.uncertainty});

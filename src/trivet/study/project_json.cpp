@@ -46,10 +46,20 @@ std::string damping_words(const elements::Damping& damping) {
   return std::holds_alternative<elements::DampingMatrix>(damping) ? "viscous matrix" : "none";
 }
 
+std::string damping_words(const model::SystemDamping& damping) {
+  if (const auto* r = std::get_if<model::RayleighDamping>(&damping)) return fmt::format("B += {:.6g} 1/s × A + {:.6g} s × K", r->mass, r->stiffness);
+  if (const auto* m = std::get_if<model::ModalDamping>(&damping)) {
+    std::string ratios;
+    for (const double ratio : m->ratios) ratios += fmt::format("{}{:.6g}", ratios.empty() ? "" : ", ", ratio);
+    return "modal damping ratios " + ratios;
+  }
+  return "none beside that of the elements";
+}
+
 Json model_json(const Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
-              {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)}};
+              {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)}, {"damping", damping_words(d.damping)}};
   for (const auto& body : d.bodies) {
     Json points = Json::object();
     for (const auto& point : body.points) points[point.name] = json::list(point.at);
@@ -65,7 +75,8 @@ Json model_json(const Case& variant) {
   for (const auto& element : d.elements)
     result["elements"].push_back({{"name", element.name}, {"type", element.type}, {"scale", element.law.scale},
                                   {"damping", damping_words(element.law.damping)}, {"n", end_json(variant, element.n)},
-                                  {"k", end_json(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))}});
+                                  {"k", end_json(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
+                                  {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
   for (const auto& force : d.harmonic_forces)
     result["excitations"].push_back({{"name", force.name}, {"type", "harmonic"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
                                      {"force", json::list(force.amplitude.force)}, {"moment", json::list(force.amplitude.moment)}, {"phase", json::list(force.phase)}});
