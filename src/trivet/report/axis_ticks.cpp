@@ -23,6 +23,19 @@ std::vector<Tick> linear_ticks(double from, double to, int wanted) {
   return ticks;
 }
 
+std::vector<Tick> decade_ticks(double from, double to) {
+  std::vector<Tick> ticks;
+  const bool few = std::log10(to / from) < 2;
+  const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
+  const int step = last - first > 8 ? 2 : 1;
+  for (int decade = first; decade <= last; decade += step)
+    for (const double digit : few ? std::vector<double>{1, 2, 5} : std::vector<double>{1}) {
+      const double value = digit * std::pow(10.0, decade);
+      if (value >= from * (1 - 1e-9) && value <= to * (1 + 1e-9)) ticks.push_back({value, fmt::format("{:g}", value)});
+    }
+  return ticks;
+}
+
 std::vector<Tick> angle_ticks(double from, double to) {
   std::vector<Tick> ticks;
   double step = 30;

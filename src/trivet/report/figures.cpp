@@ -27,8 +27,10 @@ struct Series {
 struct Panel {
   double left, top, width, height;
   double x_from, x_to, y_from, y_to;
+  bool logarithmic = false;  ///< the ordinate
   PixelPoint at(double x, double y) const {
-    return {left + (x - x_from) / (x_to - x_from) * width, top + height - (y - y_from) / (y_to - y_from) * height};
+    const double share = logarithmic ? std::log(std::clamp(y, y_from, y_to) / y_from) / std::log(y_to / y_from) : (y - y_from) / (y_to - y_from);
+    return {left + (x - x_from) / (x_to - x_from) * width, top + height - share * height};
   }
 };
 
@@ -59,12 +61,39 @@ std::vector<Group> groups(const study::ResponseAnswer& answer) {
   return result;
 }
 
-double largest_amplitude(const study::ResponseAnswer& answer, const std::vector<Series>& series) {
-  double largest = 0;
+/// Amplitudes of some curves over their band: the largest, the median and the smallest worth showing.
+struct Extent {
+  double largest = 0, median = 0, smallest = 0;
+  void include(const Extent& other) {
+    largest = std::max(largest, other.largest);
+    median = median > 0 ? std::min(median, other.median) : other.median;
+    smallest = smallest > 0 ? std::min(smallest, other.smallest) : other.smallest;
+  }
+};
+
+Extent extent(const study::ResponseAnswer& answer, const std::vector<Series>& series) {
+  constexpr double invisible = 1e-5;  // of the largest amplitude
+  std::vector<double> all;
   for (const Series& s : series)
     for (const auto& value : answer.curves.curves[s.curve].value)
-      if (std::isfinite(std::abs(value))) largest = std::max(largest, std::abs(value));
-  return largest;
+      if (std::isfinite(std::abs(value))) all.push_back(std::abs(value));
+  if (all.empty()) return {};
+  std::sort(all.begin(), all.end());
+  const auto visible = std::upper_bound(all.begin(), all.end(), invisible * all.back());
+  return {all.back(), all[all.size() / 2], visible == all.end() ? all.back() : *visible};
+}
+
+/// The amplitude axis of a panel: linear from zero, or logarithmic where a linear one would show one spike and nothing else.
+void set_amplitude_axis(Panel& panel, const Extent& e, double factor) {
+  constexpr double spiky = 10;
+  panel.logarithmic = e.largest > spiky * e.median && e.smallest > 0;
+  panel.y_from = panel.logarithmic ? 0.8 * factor * e.smallest : 0;
+  panel.y_to = (panel.logarithmic ? 1.6 : 1.06) * factor * e.largest;
+  if (!(panel.y_to > panel.y_from)) panel.y_to = panel.y_from + 1;
+}
+
+std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
+  return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
 }
 
 std::string curve_style(std::size_t i) {
@@ -106,19 +135,19 @@ void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& an
     std::vector<PixelPoint> points;
     for (std::size_t k = 0; k < omega.size(); ++k) {
       const double amplitude = factor * std::abs(values(static_cast<Eigen::Index>(k)));
-      if (std::isfinite(amplitude)) points.push_back(p.at(omega[k], std::min(amplitude, p.y_to)));
+      if (std::isfinite(amplitude)) points.push_back(p.at(omega[k], std::clamp(amplitude, p.y_from, p.y_to)));
     }
     canvas.polyline(points, curve_style(i));
     if (!answers.peaks) continue;
     for (const response::Peak& peak : answers.peaks->peaks.list) {
       const bool mine = answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
-      if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to && factor * peak.amplitude <= p.y_to)
+      if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to && factor * peak.amplitude <= p.y_to && factor * peak.amplitude >= p.y_from)
         canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", colours[i % 6]));
     }
   }
   for (const study::LimitAnswer& limit : answers.limits)
     for (std::size_t i = 0; i < series.size(); ++i)
-      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to) {
+      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to && factor * limit.limit >= p.y_from) {
         canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit), "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
         canvas.text({p.left + 6, p.at(0, factor * limit.limit).y - 4}, "limit " + series[i].label, "fill=\"#b00020\"");
       }
@@ -143,9 +172,6 @@ void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answer
     canvas.polyline(points, curve_style(i));
   }
 }
-
-/// Data range of an amplitude axis from zero, with a little air above.
-double amplitude_top(double largest) { return largest > 0 ? 1.06 * largest : 1; }
 
 std::pair<double, double> phase_range(const study::Answers& answers, const std::vector<Series>& series) {
   double low = -180, high = 180;
@@ -190,10 +216,11 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::vector<Series>& series = *rows[r];
     const double top = 40 + static_cast<double>(r) * (row_height + 52);
-    const double largest = largest_amplitude(answer, series);
-    const UnitPrefix unit = unit_prefix(largest, answer.curves.curves[series.front().curve].unit);
-    const Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, amplitude_top(largest * unit.factor)};
-    draw_frame(canvas, amplitude, linear_ticks(0, amplitude.y_to, 5), "ω [rad/s]", fmt::format("{} amplitude [{}]", quantity_letter(answer, series), unit.unit));
+    const Extent range = extent(answer, series);
+    const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
+    Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
+    set_amplitude_axis(amplitude, range, unit.factor);
+    draw_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} amplitude [{}]", quantity_letter(answer, series), unit.unit));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
@@ -226,23 +253,24 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   SvgCanvas canvas(30 + column_pitch * static_cast<double>(used_columns), 44 + row_pitch * static_cast<double>(rows));
   canvas.text({15 + column_pitch * static_cast<double>(used_columns) / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases compare.
-  std::array<double, 2> largest = {0, 0};
+  std::array<Extent, 2> ranges;
   for (const study::Answers* answers : shown) {
     const Group group = groups(*answers->response).front();
-    largest[0] = std::max(largest[0], largest_amplitude(*answers->response, group.upper));
-    largest[1] = std::max(largest[1], largest_amplitude(*answers->response, group.lower));
+    ranges[0].include(extent(*answers->response, group.upper));
+    ranges[1].include(extent(*answers->response, group.lower));
   }
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const study::Answers& answers = *shown[i];
     const Group group = groups(*answers.response).front();
     const double left = 68 + column_pitch * static_cast<double>(i % columns), top = 66 + row_pitch * static_cast<double>(i / columns);
-    canvas.text({left + width / 2, top - 8}, answers.case_name.empty() ? "Base model" : answers.case_name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    canvas.text({left + width / 2, top - 8}, (answers.case_name.empty() ? "Base model" : answers.case_name) + ": " + group.name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
-      const double scale = largest[static_cast<std::size_t>(part)];
-      const UnitPrefix unit = unit_prefix(scale, answers.response->curves.curves[series->front().curve].unit);
-      const Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, amplitude_top(scale * unit.factor)};
-      draw_frame(canvas, panel, linear_ticks(0, panel.y_to, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
+      const Extent& range = ranges[static_cast<std::size_t>(part)];
+      const UnitPrefix unit = unit_prefix(range.largest, answers.response->curves.curves[series->front().curve].unit);
+      Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, 1};
+      set_amplitude_axis(panel, range, unit.factor);
+      draw_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
                  fmt::format("{} [{}]", quantity_letter(*answers.response, *series), unit.unit));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);
