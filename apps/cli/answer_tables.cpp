@@ -66,7 +66,8 @@ std::string response_text(const study::Answers& answers) {
     std::vector<std::string> row = {shown(answer.curves.angular_frequency[i])};
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
       row.push_back(shown(std::abs(answer.curves.curves[c].value(static_cast<Eigen::Index>(i)))));
-      row.push_back(fmt::format("{:.1f}°", answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / turn));
+      const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / turn;
+      row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
     table.add(row);
   }
@@ -75,8 +76,8 @@ std::string response_text(const study::Answers& answers) {
   text += fmt::format("  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} (round-off × condition): {}\n",
                       answer.curves.check.worst_backward_error, count, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
                       answer.deep.passed ? "agrees" : "DISAGREES");
-  if (answer.curves.check.undefined > 0)
-    text += fmt::format("  {} frequencies stand on an undamped resonance or a free motion: no steady amplitude exists there (shown as –)\n", answer.curves.check.undefined);
+  for (const double omega : answer.curves.check.undefined_at)
+    text += fmt::format("  ω = {} rad/s stands on an undamped resonance or a free motion: no steady state exists there (shown as –)\n", shown(omega, 9));
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "cli/answer_tables.h"
 #include "cli/console.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/study/answers_json.h"
 #include "trivet/study/tables_csv.h"
@@ -146,6 +147,7 @@ int answer_command(const std::string& which, const Options& options) {
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);
     const study::Answers answers = study::answers(variant, wanted(which, variant, options), progress());
+    if (!answers.failures.empty()) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);
     const bool plain = !options.csv && !options.json;
     write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));

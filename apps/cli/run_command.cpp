@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/answer_tables.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -38,6 +40,7 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
   const study::Analyses& asked = variant.analyses;
   if (asked.modes) text += modes_text(variant, answers) + "\n";
   if (asked.roots) text += roots_text(answers) + "\n";
+  for (const std::string& failure : answers.failures) text += "NOT COMPUTED: " + failure + "\n";
   if (answers.peaks) text += peaks_text(answers) + "\n";
   if (answers.statics) text += static_text(answers) + "\n";
   if (answers.response) {
@@ -75,7 +78,7 @@ int run_command(const Options& options) {
   report("done", 1);
   folder.publish();
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));
-  return done;
+  return std::all_of(all.begin(), all.end(), [](const study::Answers& answers) { return answers.failures.empty(); }) ? done : not_computed;
 }
 
 }  // namespace trivet::cli

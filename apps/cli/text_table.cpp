@@ -23,7 +23,7 @@ bool is_number(const std::string& text) {
 std::string shown(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
-  return fmt::format("{:.{}g}", value, digits);
+  return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
 }
 
 std::string TextTable::text() const {

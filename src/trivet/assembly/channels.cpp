@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/channels.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "trivet/foundation/invalid_input.h"
@@ -71,12 +74,41 @@ class Builder {
     Matrix6x on_velocity;
   };
 
+  /// Longest arm from which a moment of this element or on it is counted [m].
+  double longest_lever(std::size_t e) const {
+    const model::Element& element = system_.elements()[e];
+    return std::max({element.n.at.norm(), element.k.at.norm(), model::span(system_.bodies(), element.n, element.k).arm.norm()});
+  }
+
+  /// Products of rotation matrices leave 1e-17 where nothing is: a strut has no moment, a turned spring no force across.
+  Matrix6x without_round_off(Matrix6x rows, const ElementMap& map, const spatial::Matrix12& matrix, double lever) const {
+    constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
+    double force = 0, moment = 0;
+    for (int i = 0; i < 12; ++i) (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
+    for (Eigen::Index j = 0; j < rows.cols(); ++j)
+      for (int i = 0; i < 6; ++i) {
+        const bool moment_row = i >= 3, rotation_column = is_rotation(map.rows[static_cast<std::size_t>(j)]);
+        double typical = force * (moment_row ? lever : 1) * (rotation_column ? lever : 1);
+        if (moment_row && rotation_column) typical += moment;
+        if (std::abs(rows(i, j)) <= round_off * typical) rows(i, j) = 0;
+      }
+    return rows;
+  }
+
+  bool is_rotation(Eigen::Index row) const {
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b)
+      for (int j = 3; j < 6; ++j)
+        if (assembled_.layout.row(b, j) == row) return true;
+    return false;
+  }
+
   /// Wrench that element e exerts on its N side, ground axes, about the reference point of N.
   WrenchRows wrench_on_n(std::size_t e) const {
     const ElementMap& map = assembled_.elements[e];
     const Matrix6 turn = spatial::both_blocks(model::end_in_ground(system_.bodies(), system_.elements()[e].n).rotation);
-    const Matrix6x stiffness = -(turn * map.stiffness.topRows<6>() * map.ends);
-    const Matrix6x damping = -(turn * map.damping.topRows<6>() * map.ends);
+    const double lever = longest_lever(e);
+    const Matrix6x stiffness = without_round_off(-(turn * map.stiffness.topRows<6>() * map.ends), map, map.stiffness, lever);
+    const Matrix6x damping = without_round_off(-(turn * map.damping.topRows<6>() * map.ends), map, map.damping, lever);
     WrenchRows rows{Matrix6xc::Zero(6, assembled_.layout.size()), Matrix6x::Zero(6, assembled_.layout.size())};
     for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
       const Eigen::Index row = map.rows[static_cast<std::size_t>(j)];

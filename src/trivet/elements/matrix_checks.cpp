@@ -2,18 +2,33 @@
 #include "trivet/elements/matrix_checks.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace trivet::elements {
+namespace {
+
+/// √K_ii, or of the largest entry beside it where K_ii is zero or the round-off of other entries: a strut along a skew axis
+/// leaves 1e-30 N m/rad of them. No element's lever is shorter than 1e-10 m.
+spatial::Vector12 entry_scale(const Matrix12& matrix) {
+  constexpr double round_off = 1e-14, shortest_lever_squared = 1e-20;
+  double translation = 0, rotation = 0;
+  for (int i = 0; i < 12; ++i) (i % 6 < 3 ? translation : rotation) = std::max(i % 6 < 3 ? translation : rotation, std::abs(matrix(i, i)));
+  spatial::Vector12 scale;
+  for (int i = 0; i < 12; ++i) {
+    const double floor = i % 6 < 3 ? round_off * translation : round_off * rotation + shortest_lever_squared * translation;
+    const double diagonal = std::abs(matrix(i, i));
+    const double beside = std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff());
+    scale(i) = std::sqrt(diagonal > floor ? diagonal : std::max(floor, beside));
+  }
+  return scale;
+}
+
+}  // namespace
 
 MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid) {
   MatrixVerdict verdict;
-  spatial::Vector12 scale;
-  for (int i = 0; i < 12; ++i) {
-    const double diagonal = std::abs(matrix(i, i));
-    const double row = std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff());
-    scale(i) = std::sqrt(diagonal > 0 ? diagonal : row);
-  }
+  const spatial::Vector12 scale = entry_scale(matrix);
   const auto scaled = [](double value, double by) { return value == 0 ? 0.0 : value / by; };
 
   for (int i = 0; i < 12; ++i)

@@ -98,6 +98,15 @@ Modes modes(const model::System& system, const assembly::Assembled& assembled) {
 
 Modes modes(const model::System& system) { return modes(system, assembly::assemble(system)); }
 
+std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n) {
+  const Mode* best = nullptr;
+  for (const Mode& mode : modes.list)
+    if (mode.angular_frequency && (!best || std::abs(*mode.angular_frequency - omega) < std::abs(*best->angular_frequency - omega))) best = &mode;
+  const bool incomplete = static_cast<Eigen::Index>(modes.list.size()) < n;
+  if (!best || (incomplete && std::abs(*best->angular_frequency - omega) > 0.01 * omega)) return std::nullopt;
+  return best->number;
+}
+
 bool has_rigid_motion(const Modes& modes) {
   return std::any_of(modes.list.begin(), modes.list.end(), [](const Mode& m) { return m.eigenvalue_squared == 0; });
 }

@@ -39,6 +39,10 @@ struct Modes {
 [[nodiscard]] Modes modes(const model::System& system, const assembly::Assembled& assembled);
 [[nodiscard]] Modes modes(const model::System& system);
 
+/// Number of the mode whose natural frequency is nearest to ω. Where some of the n modes are missing (complex ω²), only one
+/// within 1 % counts: the true neighbour may be among the missing.
+[[nodiscard]] std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n);
+
 /// Does any mode stand at ω = 0?
 [[nodiscard]] bool has_rigid_motion(const Modes& modes);
 

@@ -68,23 +68,9 @@ Root classified(const Complex& lambda, double scale) {
   if (root.kind == RootKind::oscillating) {
     root.angular_frequency = size;
     root.damped_angular_frequency = std::abs(lambda.imag());
-    root.damping_ratio = lambda.real() == 0 ? 0.0 : -lambda.real() / size;
+    root.damping_ratio = std::abs(lambda.real()) <= epsilon * size ? 0.0 : -lambda.real() / size;
   }
   return root;
-}
-
-std::optional<int> nearest(const Modes& modes, double size) {
-  std::optional<int> best;
-  double distance = std::numeric_limits<double>::infinity();
-  for (const Mode& mode : modes.list) {
-    if (!mode.angular_frequency) continue;
-    const double d = std::abs(*mode.angular_frequency - size);
-    if (d < distance) {
-      distance = d;
-      best = mode.number;
-    }
-  }
-  return best;
 }
 
 /// |λ| to twelve digits, so that conjugate pairs stay neighbours whatever their last digit.
@@ -120,7 +106,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * static_cast<Eigen::Index>(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
-    root.nearest_mode = nearest(modes, std::abs(raw.lambda(k)));
+    root.nearest_mode = nearest_mode(modes, std::abs(raw.lambda(k)), m.size());
     result.list.push_back(std::move(root));
   }
   std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {

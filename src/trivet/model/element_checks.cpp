@@ -72,6 +72,16 @@ void check_matrix(const Subject& subject, const Element& element, const Matrix12
                    "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
 }
 
+/// Values that are possible, but mostly a slip of units.
+void warn_of_slips(const Element& element, const std::string& subject, foundation::Problems& problems) {
+  if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && loss->value > 1)
+    problems.warning(subject + ".loss_factor", fmt::format("{:.6g}", loss->value), "loss factors of rubber and metal lie below 1",
+                     fmt::format("write \"{:.6g} %\" if percent are meant", loss->value));
+  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && proportional->factor > 1)
+    problems.warning(subject + ".proportional", fmt::format("{:.6g} s", proportional->factor), "B = δK with δ above 1 s damps out every vibration",
+                     "check the unit, or the ratio of B to K that is meant");
+}
+
 }  // namespace
 
 void check_element(const Description& description, const Element& element, foundation::Problems& problems) {
@@ -95,6 +105,7 @@ void check_element(const Description& description, const Element& element, found
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && !(loss->value >= 0))
     problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
+  warn_of_slips(element, subject + ".damping", problems);
 }
 
 }  // namespace trivet::model

@@ -60,6 +60,9 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
     weight.cwiseProduct(normed.col(i).cwiseAbs()).maxCoeff(&largest);
     if (normed(largest, i) < 0) normed.col(i) *= -1;
   }
+  // A shape that moves only where K has zeros leaves products of round-off, ε² of the largest λ.
+  const double negligible = std::pow(64 * static_cast<double>(n) * epsilon, 2) * (count > 0 ? lambda.cwiseAbs().maxCoeff() : 0);
+  lambda = (lambda.array().abs() <= negligible).select(0.0, lambda);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index x, Eigen::Index y) { return lambda(x) < lambda(y); });

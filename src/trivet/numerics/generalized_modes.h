@@ -22,7 +22,8 @@ struct GeneralizedModes {
 };
 
 /// A verdict on definiteness is always taken first: a generalized solver may return wrong values for an indefinite A.
-/// λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|.
+/// λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|,
+/// or |λ| ≤ (64 n ε)² of the largest.
 [[nodiscard]] GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric);
 
 /// Is a symmetric matrix positive definite beyond round-off, after scaling to a unit diagonal?

@@ -149,7 +149,8 @@ void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& an
     for (std::size_t i = 0; i < series.size(); ++i)
       if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to && factor * limit.limit >= p.y_from) {
         canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit), "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
-        canvas.text({p.left + 6, p.at(0, factor * limit.limit).y - 4}, "limit " + series[i].label, "fill=\"#b00020\"");
+        canvas.text({p.left + p.width * 0.45, p.at(0, factor * limit.limit).y - 4}, "limit " + series[i].label,
+                    "fill=\"#b00020\" text-anchor=\"middle\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
       }
 }
 
@@ -220,7 +221,7 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
     const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
     Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
-    draw_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} amplitude [{}]", quantity_letter(answer, series), unit.unit));
+    draw_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} [{}]{}", quantity_letter(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
@@ -271,7 +272,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
       Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, 1};
       set_amplitude_axis(panel, range, unit.factor);
       draw_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
-                 fmt::format("{} [{}]", quantity_letter(*answers.response, *series), unit.unit));
+                 fmt::format("{} [{}]{}", quantity_letter(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);
     }

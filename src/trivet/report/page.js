@@ -654,14 +654,14 @@ function staticSection(c) {
     hint(`Under gravity and the constant forces. Grey values are round-off. Backward error of the solution: ${number(c.static.backward_error, 3)}.`));
 }
 
-function solutionRows({worst_backward_error, at_angular_frequency, pivoted_fallbacks, undefined_frequencies, second_solver: second}) {
+function solutionRows({worst_backward_error, at_angular_frequency, pivoted_fallbacks, undefined_at, second_solver: second}) {
   const at = w => `at ω = ${number(w, 5)} rad/s`;
   return [
     ['response', 'worst backward error of the solution', `${number(worst_backward_error, 3)} ${at(at_angular_frequency)}`, ''],
     {mark: second.passed ? null : 'failed', cells: ['response', `second solver agrees at ${count(second.frequencies, 'frequency', 'frequencies')}`,
       `worst difference ${number(second.worst_difference, 3)} ${at(second.at_angular_frequency)}, allowed ${number(second.allowed, 3)}`, verdict(second.passed)]},
     ['response', 'frequencies that needed the pivoted solver', String(pivoted_fallbacks), ''],
-    ['response', 'frequencies at which the answer is not defined', String(undefined_frequencies), '']];
+    ['response', 'frequencies at which the answer is not defined', undefined_at.length ? undefined_at.map(w => number(w)).join(', ') + ' rad/s' : 'none', '']];
 }
 function checksSection(c) {
   const rows = c.checks.map(k => ({mark: k.passed ? null : 'failed', cells: [k.subject, k.what, k.value, verdict(k.passed)]}));
@@ -736,7 +736,7 @@ function buildNotices() {
   const clean = cases.length && !warnings.length && !failed.length;
   put('notices', notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
     notice('note', 'Free motions', gathered(c => c.free_motions)),
-    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks passed${cases.length > 1 ? ' in all cases' : ''}.`) : null);
+    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks of the data passed${cases.length > 1 ? ' in all cases' : ''}.${cases.some(c => c.limits.some(l => !l.kept)) ? ' But limits are exceeded: see below.' : ''}`) : null);
 }
 
 function glanceRow(c, i) {

@@ -9,7 +9,8 @@ namespace trivet::response {
 
 /// The fast solver against a second one that shares nothing with it but the model.
 struct DeepCheck {
-  int frequencies = 0;
+  int frequencies = 0;               ///< compared
+  int incomparable = 0;              ///< left out: so near an undamped resonance that round-off × condition exceeds 1 %
   double worst_difference = 0;       ///< ‖q − q'‖∞ / ‖q'‖∞ in coordinates of unit mass diagonal, at its worst relative to `allowed`
   double allowed = 0;                ///< there: 16 n ε × condition of Z
   double at_angular_frequency = 0;   ///< [rad/s]

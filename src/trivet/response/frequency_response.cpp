@@ -41,12 +41,13 @@ FrequencyResponse frequency_response(const assembly::Assembled& assembled, const
   for (const assembly::Channel& channel : channels)
     result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, angular_frequency)});
   result.check.fallbacks = solved.fallbacks;
-  result.check.undefined = solved.singular;
-  for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
+  for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i) {
+    if (std::isnan(solved.backward_error(i))) result.check.undefined_at.push_back(angular_frequency[static_cast<std::size_t>(i)]);
     if (solved.backward_error(i) > result.check.worst_backward_error) {
       result.check.worst_backward_error = solved.backward_error(i);
       result.check.at_angular_frequency = angular_frequency[static_cast<std::size_t>(i)];
     }
+  }
   return result;
 }
 

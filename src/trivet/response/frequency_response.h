@@ -20,7 +20,7 @@ struct SolutionCheck {
   double worst_backward_error = 0;  ///< over all frequencies, in coordinates of unit mass diagonal
   double at_angular_frequency = 0;  ///< where it is worst [rad/s]
   int fallbacks = 0;                ///< frequencies that needed the pivoted solver
-  int undefined = 0;                ///< frequencies where the dynamic stiffness is singular; the curves are NaN there
+  std::vector<double> undefined_at; ///< [rad/s] where the dynamic stiffness is singular; all curves are NaN there
 };
 
 struct FrequencyResponse {

@@ -95,13 +95,6 @@ bool is_unbounded(const assembly::Assembled& assembled, const assembly::Channel&
   return y(1) > 5 * y(0) && y(2) > 5 * y(3);
 }
 
-std::optional<int> nearest_mode(const modal::Modes& modes, double omega) {
-  const modal::Mode* best = nullptr;
-  for (const modal::Mode& mode : modes.list)
-    if (mode.angular_frequency && (!best || std::abs(*mode.angular_frequency - omega) < std::abs(*best->angular_frequency - omega))) best = &mode;
-  return best ? std::optional<int>(best->number) : std::nullopt;
-}
-
 }  // namespace
 
 Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
@@ -169,7 +162,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
         peak.refined = true;
       }
       if (summary.static_amplitude && *summary.static_amplitude > 0) peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
-      peak.nearest_mode = nearest_mode(modes, peak.angular_frequency);
+      peak.nearest_mode = modal::nearest_mode(modes, peak.angular_frequency, m.size());
       ++summary.peaks;
       result.list.push_back(peak);
     }

@@ -15,6 +15,8 @@ struct Wanted {
   std::vector<std::string> of = {"coordinates"};
   assembly::Quantity quantity = assembly::Quantity::displacement;
   std::vector<std::string> excitations;  ///< empty: all
+
+  bool operator==(const Wanted&) const = default;
 };
 
 struct ResponseRequest {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
@@ -75,30 +77,54 @@ class CaseStudy {
     result.warnings = variant.warnings;
     result.warnings.add(modes_.warnings);
     result.warnings.add(roots_.warnings);
-    if (analyses.peaks) result.peaks = PeaksAnswer{peaks_of(analyses.peaks->wanted, analyses.peaks->min_prominence), analyses.peaks->min_prominence, analyses.peaks->peak_tolerance};
-    if (analyses.response) {
-      result.response = response_of(*analyses.response);
-      result.limits = limits_of(analyses, *result.response);
-    }
+    note_guides(analyses, result.warnings);
+    const auto attempt = [&](const auto& compute) {
+      try {
+        compute();
+      } catch (const foundation::NotComputable& reason) {
+        result.failures.emplace_back(reason.what());
+        result.warnings.warning(reason.what(), "not computed", "", "");
+      }
+    };
+    if (analyses.peaks)
+      attempt([&] { result.peaks = PeaksAnswer{peaks_of(analyses.peaks->wanted, analyses.peaks->min_prominence), analyses.peaks->min_prominence, analyses.peaks->peak_tolerance}; });
+    if (analyses.response) attempt([&] { result.response = response_of(*analyses.response); });
+    if (result.response) result.limits = limits_of(analyses, *result.response);
     if (analyses.static_of)
-      result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
+      attempt([&] {
+        result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
+      });
     return result;
   }
 
  private:
-  response::Peaks peaks_of(const Wanted& wanted, double min_prominence) const {
-    const Loaded asked = loaded(system_, assembled_, wanted);
-    return response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {min_prominence}, progress_);
+  /// Totals on the ground are those of elements: what a guide carries is not among them, and that must be said.
+  void note_guides(const Analyses& analyses, foundation::Problems& warnings) const {
+    std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
+    if (analyses.response) of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
+    if (analyses.peaks) of.insert(of.end(), analyses.peaks->wanted.of.begin(), analyses.peaks->wanted.of.end());
+    if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
+    for (const model::Body& body : system_.bodies())
+      if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
+        warnings.warning("ground", "body \"" + body.name + "\" is guided", "totals on the ground are the forces of elements; what guides carry is not in them",
+                         "add it where it matters");
   }
 
-  ResponseAnswer response_of(const ResponseRequest& request) const {
+  /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.
+  const response::Peaks& peaks_of(const Wanted& wanted, double min_prominence = response::PeakOptions{}.min_prominence) {
+    for (const auto& earlier : searched_)
+      if (earlier.wanted == wanted && earlier.min_prominence == min_prominence) return earlier.peaks;
+    const Loaded asked = loaded(system_, assembled_, wanted);
+    searched_.push_back({wanted, min_prominence, response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {min_prominence}, progress_)});
+    return searched_.back().peaks;
+  }
+
+  ResponseAnswer response_of(const ResponseRequest& request) {
     const Loaded asked = loaded(system_, assembled_, request.wanted);
     ResponseAnswer result;
     result.quantity = request.wanted.quantity;
-    const bool needs_peaks = request.at.empty() ? request.spacing == response::Spacing::automatic : request.continuous_phase;
-    const response::Peaks peaks = needs_peaks || request.continuous_phase
-                                      ? response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {}, progress_)
-                                      : response::Peaks{};
+    const bool needs_peaks = request.continuous_phase || (request.at.empty() && request.spacing == response::Spacing::automatic);
+    const response::Peaks peaks = needs_peaks ? peaks_of(request.wanted) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
       result.band = request.band ? *request.band : default_band(modes_);
@@ -123,28 +149,42 @@ class CaseStudy {
     return result;
   }
 
-  std::vector<LimitAnswer> limits_of(const Analyses& analyses, const ResponseAnswer& response) const {
+  std::vector<LimitAnswer> limits_of(const Analyses& analyses, const ResponseAnswer& response) {
     std::vector<LimitAnswer> result;
     for (const Limit& limit : analyses.limits) {
-      const Wanted wanted{{limit.name}, response.quantity, analyses.response->wanted.excitations};
-      const Loaded asked = loaded(system_, assembled_, wanted);
-      const response::Peaks found = response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {}, progress_);
-      LimitAnswer answer{limit.name, asked.channels[0].unit, limit.amplitude, 0, 0, found.curves[0].highest, true};
-      std::vector<double> candidates = {response.band.from, response.band.to};
-      for (const response::Peak& peak : found.list)
-        if (peak.angular_frequency > response.band.from && peak.angular_frequency < response.band.to) {
-          candidates.push_back(peak.angular_frequency);
-          if (std::isinf(peak.amplitude)) answer.in_band = peak.amplitude, answer.in_band_at = peak.angular_frequency;
-        }
-      const auto values = response::frequency_response(assembled_, asked.channels, asked.load, candidates);
-      for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const double amplitude = std::abs(values.curves[0].value(static_cast<Eigen::Index>(i)));
-        if (amplitude > answer.in_band) answer.in_band = amplitude, answer.in_band_at = candidates[i];
-      }
-      answer.kept = answer.in_band <= answer.limit;
-      result.push_back(answer);
+      Wanted wanted = analyses.response->wanted;
+      const auto& curves = response.curves.curves;
+      const bool among_curves = std::any_of(curves.begin(), curves.end(), [&](const response::Curve& c) { return c.name == limit.name; });
+      if (!among_curves) wanted.of = {limit.name};
+      result.push_back(judged(limit, wanted, response.band));
     }
     return result;
+  }
+
+  /// The largest amplitude of one curve in a band stands at an end of the band or at a peak inside it.
+  LimitAnswer judged(const Limit& limit, const Wanted& wanted, const response::Band& band) {
+    const response::Peaks& found = peaks_of(wanted);
+    const auto curve = static_cast<std::size_t>(
+        std::find_if(found.curves.begin(), found.curves.end(), [&](const response::CurveSummary& c) { return c.name == limit.name; }) - found.curves.begin());
+    LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest, true};
+    const Loaded asked = loaded(system_, assembled_, {{limit.name}, wanted.quantity, wanted.excitations});
+    // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
+    const double start = std::max(band.from, found.searched_from);
+    const std::vector<double> ends = {start, band.to, 10 * start};
+    const auto at_ends = response::frequency_response(assembled_, asked.channels, asked.load, ends);
+    std::vector<std::pair<double, double>> candidates;
+    const auto amplitude_at = [&](Eigen::Index i) { return std::abs(at_ends.curves[0].value(i)); };
+    const bool diverges = start > band.from && amplitude_at(0) > 5 * amplitude_at(2);
+    candidates.emplace_back(diverges ? std::numeric_limits<double>::infinity() : amplitude_at(0), band.from);
+    candidates.emplace_back(amplitude_at(1), band.to);
+    for (const response::Turning& t : found.turnings[curve])
+      if (t.maximum && t.angular_frequency > band.from && t.angular_frequency < band.to) candidates.emplace_back(t.amplitude, t.angular_frequency);
+    for (const response::Peak& peak : found.list)
+      if (peak.curve == curve && peak.angular_frequency > band.from && peak.angular_frequency < band.to) candidates.emplace_back(peak.amplitude, peak.angular_frequency);
+    for (const auto& [amplitude, omega] : candidates)
+      if (amplitude > answer.in_band) answer.in_band = amplitude, answer.in_band_at = omega;
+    answer.kept = answer.in_band <= answer.limit;
+    return answer;
   }
 
   const model::System& system_;
@@ -152,6 +192,13 @@ class CaseStudy {
   assembly::Assembled assembled_;
   modal::Modes modes_;
   modal::Roots roots_;
+
+  struct Searched {
+    Wanted wanted;
+    double min_prominence;
+    response::Peaks peaks;
+  };
+  std::deque<Searched> searched_;  // references to its elements stay valid
 };
 
 }  // namespace

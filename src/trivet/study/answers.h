@@ -53,10 +53,11 @@ struct Answers {
   std::optional<PeaksAnswer> peaks;
   std::optional<response::StaticResponse> statics;
   std::vector<LimitAnswer> limits;
+  std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
 };
 
-/// Everything a case asks for. `analyses` may differ from the case's own (a single answer from the command line).
-/// @throws foundation::NotComputable
+/// Everything a case asks for; what cannot be computed is listed in `failures` and in the warnings, the rest goes on.
+/// `analyses` may differ from the case's own (a single answer from the command line).
 [[nodiscard]] Answers answers(const Case& variant, const Analyses& analyses, const foundation::Progress& progress = {});
 
 /// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or under a

@@ -55,9 +55,9 @@ Json solution_checks(const ResponseAnswer& answer) {
   return {{"worst_backward_error", check.worst_backward_error},
           {"at_angular_frequency", check.at_angular_frequency},
           {"pivoted_fallbacks", check.fallbacks},
-          {"undefined_frequencies", check.undefined},
+          {"undefined_at", check.undefined_at},
           {"second_solver",
-           {{"frequencies", deep.frequencies}, {"worst_difference", number(deep.worst_difference)}, {"allowed", number(deep.allowed)},
+           {{"frequencies", deep.frequencies}, {"too_near_a_resonance", deep.incomparable}, {"worst_difference", number(deep.worst_difference)}, {"allowed", number(deep.allowed)},
             {"at_angular_frequency", deep.at_angular_frequency}, {"passed", deep.passed}}}};
 }
 

@@ -91,6 +91,17 @@ void read_bodies(TableReader& root, model::Description& description, Mentioned& 
   }
 }
 
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) text += (i > 0 ? ", " : "") + names[i].substr(0, 60);
+  return names.size() > most ? text + ", …" : text;
+}
+
+}  // namespace
+
 std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description, const Mentioned& mentioned) {
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
@@ -100,7 +111,7 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
   if (mentioned.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
   const std::string guess = foundation::nearest_name(*name, known);
   const std::string remedy = *name == "ground" && key == "from" ? "leave `from` out for the ground"
-                             : guess.empty()                    ? "name one of the bodies"
+                             : guess.empty()                    ? "the bodies are: " + listed(known)
                                                                 : "did you mean \"" + guess + "\"?";
   reader.error(key, "\"" + name->substr(0, 60) + "\"", "no body has this name", remedy);
   return std::nullopt;

@@ -61,7 +61,9 @@ foundation::Expected<Node> parse_setting(const std::string& setting) {
       quoted += c;
     }
     const foundation::Expected<Node> as_text = parse_toml(setting.substr(0, equals + 1) + quoted + "\"", source);
-    if (as_text) plain = as_text;
+    if (as_text) return as_text;
+    for (auto& problem : plain.error().list())
+      problem.remedy = "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front left\".scale=2), an array is replaced whole";
   }
   return plain;
 }

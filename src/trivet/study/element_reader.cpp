@@ -112,7 +112,7 @@ class ElementReader {
 
   elements::Vector6 constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation) {
     elements::Vector6 k = elements::Vector6::Zero();
-    if (!reader.has("translation")) reader.missing("translation", "give three constants along the local axes: translation = [kx, ky, kz]");
+    if (!reader.has("translation")) reader.missing("translation", fmt::format("give three constants in {} along the local axes: translation = [x, y, z]", si_unit(translation)));
     if (const auto t = reader.vector("translation", translation)) k.head<3>() = *t;
     if (with_rotation)
       if (const auto r = reader.vector("rotation", rotation)) k.tail<3>() = *r;

@@ -94,7 +94,7 @@ Json case_json(const Case& variant, const Answers& answers) {
     limits.push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}, {"in_band", json::number(limit.in_band)},
                       {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
   Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
-              {"free_motions", answers.free_motions}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
+              {"free_motions", answers.free_motions}, {"not_computed", answers.failures}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
   if (variant.analyses.modes) result["modes"] = json::modes(variant, answers);
   if (variant.analyses.roots) result["roots"] = json::roots(variant, answers);
   if (answers.response) {

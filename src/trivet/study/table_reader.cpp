@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "trivet/spatial/rigid_motion.h"
 
@@ -67,6 +68,10 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
   double number = 0;
   if (value.kind == Node::Kind::integer || value.kind == Node::Kind::real) {
     number = value.number;
+    if (quantity == Quantity::angle && std::abs(number) > 2 * std::numbers::pi) {
+      problems_.warning(where, fmt::format("{:.6g} rad", number), "an angle without a unit is in rad, and this is more than a turn",
+                        fmt::format("write \"{:.6g} deg\" if degrees are meant", number)).origin = value.origin;
+    }
   } else if (value.kind == Node::Kind::text) {
     const auto converted = to_si(value.text, quantity);
     if (!converted) {
