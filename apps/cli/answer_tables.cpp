@@ -75,7 +75,7 @@ std::string response_text(const study::Answers& answers) {
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
   text += fmt::format("  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} (round-off × condition): {}\n",
                       answer.curves.check.worst_backward_error, count, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
-                      answer.deep.passed ? "agrees" : "DISAGREES");
+                      answer.deep.verdict());
   for (const double omega : answer.curves.check.undefined_at)
     text += fmt::format("  ω = {} rad/s stands on an undamped resonance or a free motion: no steady state exists there (shown as –)\n", shown(omega, 9));
   return text;

@@ -129,7 +129,7 @@ int check_command(const Options& options) {
       const response::DeepCheck deep = study::deep_check(variant);
       agrees = agrees && deep.passed;
       text += fmt::format("  two solvers at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed there {:.2e} (round-off × condition): {}\n",
-                          deep.frequencies, deep.worst_difference, deep.at_angular_frequency, deep.allowed, deep.passed ? "agree" : "DISAGREE");
+                          deep.frequencies, deep.worst_difference, deep.at_angular_frequency, deep.allowed, deep.verdict());
     }
   }
   warnings.sort_by_origin();

@@ -46,7 +46,7 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
   if (answers.response) {
     const auto& check = answers.response->curves.check;
     text += fmt::format("Characteristics at {} frequencies, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
-                        answers.response->curves.angular_frequency.size(), check.worst_backward_error, answers.response->deep.passed ? "agrees" : "DISAGREES",
+                        answers.response->curves.angular_frequency.size(), check.worst_backward_error, answers.response->deep.verdict(),
                         answers.response->deep.worst_difference, answers.response->deep.allowed);
     text += limits_text(answers);
   }
@@ -56,6 +56,10 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
 }  // namespace
 
 int run_command(const Options& options) {
+  if (options.output.empty()) {
+    fmt::print(stderr, "error: -o \"\": the result folder needs a name\n");
+    return wrong_input;
+  }
   const auto project = read_or_complain(options);
   if (!project) return wrong_input;
   catch_interrupts();

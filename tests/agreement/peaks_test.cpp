@@ -91,6 +91,17 @@ TEST(PeaksOfOneMass, UndampedIsUnbounded) {
   EXPECT_THAT(found.list[0].angular_frequency, RelativelyNear(30.0, 1e-14));
 }
 
+TEST(PeaksOfOneMass, LightDampingBesideAHeavyDashpotIsNoUndampedPole) {
+  // ω0 = 1 rad/s with ζ = 1e-6, and a second mass on a dashpot whose root is 1e8 times larger.
+  const auto project = test::project(test::chain({1}, {1}, {2e-6}) + "[bodies.other]\nmass = 1\nfree = [\"x\"]\n[elements.d]\ntype = \"damper\"\non = \"other\"\nat = [0, 0, 0]\naxis = \"x\"\n" +
+                                     "coefficient = 1e8\n[elements.s]\ntype = \"three_springs\"\non = \"other\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n" +
+                                     "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n");
+  const auto found = peaks_of(project.base().system, {"m1"}, assembly::Quantity::displacement);
+  ASSERT_EQ(found.list.size(), 1u);
+  EXPECT_THAT(found.list[0].amplitude, RelativelyNear(5e5, 1e-9));
+  EXPECT_TRUE(found.list[0].ratio_to_static.has_value()) << "the system is held: it has a static answer";
+}
+
 TEST(PeaksOfOneMass, FreeMassHasNone) {
   const auto project = test::project("trivet = 1\n[bodies.m]\nmass = 2\nfree = [\"x\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n");
   EXPECT_TRUE(peaks_of(project.base().system, {"coordinates"}, assembly::Quantity::displacement).list.empty());

@@ -177,6 +177,14 @@ TEST(Physics, TwoSolversAgreeWithinRoundOffTimesCondition) {
   }
 }
 
+TEST(Physics, TheSecondSolverNoticesAWrongFirstOne) {
+  const model::System system = test::checked(test::RandomSystem(4).description(2, RandomDamping::viscous));
+  assembly::Assembled wrong = assembly::assemble(system);
+  const Eigen::VectorXcd load = assembly::harmonic_load(system, wrong.layout);
+  wrong.matrices.K(0, 0) *= 1 + 1e-6;
+  EXPECT_FALSE(response::deep_check(system, wrong, load, {1, 20, 60}).passed);
+}
+
 TEST(Physics, GroundForceAndAppliedForceMakeTheMomentumChange) {
   // Newton for the whole system in ground axes: applied − on the ground = Σ m a_C.
   for (const Variant& v : variants()) {

@@ -150,6 +150,14 @@ class Contract(InTemporaryFolder):
         wrong["bodies"]["aggregate"]["mas"] = 3
         self.assertFalse(validator.is_valid(wrong))
 
+    def test_what_cannot_be_computed_does_not_stop_the_rest(self):
+        text = (SOURCE / "examples/free_pair/coupled_bodies.toml").read_text().replace("peaks = {}", "peaks = {}\nstatic = {}")
+        path = self.file("gravity = [0, 0, -9.81]\n" + text)
+        done = trivet("run", path, "-o", self.folder / "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("NOT COMPUTED: static", done.stdout)
+        self.assertTrue((self.folder / "out/report.html").exists())
+
     def test_free_system_is_named(self):
         found = answer("modes", SOURCE / "examples/free_pair/coupled_bodies.toml")
         self.assertEqual(len(found["free_motions"]), 6)
@@ -188,8 +196,20 @@ class Faults(InTemporaryFolder):
         (self.folder / "mine/thesis.txt").write_text("years of work")
         done = trivet("run", PAPER, "-o", self.folder / "mine")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("no earlier result", done.stderr)
+        self.assertIn("something else than an earlier result", done.stderr)
         self.assertEqual(os.listdir(self.folder / "mine"), ["thesis.txt"])
+
+    def test_a_folder_that_only_looks_like_a_result_is_not_overwritten(self):
+        target = self.folder / "out"
+        trivet("run", PAPER, "-o", target)
+        (target / "thesis.txt").write_text("years of work")
+        self.assertEqual(trivet("run", PAPER, "-o", target).returncode, 1)
+        self.assertTrue((target / "thesis.txt").exists())
+        (self.folder / "other").mkdir()
+        (self.folder / "other/results.json").write_text("{}")
+        self.assertEqual(trivet("run", PAPER, "-o", self.folder / "other").returncode, 1)
+        self.assertEqual(trivet("run", PAPER, "-o", ".", cwd=self.folder).returncode, 1)
+        self.assertEqual(trivet("run", PAPER, "-o", "").returncode, 2)
 
     def test_an_earlier_result_survives_a_failed_run_and_is_replaced_by_a_good_one(self):
         target = self.folder / "out"

@@ -24,6 +24,19 @@ TEST(Laws, ResistNoRigidMotion) {
   EXPECT_LE(verdict(sound_matrix()).rigid_residual, 1e-13);
 }
 
+TEST(Laws, AStrutAlongAnyAxisPassesItsOwnCheck) {
+  for (const Eigen::Vector3d& line : {Eigen::Vector3d(1, 1, 1), {1, 0, 0.5}, {0.1, 0.2, 0.3}, {1, -1, 2}, {0.2, 0.9, -0.4}, {0.3, 0.5, -1}})
+    for (const Eigen::Vector3d& span : {Eigen::Vector3d(0, 0, 0), {0, 0.2, 0.1}, {0, 0.2, 0.6}})
+      for (const double constant : {500.0, 1e9}) {
+        const Eigen::Matrix3d axes = spatial::axes_along(line);
+        const Matrix12 matrix = in_end_axes(constant_along_line(constant, Eigen::Vector3d::UnitZ(), span, 0.5), axes);
+        const MatrixVerdict v = examine(matrix, rigid_motions(span, axes));
+        EXPECT_LE(v.rigid_residual, silent_residual);
+        EXPECT_LE(v.asymmetry, rounding_of_data);
+        EXPECT_TRUE(is_semidefinite(v));
+      }
+}
+
 TEST(Laws, EndForcesBalance) {
   Vector6 at_n, at_k;
   const spatial::Vector12 d = spatial::Vector12::LinSpaced(12, -1, 2);

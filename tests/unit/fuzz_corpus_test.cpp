@@ -20,7 +20,7 @@ TEST(FuzzCorpus, EveryInputIsReadOrRefused) {
     EXPECT_TRUE(project.has_value() || project.error().has_errors()) << entry.path();
     ++files;
   }
-  EXPECT_GT(files, 20);
+  EXPECT_GT(files, 100);
 }
 
 }  // namespace

@@ -55,6 +55,29 @@ TEST(Modes, AreNamedAfterTheirMotion) {
   EXPECT_THAT(modes.list[5].name, HasSubstr("rotation about z through (0.000, 0.000, 0.000)"));
 }
 
+TEST(Modes, OfAGuidedBodyAreNamedByEnergyNotByUnits) {
+  const auto project = test::project(R"(
+trivet = 1
+[bodies.b]
+mass = 1000
+inertia = {about = "center_of_mass", xx = 0.001, yy = 0.001, zz = 0.001}
+free = ["x", "ry"]
+[elements.k]
+type = "bushing"
+on = "b"
+at = [0, 0, 0.001]
+translation = [1e5, 0, 0]
+rotation = [0, 5, 0]
+)");
+  EXPECT_THAT(modal::modes(project.base().system).list[0].name, HasSubstr("translation along x"));
+}
+
+TEST(FreeMotions, OfABodyOnOneBushingWithoutRotationAreFound) {
+  const auto words = free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 20, 30]\n"));
+  EXPECT_EQ(words.size(), 3u);
+  EXPECT_THAT(words[0], HasSubstr("free to turn"));
+}
+
 TEST(Roots, OfOneMassFollowTheTextbook) {
   const auto roots_of = [](double dashpot) { return modal::roots(test::project(test::chain({2}, {1800}, {dashpot})).base().system); };
   const modal::Roots light = roots_of(12);  // ζ = 0.1

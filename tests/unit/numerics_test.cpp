@@ -87,6 +87,15 @@ TEST(Sweep, ASingularMatrixIsSaidToBeOne) {
   EXPECT_FALSE(found.response.col(1).allFinite());
 }
 
+TEST(Sweep, ASkewFreeSystemHasNoResponseAtRest) {
+  for (unsigned seed = 1; seed < 8; ++seed) {
+    const DynamicMatrices m = assembly::assemble(test::checked(test::RandomSystem(seed).description(2, test::RandomDamping::viscous, false))).matrices;
+    const SweepResult found = sweep(m, Eigen::VectorXcd::Ones(m.size()), {0.0, 1.0});
+    EXPECT_EQ(found.singular, 1) << "seed " << seed;
+    EXPECT_TRUE(found.response.col(1).allFinite());
+  }
+}
+
 TEST(Sweep, NoLoadNoResponse) {
   const SweepResult found = sweep(random_matrices(2), Eigen::VectorXcd::Zero(12), {0.0, 5.0});
   EXPECT_EQ(found.response.cwiseAbs().maxCoeff(), 0);

@@ -90,11 +90,17 @@ TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
 
 TEST(Static, OfAFreeSystemIsRefusedInWords) {
   const auto project = test::project("trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
-  try {
-    static_cast<void>(study::answers(project.base(), project.base().analyses));
-    FAIL() << "it was computed";
-  } catch (const foundation::NotComputable& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("slide along z"));
+  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  EXPECT_FALSE(answers.statics.has_value());
+  ASSERT_EQ(answers.failures.size(), 1u);
+  EXPECT_THAT(answers.failures[0], testing::HasSubstr("slide along z"));
+}
+
+TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
+  for (const char* band : {"[0, 30]", "[30, 60]", "[0, 29.999]", "[30.001, 60]"}) {
+    const auto project = test::project(test::chain({2}, {1800}, {}) + "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" +
+                                       "[limits]\n\"m1.x\" = 1\n[analyses]\nresponse = {band = " + band + "}\n");
+    EXPECT_FALSE(study::answers(project.base(), project.base().analyses).limits[0].kept) << band;
   }
 }
 

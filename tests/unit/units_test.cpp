@@ -39,7 +39,8 @@ TEST(Units, RefuseWhatDoesNotMeasureTheQuantity) {
                                        {"1 1/s", Quantity::angular_frequency}, {"1 Hz", Quantity::per_time}, {"1 Nm", Quantity::moment_per_angle}, {"5 rad", Quantity::pure},
                                        {"5", Quantity::length}, {"5", Quantity::pure}, {"", Quantity::length}, {"mm", Quantity::length}, {"1,5 mm", Quantity::length},
                                        {"nan mm", Quantity::length}, {"inf mm", Quantity::length}, {"20 degC", Quantity::length}, {"5 cm since 2000", Quantity::length},
-                                       {"5 m @ 3", Quantity::length}, {"5 log(m)", Quantity::length}, {"5 mmm", Quantity::length}, {"1e999 m", Quantity::length}})
+                                       {"5 m @ 3", Quantity::length}, {"5 log(m)", Quantity::length}, {"5 mmm", Quantity::length}, {"1e999 m", Quantity::length}, {"5 radians", Quantity::pure}, {"3 turn", Quantity::pure}, {"5 arc_degree", Quantity::pure},
+                                       {"5 joules", Quantity::moment}, {"5 BTU", Quantity::moment}, {"2 therm", Quantity::moment}, {"3 watts s", Quantity::moment}, {"12 500 kg", Quantity::mass}, {"1.234.567 kg", Quantity::mass}, {"5 kg 2", Quantity::mass}})
     EXPECT_FALSE(to_si(text, quantity).has_value()) << text;
 }
 

@@ -25,8 +25,6 @@ void add_end(const Layout& layout, const model::End& end, int first_row, Element
   }
 }
 
-Matrix12 symmetric_part(const Matrix12& m, bool symmetric) { return symmetric ? Matrix12(0.5 * (m + m.transpose())) : m; }
-
 void scatter(const ElementMap& map, const Matrix12& matrix, double factor, Eigen::MatrixXd& global) {
   const Eigen::MatrixXd local = map.ends.transpose() * matrix * map.ends;
   for (Eigen::Index i = 0; i < local.rows(); ++i)
@@ -67,8 +65,8 @@ Assembled assemble(const model::System& system) {
     ElementMap& map = result.elements.emplace_back();
     add_end(result.layout, element.n, 0, map);
     add_end(result.layout, element.k, 6, map);
-    map.stiffness = symmetric_part(elements::stiffness(element.law), element.symmetric);
-    map.damping = symmetric_part(elements::viscous_damping(element.law), element.symmetric);
+    map.stiffness = elements::stiffness(element.law);
+    map.damping = elements::viscous_damping(element.law);
     map.loss_factor = elements::loss_factor(element.law);
     scatter(map, map.stiffness, 1, m.K);
     scatter(map, map.damping, 1, m.B);

@@ -13,7 +13,7 @@ namespace trivet::assembly {
 struct ElementMap {
   std::vector<Eigen::Index> rows;                       ///< global rows of the columns of `ends`
   Eigen::Matrix<double, 12, Eigen::Dynamic> ends;       ///< 12 × rows.size()
-  spatial::Matrix12 stiffness, damping;                 ///< as assembled: scaled, symmetric part where symmetric
+  spatial::Matrix12 stiffness, damping;                 ///< as assembled, scale included
   double loss_factor = 0;
 
   /// End displacements for a global vector of coordinates.

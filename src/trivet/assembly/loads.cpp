@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <complex>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {
@@ -28,7 +29,11 @@ spatial::Vector6 six(const spatial::Wrench& wrench) {
 
 Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected) {
   Eigen::VectorXcd load = Eigen::VectorXcd::Zero(layout.size());
-  for (const model::HarmonicForce& force : system.description().harmonic_forces) {
+  const auto& forces = system.description().harmonic_forces;
+  for (const std::string& name : selected)
+    if (std::none_of(forces.begin(), forces.end(), [&](const model::HarmonicForce& force) { return force.name == name; }))
+      throw foundation::InvalidInput("\"" + name + "\" names no harmonic force of this model");
+  for (const model::HarmonicForce& force : forces) {
     if (!selected.empty() && std::find(selected.begin(), selected.end(), force.name) == selected.end()) continue;
     Eigen::Matrix<std::complex<double>, 6, 1> wrench;
     const spatial::Vector6 amplitude = six(force.amplitude);

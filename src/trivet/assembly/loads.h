@@ -11,6 +11,7 @@
 namespace trivet::assembly {
 
 /// Complex amplitudes of the generalized forces of all harmonic forces together, or of those named.
+/// @throws foundation::InvalidInput for a name that is none
 [[nodiscard]] Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected = {});
 
 /// Gravity on every body and the constant forces.

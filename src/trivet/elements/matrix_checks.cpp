@@ -66,7 +66,7 @@ MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>
 }
 
 bool is_semidefinite(const MatrixVerdict& verdict) {
-  const double explained = rounding_of_data + 2 * verdict.rigid_residual;
+  const double explained = rounding_of_data + 2 * std::min(verdict.rigid_residual, refused_residual);
   return verdict.lowest_eigenvalue >= -explained * std::max(1.0, std::abs(verdict.highest_eigenvalue));
 }
 

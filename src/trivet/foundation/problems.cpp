@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -73,15 +74,8 @@ bool Problems::has_errors() const {
 void Problems::sort_by_origin() {
   const auto line = [](const Problem& p) { return p.origin.line > 0 ? p.origin.line : std::numeric_limits<int>::max(); };
   std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) { return line(a) < line(b); });
-  const auto same = [](const Problem& a, const Problem& b) {
-    return std::tie(a.severity, a.subject, a.finding, a.rule) == std::tie(b.severity, b.subject, b.finding, b.rule);
-  };
-  std::vector<Problem> unique;
-  for (auto& problem : list_) {
-    if (std::none_of(unique.begin(), unique.end(), [&](const Problem& p) { return same(p, problem); }))
-      unique.push_back(std::move(problem));
-  }
-  list_ = std::move(unique);
+  std::set<std::tuple<Severity, std::string, std::string, std::string>> seen;
+  std::erase_if(list_, [&](const Problem& p) { return !seen.emplace(p.severity, p.subject, p.finding, p.rule).second; });
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {

@@ -69,7 +69,7 @@ std::string mode_name(const model::System& system, const Mode& mode) {
   const bool guided = std::find(body.free.begin(), body.free.end(), false) != body.free.end();
   std::string words;
   if (guided) {
-    words = guided_name(mode.shape.segment<6>(6 * leader).cwiseAbs(), mode.shape.segment<6>(6 * leader));
+    words = guided_name(mode.kinetic_energy_share.segment<6>(6 * leader), mode.shape.segment<6>(6 * leader));
   } else if (translation >= translation_dominates) {
     const Eigen::Vector3d direction = mode.shape_at_centre.segment<3>(6 * leader).normalized();
     words = (translation >= pure ? "translation along " : "mostly translation along ") + direction_words(direction);

@@ -36,10 +36,16 @@ numerics::QuadraticRoots undamped_roots(const numerics::GeneralizedModes& modes)
   return result;
 }
 
-numerics::QuadraticRoots all_roots(const numerics::DynamicMatrices& m) {
+/// Roots, and how small one must be to stand for a free motion: exactly 0 where the solver splits free motions off.
+struct AllRoots {
+  numerics::QuadraticRoots roots;
+  double at_rest = 0;
+};
+
+AllRoots all_roots(const numerics::DynamicMatrices& m) {
   const numerics::GeneralizedModes modes = numerics::generalized_modes(m.K, m.A, m.symmetric);
   const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
-  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return undamped_roots(modes);
+  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
   numerics::QuadraticRoots result;
   const bool basis_is_orthonormal = modes.route == numerics::ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
   if (basis_is_orthonormal) {
@@ -54,15 +60,18 @@ numerics::QuadraticRoots all_roots(const numerics::DynamicMatrices& m) {
   } else {
     result = numerics::roots_of_companion(m);
   }
+  // The companion matrix splits a double zero root to about √ε of the largest.
+  const bool free = modes.lambda.size() > 0 && modes.lambda.cwiseAbs().minCoeff() == 0;
+  const double at_rest = free && !basis_is_orthonormal ? 1e-7 * result.lambda.cwiseAbs().maxCoeff() : 0;
   if (m.size() <= largest_refined) numerics::refine_roots(m, result);
-  return result;
+  return {result, at_rest};
 }
 
-Root classified(const Complex& lambda, double scale) {
+Root classified(const Complex& lambda, double scale, double at_rest) {
   Root root;
   root.eigenvalue = lambda;
   const double size = std::abs(lambda);
-  if (size <= 1e-12 * scale) root.kind = RootKind::rigid;
+  if (size <= at_rest) root.kind = RootKind::rigid;
   else if (lambda.real() > 1e-12 * scale) root.kind = RootKind::growing;
   else if (std::abs(lambda.imag()) <= critical_split * size) root.kind = RootKind::overdamped;
   if (root.kind == RootKind::oscillating) {
@@ -95,12 +104,13 @@ const char* name(RootKind kind) {
 
 Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes) {
   const numerics::DynamicMatrices& m = assembled.matrices;
-  const numerics::QuadraticRoots raw = all_roots(m);
+  const auto [raw, at_rest] = all_roots(m);
   const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
   Roots result;
   result.poles = raw.lambda;
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
-    Root root = classified(raw.lambda(k), scale);
+    Root root = classified(raw.lambda(k), scale, at_rest);
+    if (root.kind == RootKind::rigid) result.poles(k) = 0;
     // With a loss factor only the half plane that belongs to ω > 0 has a meaning.
     if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
     root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));

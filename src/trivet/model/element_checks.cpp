@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/elements/matrix_checks.h"
@@ -66,7 +67,12 @@ void check_matrix(const Subject& subject, const Element& element, const Matrix12
   if (element.symmetric && verdict.asymmetry > elements::rounding_of_data) check_symmetry(subject, matrix, verdict, problems);
   if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, problems);
   const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
-  if (symmetric_stiffness_or_damping && !elements::is_semidefinite(verdict))
+  const bool negative = verdict.lowest_eigenvalue < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
+  if (symmetric_stiffness_or_damping && negative && (element.allow_residual || elements::is_semidefinite(verdict)))
+    problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
+                     fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity, subject.bad_energy),
+                     "the residual may explain it; look at the frequencies it touches");
+  else if (symmetric_stiffness_or_damping && negative)
     problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
                    fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),
                    "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
@@ -86,6 +92,10 @@ void warn_of_slips(const Element& element, const std::string& subject, foundatio
 
 void check_element(const Description& description, const Element& element, foundation::Problems& problems) {
   const std::string subject = "elements." + element.name;
+  if (!element.k.body && element.n.body) {
+    problems.error(subject, "end K is on the ground", "an element's end K is on a body, its end N on a body or on the ground", "exchange the ends");
+    return;
+  }
   if (element.n.body == element.k.body) {
     problems.error(subject, element.n.body ? "both ends are on the same body" : "both ends are on the ground",
                    "an element joins two bodies, or a body and the ground", "change `on` or `from`");

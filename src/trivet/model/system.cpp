@@ -27,6 +27,9 @@ void check_names(const Things& things, const std::string& kind, foundation::Prob
   }
 }
 
+/// What asymmetry passed the check is rounding of the data; its mean serves every solver alike.
+void make_exactly_symmetric(elements::Matrix12& matrix) { matrix = (0.5 * (matrix + matrix.transpose())).eval(); }
+
 void check_shared_names(const Description& description, foundation::Problems& problems) {
   for (const auto& element : description.elements)
     for (const auto& body : description.bodies)
@@ -85,6 +88,11 @@ foundation::Expected<System> System::checked(Description description) {
   check_damping(description, problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
+  for (Element& element : description.elements) {
+    if (!element.symmetric) continue;
+    make_exactly_symmetric(element.law.nominal_stiffness);
+    if (auto* given = std::get_if<elements::DampingMatrix>(&element.law.damping)) make_exactly_symmetric(given->matrix);
+  }
   System system;
   system.description_ = std::move(description);
   system.warnings_ = std::move(problems);

@@ -33,7 +33,10 @@ inline void broadcast(Pack& pack, double value) {
   for (int lane = 0; lane < lanes; ++lane) pack[lane] = value;
 }
 
-/// LDLᵀ of Z at eight frequencies; all work in caller-owned, reused memory.
+/// Share of the norm below which a pivot is nothing but round-off.
+double negligible_pivot(Eigen::Index n) { return 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon(); }
+
+/// LDLᵀ of Z at eight frequencies; its memory is reused from call to call.
 class PackSolver {
  public:
   PackSolver(const DynamicMatrices& matrices, const Eigen::VectorXcd& load)
@@ -76,7 +79,13 @@ class PackSolver {
       raise(norm, row);
       raise(size, one_norm(q_[at(i)]));
     }
-    return residual / (norm * size + load);
+    // A pivot that is round-off leaves a small residual and a meaningless solution: such a lane goes to the pivoted solver.
+    Pack smallest = norm;
+    for (Eigen::Index j = 0; j < n_; ++j) smallest = one_norm(d_[at(j)]) < smallest ? one_norm(d_[at(j)]) : smallest;
+    Pack infinite;
+    broadcast(infinite, std::numeric_limits<double>::infinity());
+    const Pack error = residual / (norm * size + load);
+    return smallest <= negligible_pivot(n_) * norm ? infinite : error;
   }
 
  private:
@@ -127,9 +136,8 @@ double solve_pivoted(const DynamicMatrices& m, const Eigen::VectorXcd& h, double
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
   q = lu.solve(h);
   q += lu.solve(h - z * q);
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double smallest_pivot = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
-  if (!q.allFinite() || smallest_pivot <= 4 * epsilon * norm) {
+  if (!q.allFinite() || smallest_pivot <= negligible_pivot(m.size()) * norm) {
     q.setConstant(std::numeric_limits<double>::quiet_NaN());
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -47,7 +48,7 @@ std::vector<Group> groups(const study::ResponseAnswer& answer) {
     const std::size_t dot = full.rfind('.');
     std::string name = full.substr(0, dot), component = full.substr(dot + 1);
     bool lower = component.starts_with("r");
-    if (name.ends_with(".force") || name.ends_with(".moment")) {
+    if (answer.curves.curves[c].unit.starts_with("N")) {
       lower = name.ends_with(".moment");
       component = (lower ? "M" : "F") + component;
       name = name.substr(0, name.rfind('.'));
@@ -230,7 +231,7 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
     draw_phases(canvas, phase, answers, series);
   }
   std::string file = group.name;
-  std::replace_if(file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-'; }, '_');
+  std::replace_if(file.begin(), file.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-'; }, '_');
   return {title, file + ".svg", canvas.svg("Amplitude and phase of " + title)};
 }
 
@@ -239,7 +240,11 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
 std::vector<Figure> characteristics(const study::Answers& answers) {
   std::vector<Figure> result;
   if (!is_drawable(answers)) return result;
-  for (const Group& group : groups(*answers.response)) result.push_back(group_figure(answers, group));
+  for (const Group& group : groups(*answers.response)) {
+    result.push_back(group_figure(answers, group));
+    // Numbered, because different names may share the letters that are safe in a file name.
+    result.back().file_name = fmt::format("{:02}-{}", result.size(), result.back().file_name);
+  }
   return result;
 }
 

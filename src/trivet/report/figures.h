@@ -11,7 +11,7 @@ namespace trivet::report {
 /// One picture for print.
 struct Figure {
   std::string title;
-  std::string file_name;  ///< "machine.svg"
+  std::string file_name;  ///< "01-machine.svg"
   std::string svg;
 };
 

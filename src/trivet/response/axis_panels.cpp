@@ -33,13 +33,13 @@ PanelCover cover_axis(const Eigen::VectorXcd& poles) {
   const Eigen::VectorXd size = poles.cwiseAbs();
   const double largest = size.maxCoeff();
   if (largest == 0) return cover;
-  const double at_rest = 1e-12 * largest;
   double smallest = largest;
   bool rigid = false;
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
-    if (size(k) <= at_rest) rigid = true;
+    if (size(k) == 0) rigid = true;
     else smallest = std::min(smallest, size(k));
-    if (std::abs(poles(k).real()) <= 1e-13 * largest && poles(k).imag() > at_rest) cover.poles_on_axis.push_back(poles(k).imag());
+    const double round_off = std::max(64 * std::numeric_limits<double>::epsilon() * size(k), 1e-16 * largest);
+    if (std::abs(poles(k).real()) <= round_off && poles(k).imag() > round_off) cover.poles_on_axis.push_back(poles(k).imag());
   }
   std::sort(cover.poles_on_axis.begin(), cover.poles_on_axis.end());
   const auto same = [](double a, double b) { return b - a <= 4 * gap_at_pole * b; };

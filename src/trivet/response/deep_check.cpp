@@ -80,7 +80,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
     const double allowed = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * direct.condition();
-    if (!(allowed < 0.01)) {
+    if (!(allowed < 1e-3)) {
       ++check.incomparable;
       continue;
     }

@@ -7,14 +7,18 @@
 
 namespace trivet::response {
 
-/// The fast solver against a second one that shares nothing with it but the model.
+/// The fast solver against a second one: another assembly, another factorisation, another precision. They share the element matrices, the
+/// damping of the system as a whole, and the rigid-motion matrices.
 struct DeepCheck {
   int frequencies = 0;               ///< compared
-  int incomparable = 0;              ///< left out: so near an undamped resonance that round-off × condition exceeds 1 %
+  int incomparable = 0;              ///< left out: so near an undamped resonance that round-off × condition exceeds 0.1 %
   double worst_difference = 0;       ///< ‖q − q'‖∞ / ‖q'‖∞ in coordinates of unit mass diagonal, at its worst relative to `allowed`
   double allowed = 0;                ///< there: 16 n ε × condition of Z
   double at_angular_frequency = 0;   ///< [rad/s]
   bool passed = true;
+
+  /// "agrees", "DISAGREES", or that nothing could be compared.
+  [[nodiscard]] const char* verdict() const { return !passed ? "DISAGREES" : frequencies > 0 ? "agrees" : "undecided (nothing comparable)"; }
 };
 
 /// Solves at each ω with a dynamic stiffness summed element by element in extended precision, by a pivoted solver with

@@ -50,29 +50,62 @@ std::vector<double> first_guess(const Eigen::VectorXcd& poles, const Peaks& peak
   return grid;
 }
 
-struct Sampled {
-  std::vector<double> omega;
-  Eigen::MatrixXcd values;  // curves × points
+/// All curves at one frequency.
+struct Sample {
+  double omega = 0;
+  Eigen::VectorXcd values;
+  bool settled = false;  ///< the interval that starts here needs no further look
 };
 
-Sampled sample(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
-               const std::vector<double>& omega) {
+std::vector<Sample> sampled(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+                            const std::vector<double>& omega) {
   const FrequencyResponse response = frequency_response(assembled, channels, load, omega);
-  Sampled result{omega, Eigen::MatrixXcd(static_cast<Eigen::Index>(channels.size()), static_cast<Eigen::Index>(omega.size()))};
-  for (std::size_t c = 0; c < channels.size(); ++c) result.values.row(static_cast<Eigen::Index>(c)) = response.curves[c].value.transpose();
-  return result;
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    Sample sample{omega[i], Eigen::VectorXcd(static_cast<Eigen::Index>(channels.size())), false};
+    for (std::size_t c = 0; c < channels.size(); ++c) sample.values(static_cast<Eigen::Index>(c)) = response.curves[c].value(static_cast<Eigen::Index>(i));
+    samples.push_back(std::move(sample));
+  }
+  return samples;
 }
 
-/// Must the interval from column i to i + 1 be halved, given the values in its middle?
-bool bends(const Sampled& coarse, Eigen::Index i, const Eigen::VectorXcd& middle, const Eigen::VectorXd& top) {
-  for (Eigen::Index c = 0; c < coarse.values.rows(); ++c) {
-    const std::complex<double> a = coarse.values(c, i), b = coarse.values(c, i + 1), m = middle(c);
+/// Largest finite amplitude of each curve.
+Eigen::VectorXd largest(const std::vector<Sample>& samples) {
+  Eigen::VectorXd top = Eigen::VectorXd::Zero(samples.front().values.size());
+  for (const Sample& sample : samples)
+    for (Eigen::Index c = 0; c < top.size(); ++c)
+      if (const double amplitude = std::abs(sample.values(c)); std::isfinite(amplitude)) top(c) = std::max(top(c), amplitude);
+  return top;
+}
+
+/// Does any curve leave the straight line from a to b in their middle, or turn its phase too fast?
+bool bends(const Sample& from, const Sample& middle, const Sample& to, const Eigen::VectorXd& top) {
+  for (Eigen::Index c = 0; c < top.size(); ++c) {
+    const std::complex<double> a = from.values(c), m = middle.values(c), b = to.values(c);
     const double size = std::max({std::abs(a), std::abs(b), std::abs(m)});
     if (!std::isfinite(size) || size <= invisible * top(c)) continue;
     if (std::abs(std::abs(m) - 0.5 * (std::abs(a) + std::abs(b))) > amplitude_tolerance * std::max(std::abs(m), 1e-3 * size)) return true;
     if (std::abs(std::arg(m * std::conj(a))) > phase_step || std::abs(std::arg(b * std::conj(m))) > phase_step) return true;
   }
   return false;
+}
+
+/// Puts the middles that bend into the grid, and settles the intervals that do not. Returns whether any was put in.
+bool refined(std::vector<Sample>& grid, const std::vector<Sample>& middles, const Eigen::VectorXd& top) {
+  std::vector<Sample> result;
+  std::size_t k = 0;
+  bool changed = false;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const bool looked_at = !grid[i].settled && i + 1 < grid.size();
+    const bool split = looked_at && grid.size() + k < most_points && grid[i + 1].omega - grid[i].omega > 1e-9 * grid[i + 1].omega && bends(grid[i], middles[k], grid[i + 1], top);
+    result.push_back(std::move(grid[i]));
+    result.back().settled = !split;
+    if (split) result.push_back(middles[k]);
+    changed = changed || split;
+    if (looked_at) ++k;
+  }
+  grid = std::move(result);
+  return changed;
 }
 
 }  // namespace
@@ -91,44 +124,20 @@ std::vector<double> logarithmic_grid(const Band& band, int points) {
 }
 
 std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                   const Eigen::VectorXcd& load, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band) {
+                                   const Eigen::VectorXcd& load, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
+                                   const foundation::Progress& progress) {
   std::vector<double> grid = first_guess(poles, peaks, band);
   if (channels.empty() || !(band.to > band.from)) return grid;
-  std::vector<bool> settled(grid.size(), false);  // per interval: it needs no further look
-  for (int round = 0; round < most_rounds && grid.size() < most_points; ++round) {
-    const Sampled coarse = sample(assembled, channels, load, grid);
-    Eigen::VectorXd top(coarse.values.rows());
-    for (Eigen::Index c = 0; c < top.size(); ++c) {
-      top(c) = 0;
-      for (Eigen::Index i = 0; i < coarse.values.cols(); ++i)
-        if (const double a = std::abs(coarse.values(c, i)); std::isfinite(a)) top(c) = std::max(top(c), a);
-    }
+  std::vector<Sample> samples = sampled(assembled, channels, load, grid);
+  for (int round = 0; round < most_rounds && samples.size() < most_points; ++round) {
+    foundation::report_progress(progress, "frequency grid", static_cast<double>(round) / most_rounds);
     std::vector<double> middles;
-    std::vector<std::size_t> intervals;
-    for (std::size_t i = 0; i + 1 < grid.size(); ++i)
-      if (!settled[i]) {
-        middles.push_back(0.5 * (grid[i] + grid[i + 1]));
-        intervals.push_back(i);
-      }
-    if (middles.empty()) break;
-    const Sampled fine = sample(assembled, channels, load, middles);
-    std::vector<bool> split(grid.size(), false);
-    for (std::size_t k = 0; k < intervals.size(); ++k)
-      split[intervals[k]] = bends(coarse, static_cast<Eigen::Index>(intervals[k]), fine.values.col(static_cast<Eigen::Index>(k)), top) &&
-                            grid[intervals[k] + 1] - grid[intervals[k]] > 1e-9 * grid[intervals[k] + 1];
-    std::vector<double> refined;
-    std::vector<bool> refined_settled;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-      refined.push_back(grid[i]);
-      refined_settled.push_back(!split[i]);
-      if (split[i]) {
-        refined.push_back(0.5 * (grid[i] + grid[i + 1]));
-        refined_settled.push_back(false);
-      }
-    }
-    grid = std::move(refined);
-    settled = std::move(refined_settled);
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+      if (!samples[i].settled) middles.push_back(0.5 * (samples[i].omega + samples[i + 1].omega));
+    if (middles.empty() || !refined(samples, sampled(assembled, channels, load, middles), largest(samples))) break;
   }
+  grid.clear();
+  for (const Sample& sample : samples) grid.push_back(sample.omega);
   return grid;
 }
 

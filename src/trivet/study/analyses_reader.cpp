@@ -13,7 +13,7 @@ constexpr int most_points = 2'000'000;
 /// What can be asked for: motions of bodies and points, forces of elements and on the ground.
 class ResultNames {
  public:
-  explicit ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements) {
+  explicit ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
     forces_.push_back("ground");
     motions_ = mentioned.bodies;
     motions_.insert(motions_.end(), mentioned.points.begin(), mentioned.points.end());
@@ -28,6 +28,7 @@ class ResultNames {
   [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const {
     static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
     static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
+    if (std::find(guided_.begin(), guided_.end(), name) != guided_.end()) return std::nullopt;
     for (const std::string& group : motions_)
       for (std::size_t j = 0; j < 6; ++j)
         if (name == group + "." + model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
@@ -40,7 +41,7 @@ class ResultNames {
   }
 
  private:
-  std::vector<std::string> motions_, forces_, groups_;
+  std::vector<std::string> motions_, forces_, groups_, guided_;
 };
 
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
@@ -50,7 +51,7 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
     if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
     const std::string guess = foundation::nearest_name(word, names.groups());
     reader.error("of", "\"" + word.substr(0, 60) + "\"",
-                 "it names no result: coordinates, ground, a body, BODY.POINT, an element, or one component (x … rz of a motion, force.x … moment.z of an element or the ground)",
+                 "it names no result: coordinates, ground, a body, BODY.POINT, an element, or one component (x … rz of a motion that is free, force.x … moment.z of an element or the ground)",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
   if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");

@@ -130,7 +130,7 @@ class CaseStudy {
       result.band = request.band ? *request.band : default_band(modes_);
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic)
-        grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band);
+        grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, progress_);
       else {
         if (!(result.band.from > 0)) throw foundation::NotComputable("response: a logarithmic grid needs a band that starts above 0");
         grid = response::logarithmic_grid(result.band, request.points);
@@ -175,12 +175,13 @@ class CaseStudy {
     std::vector<std::pair<double, double>> candidates;
     const auto amplitude_at = [&](Eigen::Index i) { return std::abs(at_ends.curves[0].value(i)); };
     const bool diverges = start > band.from && amplitude_at(0) > 5 * amplitude_at(2);
-    candidates.emplace_back(diverges ? std::numeric_limits<double>::infinity() : amplitude_at(0), band.from);
-    candidates.emplace_back(amplitude_at(1), band.to);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    candidates.emplace_back(diverges || std::isnan(amplitude_at(0)) ? infinity : amplitude_at(0), band.from);
+    candidates.emplace_back(std::isnan(amplitude_at(1)) ? infinity : amplitude_at(1), band.to);
     for (const response::Turning& t : found.turnings[curve])
-      if (t.maximum && t.angular_frequency > band.from && t.angular_frequency < band.to) candidates.emplace_back(t.amplitude, t.angular_frequency);
+      if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) candidates.emplace_back(t.amplitude, t.angular_frequency);
     for (const response::Peak& peak : found.list)
-      if (peak.curve == curve && peak.angular_frequency > band.from && peak.angular_frequency < band.to) candidates.emplace_back(peak.amplitude, peak.angular_frequency);
+      if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to) candidates.emplace_back(peak.amplitude, peak.angular_frequency);
     for (const auto& [amplitude, omega] : candidates)
       if (amplitude > answer.in_band) answer.in_band = amplitude, answer.in_band_at = omega;
     answer.kept = answer.in_band <= answer.limit;

@@ -65,6 +65,8 @@ model::Body read_body(const Node& node, const std::string& name, Mentioned& ment
   read_free(reader, body);
   if (!reader.has("inertia") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia", "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
+  for (std::size_t j = 0; j < 6; ++j)
+    if (!body.free[j]) mentioned.guided.push_back(name + "." + model::coordinate_names[j]);
   reader.finish();
   return body;
 }

@@ -10,8 +10,7 @@ namespace trivet::study {
 
 /// Lays `changes` over `base`, key by key. Arrays and single values replace what was there, and so do damping,
 /// inertia and orientation when written in braces.
-/// Things with names (bodies, elements, excitations, …) must exist already: a new one is a problem, as is changing a table
-/// into a value. `path` is where in the project the two stand.
+/// Things with names (bodies, elements, excitations, …) must exist already: a new one is a problem. `path` is where in the project the two stand.
 void apply_changes(Node& base, const Node& changes, const std::string& path, foundation::Problems& problems);
 
 /// "elements.front.scale=1.5" → a document of changes. A value that is not TOML is taken as text ("3 kg").

@@ -13,6 +13,7 @@ namespace trivet::study {
 struct Mentioned {
   bool bodies_unknown = false;  ///< there is no readable table of bodies at all
   std::vector<std::string> bodies, points, elements, harmonic_excitations, constant_excitations;
+  std::vector<std::string> guided;  ///< "body.y": coordinates that do not move
 };
 
 void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "trivet/elements/matrix_checks.h"
@@ -27,7 +29,7 @@ void add_matrix_lines(const std::string& subject, const std::string& quantity, c
                    v.rigid_residual <= elements::silent_residual});
   if (symmetric) {
     lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
-    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(v.lowest_eigenvalue) < 1e-13 ? 0.0 : v.lowest_eigenvalue), elements::is_semidefinite(v)});
+    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(v.lowest_eigenvalue) < 1e-13 ? 0.0 : v.lowest_eigenvalue), v.lowest_eigenvalue >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
   }
 }
 

@@ -4,22 +4,35 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace trivet::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* marker = "results.json";
+/// Does the folder hold nothing but what an earlier run wrote? One foreign file, and it is somebody's work.
+bool is_earlier_result(const fs::path& folder) {
+  std::ifstream stream(folder / "results.json", std::ios::binary);
+  const std::string_view start = "{\"format\":\"trivet-results\"";
+  std::string found(start.size(), ' ');
+  if (!stream.read(found.data(), static_cast<std::streamsize>(found.size())) || found != start) return false;
+  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename().string();
+    const bool of_a_case = entry.is_directory() && name.size() > 3 && name.find_first_not_of("0123456789") == name.find('-');
+    return of_a_case || name == "results.json" || name == "report.html";
+  });
+}
 
 bool may_be_replaced(const fs::path& target) {
   if (!fs::exists(target)) return true;
-  if (!fs::is_directory(target)) return false;
-  return fs::is_empty(target) || fs::exists(target / marker);
+  if (!fs::is_directory(target) || fs::equivalent(target, fs::current_path())) return false;
+  return fs::is_empty(target) || is_earlier_result(target);
 }
 
 }  // namespace
@@ -27,7 +40,7 @@ bool may_be_replaced(const fs::path& target) {
 ResultFolder::ResultFolder(fs::path target) : target_(fs::absolute(target).lexically_normal()) {
   if (target_.filename().empty()) target_ = target_.parent_path();
   if (!may_be_replaced(target_))
-    throw std::runtime_error(fmt::format("{} exists and is no earlier result of trivet; choose another folder with -o", target_.string()));
+    throw std::runtime_error(fmt::format("{} exists and holds something else than an earlier result of trivet; choose another folder with -o", target_.string()));
   working_ = target_.parent_path() / fmt::format(".{}.partial-{}", target_.filename().string(), static_cast<long>(::getpid()));
   std::error_code error;
   fs::create_directories(working_, error);

@@ -75,11 +75,12 @@ std::string response_csv(const Answers& answers) {
 }
 
 std::string peaks_csv(const Answers& answers) {
-  std::string text = "name,unit,angular_frequency [rad/s],amplitude,prominence,ratio_to_static,nearest_mode\n";
+  std::string text = "name,unit,angular_frequency [rad/s],amplitude,prominence,relative_prominence,ratio_to_static,nearest_mode,angular_frequency_uncertainty [rad/s],amplitude_uncertainty,method\n";
   const response::Peaks& found = answers.peaks->peaks;
   for (const response::Peak& peak : found.list)
-    text += fmt::format("{},{},{},{},{},{},{}\n", field(found.curves[peak.curve].name), field(found.curves[peak.curve].unit), number(peak.angular_frequency),
-                        number(peak.amplitude), number(peak.prominence), optional(peak.ratio_to_static), optional(peak.nearest_mode));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(found.curves[peak.curve].name), field(found.curves[peak.curve].unit), number(peak.angular_frequency),
+                        number(peak.amplitude), number(peak.prominence), number(relative_prominence(peak)), optional(peak.ratio_to_static), optional(peak.nearest_mode),
+                        number(peak.frequency_uncertainty), number(peak.amplitude_uncertainty), peak.refined ? "newton" : "series");
   return text;
 }
 

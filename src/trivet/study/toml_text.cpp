@@ -67,12 +67,15 @@ Node converted(const toml::node& from, const std::string& source) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto place = [&](std::size_t i) { return std::make_pair(node.items[i].origin.line, node.items[i].origin.column); };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-    Node sorted = node;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      sorted.keys[i] = node.keys[order[i]];
-      sorted.items[i] = std::move(node.items[order[i]]);
+    std::vector<std::string> keys;
+    std::vector<Node> items;
+    for (const std::size_t i : order) {
+      keys.push_back(std::move(node.keys[i]));
+      items.push_back(std::move(node.items[i]));
     }
-    return sorted;
+    node.keys = std::move(keys);
+    node.items = std::move(items);
+    return node;
   }
   if (const auto* array = from.as_array()) {
     node.kind = Node::Kind::array;

@@ -42,6 +42,18 @@ class UnitSystem {
     name("watt", "W", Unit(ut_divide(joule.get(), second.get())).get());
     for (const auto& [word, symbol, joules] : {std::tuple{"calorie", "cal", 4.1868}, {"electron_volt", "eV", 1.602176634e-19}, {"erg", "erg", 1e-7}})
       name(word, symbol, Unit(ut_scale(joules, joule.get())).get());
+    for (const char* plural : {"radians"}) name(plural, "rad", radian.get());
+    for (const char* plural : {"turn", "turns", "revolutions"}) name(plural, "rev", turn.get());
+    for (const char* plural : {"joules"}) name(plural, "J", joule.get());
+    // What the database derives from the dimensionless radian and from the newton metre of energy goes: it would pass for a number
+    // or for a moment.
+    for (const char* word : {"circle", "circles", "arc_degree", "arc_degrees", "angular_degree", "angular_degrees", "arcdeg", "arc_minute", "arc_minutes", "angular_minute",
+                             "angular_minutes", "arcminute", "arcminutes", "arcmin", "arc_second", "arc_seconds", "angular_second", "angular_seconds", "arcsecond",
+                             "arcseconds", "arcsec", "grade", "grades", "steradian", "steradians", "sr", "watts", "calories", "IT_calorie", "IT_calories",
+                             "thermochemical_calorie", "thermochemical_calories", "electron_volts", "electronvolt", "electronvolts", "ergs", "Btu", "Btus", "BTU", "BTUs", "IT_Btu",
+                             "IT_Btus", "EC_therm", "EC_therms", "US_therm", "US_therms", "therm", "therms", "thm", "thermie", "ton_TNT", "tons_TNT", "horsepower",
+                             "British_horsepower", "boiler_horsepower", "shaft_horsepower", "metric_horsepower", "electric_horsepower", "hp", "horsepowers"})
+      forget(word);
     name("newton_meter", "Nm", Unit(parsed("N m")).get());
   }
   ~UnitSystem() { ut_free_system(system_); }
@@ -51,6 +63,13 @@ class UnitSystem {
   ut_unit* parsed(const std::string& text) const { return ut_parse(system_, text.c_str(), UT_UTF8); }
 
  private:
+  void forget(const char* word) {
+    for (const ut_encoding encoding : {UT_ASCII, UT_LATIN1, UT_UTF8}) {
+      ut_unmap_name_to_unit(system_, word, encoding);
+      ut_unmap_symbol_to_unit(system_, word, encoding);
+    }
+  }
+
   void name(const char* word, const char* symbol, const ut_unit* unit) {
     for (const ut_encoding encoding : {UT_ASCII, UT_LATIN1, UT_UTF8}) {
       ut_unmap_name_to_unit(system_, word, encoding);
