@@ -26,7 +26,7 @@ TEST(Laws, ResistNoRigidMotion) {
 
 TEST(Laws, AStrutAlongAnyAxisPassesItsOwnCheck) {
   for (const Eigen::Vector3d& line : {Eigen::Vector3d(1, 1, 1), {1, 0, 0.5}, {0.1, 0.2, 0.3}, {1, -1, 2}, {0.2, 0.9, -0.4}, {0.3, 0.5, -1}})
-    for (const Eigen::Vector3d& span : {Eigen::Vector3d(0, 0, 0), {0, 0.2, 0.1}, {0, 0.2, 0.6}})
+    for (const Eigen::Vector3d& span : {Eigen::Vector3d(0, 0, 0), {0, 0.2, 0.1}, {0, 0.2, 0.6}, {-1.3, 0.21, 0.37}, {10, -7, 3}})
       for (const double constant : {500.0, 1e9}) {
         const Eigen::Matrix3d axes = spatial::axes_along(line);
         const Matrix12 matrix = in_end_axes(constant_along_line(constant, Eigen::Vector3d::UnitZ(), span, 0.5), axes);

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trivet::elements {
 namespace {
@@ -24,16 +25,28 @@ spatial::Vector12 entry_scale(const Matrix12& matrix) {
   return scale;
 }
 
+/// Round-off of an entry (row i, coordinate or motion j) of a matrix whose large entries are translational stiffnesses carried over `arm`.
+double entry_round_off(const Matrix12& matrix, double arm, int i, int j) {
+  constexpr double count = 64;
+  double translation = 0, rotation = 0;
+  for (int k = 0; k < 12; ++k) (k % 6 < 3 ? translation : rotation) = std::max(k % 6 < 3 ? translation : rotation, std::abs(matrix(k, k)));
+  const bool moment = i % 6 >= 3, turn = j % 6 >= 3;
+  const double typical = translation * (moment ? arm : 1) * (turn ? arm : 1) + (moment && turn ? rotation : 0);
+  return count * std::numeric_limits<double>::epsilon() * typical;
+}
+
 }  // namespace
 
 MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid) {
   MatrixVerdict verdict;
   const spatial::Vector12 scale = entry_scale(matrix);
+  const double arm = rigid.topRightCorner<3, 3>().norm();
   const auto scaled = [](double value, double by) { return value == 0 ? 0.0 : value / by; };
+  const auto beyond_round_off = [&](double value, int i, int j) { return value > entry_round_off(matrix, arm, i, j) ? value : 0.0; };
 
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < i; ++j) {
-      const double asymmetry = scaled(std::abs(matrix(i, j) - matrix(j, i)), scale(i) * scale(j));
+      const double asymmetry = scaled(beyond_round_off(std::abs(matrix(i, j) - matrix(j, i)), i, j), scale(i) * scale(j));
       if (asymmetry > verdict.asymmetry) {
         verdict.asymmetry = asymmetry;
         verdict.asymmetric_row = j;
@@ -47,7 +60,7 @@ MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>
     const double motion_scale = rigid.col(j).cwiseAbs().cwiseProduct(scale).maxCoeff();
     for (int i = 0; i < 12; ++i) {
       const double worst = std::max(std::abs(verdict.residual(i, j)), std::abs(from_left(i, j)));
-      const double residual = scaled(worst, scale(i) * motion_scale);
+      const double residual = scaled(beyond_round_off(worst, i, j), scale(i) * motion_scale);
       if (residual > verdict.rigid_residual) {
         verdict.rigid_residual = residual;
         verdict.residual_row = i;
