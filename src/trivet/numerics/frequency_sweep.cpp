@@ -33,6 +33,18 @@ inline void broadcast(Pack& pack, double value) {
   for (int lane = 0; lane < lanes; ++lane) pack[lane] = value;
 }
 
+/// |x| by clearing the sign bit: a comparison would be done lane by lane.
+inline Pack magnitude(const Pack& x) {
+  typedef long long Bits __attribute__((vector_size(sizeof(Pack))));
+  return reinterpret_cast<Pack>(reinterpret_cast<Bits>(x) & 0x7fffffffffffffffLL);
+}
+
+/// |re| + |im|.
+inline Pack one_norm(const ComplexPack& z) { return magnitude(z.re) + magnitude(z.im); }
+
+/// The larger of two, to round-off; NaN if either is.
+inline Pack larger(const Pack& a, const Pack& b) { return 0.5 * (a + b + magnitude(a - b)); }
+
 /// Share of the norm below which a pivot is nothing but round-off.
 double negligible_pivot(Eigen::Index n) { return 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon(); }
 
@@ -62,30 +74,28 @@ class PackSolver {
   /// Backward error of the last solution, with |re| + |im| for the modulus (within √2, and safe: see the threshold).
   Pack backward_error() const {
     Pack residual{}, norm{}, size{}, load{};
-    const auto one_norm = [](const ComplexPack& z) -> Pack { return (z.re < 0 ? -z.re : z.re) + (z.im < 0 ? -z.im : z.im); };
-    const auto raise = [](Pack& top, const Pack& value) { top = !(value <= top) ? value : top; };
     for (Eigen::Index i = 0; i < n_; ++i) {
       ComplexPack r, z;
       broadcast(r.re, h_(i).real());
       broadcast(r.im, h_(i).imag());
-      raise(load, one_norm(r));
+      load = larger(load, one_norm(r));
       Pack row{};
       for (Eigen::Index j = 0; j < n_; ++j) {
         entry(i, j, z);
         row += one_norm(z);
         subtract_product(r, z, q_[at(j)]);
       }
-      raise(residual, one_norm(r));
-      raise(norm, row);
-      raise(size, one_norm(q_[at(i)]));
+      residual = larger(residual, one_norm(r));
+      norm = larger(norm, row);
+      size = larger(size, one_norm(q_[at(i)]));
     }
     // A pivot that is round-off leaves a small residual and a meaningless solution: such a lane goes to the pivoted solver.
     Pack smallest = norm;
-    for (Eigen::Index j = 0; j < n_; ++j) smallest = one_norm(d_[at(j)]) < smallest ? one_norm(d_[at(j)]) : smallest;
-    Pack infinite;
-    broadcast(infinite, std::numeric_limits<double>::infinity());
-    const Pack error = residual / (norm * size + load);
-    return smallest <= negligible_pivot(n_) * norm ? infinite : error;
+    for (Eigen::Index j = 0; j < n_; ++j) smallest = -larger(-smallest, -one_norm(d_[at(j)]));
+    Pack error = residual / (norm * size + load);
+    for (int lane = 0; lane < lanes; ++lane)
+      if (!(smallest[lane] > negligible_pivot(n_) * norm[lane])) error[lane] = std::numeric_limits<double>::infinity();
+    return error;
   }
 
  private:
@@ -171,18 +181,18 @@ SweepResult sweep(const DynamicMatrices& given, const Eigen::VectorXcd& load, co
       error = packs.backward_error();
       for (Eigen::Index i = 0; i < n; ++i)
         for (int lane = 0; lane < filled; ++lane)
-          result.response(i, first + lane) = Complex(q[static_cast<std::size_t>(i)].re[lane], q[static_cast<std::size_t>(i)].im[lane]);
+          result.response(i, first + lane) = d(i) * Complex(q[static_cast<std::size_t>(i)].re[lane], q[static_cast<std::size_t>(i)].im[lane]);
     }
     for (int lane = 0; lane < filled; ++lane) {
       result.backward_error(first + lane) = error[lane];
       if (error[lane] <= accepted_backward_error) continue;
       if (m.symmetric) ++result.fallbacks;
       const double redone = solve_pivoted(m, h, omega[static_cast<std::size_t>(first + lane)], result.response.col(first + lane));
+      result.response.col(first + lane).array() *= d.array().cast<Complex>();
       if (std::isnan(redone)) ++result.singular;
       result.backward_error(first + lane) = redone;
     }
   }
-  for (Eigen::Index i = 0; i < n; ++i) result.response.row(i) *= d(i);
   return result;
 }
 
