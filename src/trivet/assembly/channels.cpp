@@ -71,8 +71,23 @@ class Builder {
 
   struct WrenchRows {
     Matrix6xc on_displacement;
-    Matrix6x on_velocity;
+    Matrix6x on_velocity, on_acceleration;
+    std::vector<std::pair<std::size_t, Eigen::Matrix<double, 6, 12>>> dynamic;  // element, rows on D(ω)
+    spatial::Vector6 weight = spatial::Vector6::Zero();
+
+    void add(const Matrix6& carry, const WrenchRows& other) {
+      on_displacement += carry * other.on_displacement;
+      on_velocity += carry * other.on_velocity;
+      on_acceleration += carry * other.on_acceleration;
+      for (const auto& [element, rows] : other.dynamic) dynamic.emplace_back(element, carry * rows);
+      weight += carry * other.weight;
+    }
   };
+
+  WrenchRows no_wrench() const {
+    const Eigen::Index n = assembled_.layout.size();
+    return {Matrix6xc::Zero(6, n), Matrix6x::Zero(6, n), Matrix6x::Zero(6, n), {}, spatial::Vector6::Zero()};
+  }
 
   /// Longest arm from which a moment of this element or on it is counted [m].
   double longest_lever(std::size_t e) const {
@@ -81,11 +96,11 @@ class Builder {
   }
 
   /// Products of rotation matrices leave 1e-17 where nothing is: a strut has no moment, a turned spring no force across.
-  Matrix6x without_round_off(Matrix6x rows, const ElementMap& map, const spatial::Matrix12& matrix, double lever) const {
+  Matrix6x without_round_off(Matrix6x rows, const ElementMap& map, const Eigen::MatrixXd& matrix, double lever) const {
     constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
     double force = 0, moment = 0;
     for (int i = 0; i < 12; ++i) (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
-    for (Eigen::Index j = 0; j < rows.cols(); ++j)
+    for (Eigen::Index j = 0; j < map.end_columns; ++j)
       for (int i = 0; i < 6; ++i) {
         const bool moment_row = i >= 3, rotation_column = is_rotation(map.rows[static_cast<std::size_t>(j)]);
         double typical = force * (moment_row ? lever : 1) * (rotation_column ? lever : 1);
@@ -107,26 +122,40 @@ class Builder {
     const ElementMap& map = assembled_.elements[e];
     const Matrix6 turn = spatial::both_blocks(model::end_in_ground(system_.bodies(), system_.elements()[e].n).rotation);
     const double lever = longest_lever(e);
-    const Matrix6x stiffness = without_round_off(-(turn * map.stiffness.topRows<6>() * map.ends), map, map.stiffness, lever);
-    const Matrix6x damping = without_round_off(-(turn * map.damping.topRows<6>() * map.ends), map, map.damping, lever);
-    WrenchRows rows{Matrix6xc::Zero(6, assembled_.layout.size()), Matrix6x::Zero(6, assembled_.layout.size())};
-    for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
+    const auto on_n = [&](const Eigen::MatrixXd& matrix) -> Matrix6x {
+      return without_round_off(-(turn * matrix.topRows<6>() * map.ends), map, matrix, lever);
+    };
+    const Matrix6x stiffness = on_n(map.matrices.stiffness), damping = on_n(map.matrices.damping), mass = on_n(map.matrices.mass);
+    WrenchRows rows = no_wrench();
+    for (Eigen::Index j = 0; j < map.ends.cols() && !map.frequency_dependent(); ++j) {
       const Eigen::Index row = map.rows[static_cast<std::size_t>(j)];
-      rows.on_displacement.col(row) += stiffness.col(j) * std::complex<double>(1, map.loss_factor);
+      rows.on_displacement.col(row) += stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
       rows.on_velocity.col(row) += damping.col(j);
+      rows.on_acceleration.col(row) += mass.col(j);
     }
+    if (map.frequency_dependent()) {
+      Eigen::Matrix<double, 6, 12> exact = Eigen::Matrix<double, 6, 12>::Zero();
+      exact.leftCols<6>() = -turn;
+      rows.dynamic.emplace_back(e, exact);
+    }
+    if (system_.description().gravity) rows.weight = turn * own_weight(e).head<6>();
     return rows;
   }
 
+  /// Gravity on the element's own mass as it acts at its two ends.
+  spatial::Vector12 own_weight(std::size_t e) const {
+    const model::Element& element = system_.elements()[e];
+    spatial::Vector12 fall = spatial::Vector12::Zero();
+    fall.segment<3>(0) = model::end_in_ground(system_.bodies(), element.n).rotation.transpose() * *system_.description().gravity;
+    fall.segment<3>(6) = model::end_in_ground(system_.bodies(), element.k).rotation.transpose() * *system_.description().gravity;
+    return assembled_.elements[e].matrices.mass.topLeftCorner<12, 12>() * fall;
+  }
+
   std::vector<Channel> ground() const {
-    WrenchRows total{Matrix6xc::Zero(6, assembled_.layout.size()), Matrix6x::Zero(6, assembled_.layout.size())};
+    WrenchRows total = no_wrench();
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const model::End& n = system_.elements()[e].n;
-      if (n.body) continue;
-      const Matrix6 to_origin = spatial::rigid_motion(n.at).transpose();
-      const WrenchRows rows = wrench_on_n(e);
-      total.on_displacement += to_origin * rows.on_displacement;
-      total.on_velocity += to_origin * rows.on_velocity;
+      if (!n.body) total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(e));
     }
     return forces("ground", total);
   }
@@ -138,6 +167,9 @@ class Builder {
       Channel channel = empty(name + "." + parts[static_cast<std::size_t>(j)], j < 3 ? "N" : "N m", 0);
       channel.on_displacement = rows.on_displacement.row(j).transpose();
       channel.on_velocity = rows.on_velocity.row(j).transpose();
+      channel.on_acceleration = rows.on_acceleration.row(j).transpose();
+      for (const auto& [element, exact] : rows.dynamic) channel.dynamic_forces.push_back({element, exact.row(j)});
+      channel.own_weight = rows.weight(j);
       result.push_back(std::move(channel));
     }
     return result;
@@ -145,7 +177,7 @@ class Builder {
 
   Channel empty(std::string name, std::string unit, int derivative) const {
     const Eigen::Index n = assembled_.layout.size();
-    return {std::move(name), std::move(unit), derivative, Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n)};
+    return {std::move(name), std::move(unit), derivative, Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), {}, 0};
   }
 
   const model::System& system_;

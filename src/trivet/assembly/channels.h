@@ -11,7 +11,13 @@ namespace trivet::assembly {
 
 enum class Quantity { displacement, velocity, acceleration };
 
-/// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity)ᵀ q.
+/// The part of a force that a frequency-dependent element exerts: row · D(ω) · (displacements of its ends).
+struct DynamicForce {
+  std::size_t element = 0;
+  Eigen::Matrix<double, 1, 12> row;
+};
+
+/// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity − ω² on_acceleration)ᵀ q.
 /// With loss factors `on_displacement` is complex (ω > 0); static answers use its real part.
 struct Channel {
   std::string name;  ///< "body.x", "body.point.rz", "element.force.x", "ground.moment.z"
@@ -19,6 +25,9 @@ struct Channel {
   int derivative = 0;
   Eigen::VectorXcd on_displacement;
   Eigen::VectorXd on_velocity;
+  Eigen::VectorXd on_acceleration;          ///< inertia forces of elements with mass
+  std::vector<DynamicForce> dynamic_forces; ///< of frequency-dependent elements; not in the terms above
+  double own_weight = 0;                    ///< what gravity on the element's own mass adds to a static force
 };
 
 /// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", or one full

@@ -3,10 +3,20 @@
 
 namespace trivet::assembly {
 
-Layout::Layout(const std::vector<model::Body>& bodies) {
+Layout::Layout(const std::vector<model::Body>& bodies, const std::vector<Eigen::Index>& internal, const std::vector<bool>& last)
+    : internal_(internal.size()) {
   for (const auto& body : bodies) {
     auto& rows = rows_.emplace_back();
     for (std::size_t j = 0; j < 6; ++j) rows[j] = body.free[j] ? size_++ : -1;
+  }
+  of_bodies_ = size_;
+  for (const bool these : {false, true}) {
+    before_last_ = size_;
+    for (std::size_t e = 0; e < internal.size(); ++e) {
+      if (last[e] != these) continue;
+      internal_[e] = size_;
+      size_ += internal[e];
+    }
   }
 }
 

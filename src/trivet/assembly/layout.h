@@ -8,12 +8,20 @@
 
 namespace trivet::assembly {
 
-/// Which row of the global matrices a body's coordinate is: bodies in their order, only free coordinates.
+/// Which row of the global matrices a coordinate is: bodies in their order, only free coordinates; then the internal coordinates of
+/// elements, those of frequency-dependent elements last.
 class Layout {
  public:
-  explicit Layout(const std::vector<model::Body>& bodies);
+  /// `internal` is the number of internal coordinates of each element, `last` marks the elements whose come last.
+  explicit Layout(const std::vector<model::Body>& bodies, const std::vector<Eigen::Index>& internal = {}, const std::vector<bool>& last = {});
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
+  /// Coordinates of bodies: the first rows.
+  [[nodiscard]] Eigen::Index of_bodies() const { return of_bodies_; }
+  /// Rows before the internal coordinates of the elements that come last.
+  [[nodiscard]] Eigen::Index before_last() const { return before_last_; }
+  /// First row of the internal coordinates of an element.
+  [[nodiscard]] Eigen::Index internal_row(std::size_t element) const { return internal_[element]; }
   /// −1 for a coordinate that is not free.
   [[nodiscard]] Eigen::Index row(std::size_t body, int coordinate) const { return rows_[body][static_cast<std::size_t>(coordinate)]; }
   /// All six coordinates of a body out of a global vector; zeros where it is guided.
@@ -29,7 +37,8 @@ class Layout {
 
  private:
   std::vector<std::array<Eigen::Index, 6>> rows_;
-  Eigen::Index size_ = 0;
+  std::vector<Eigen::Index> internal_;
+  Eigen::Index of_bodies_ = 0, before_last_ = 0, size_ = 0;
 };
 
 }  // namespace trivet::assembly

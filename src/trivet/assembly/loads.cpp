@@ -25,6 +25,16 @@ spatial::Vector6 six(const spatial::Wrench& wrench) {
   return v;
 }
 
+/// M times the acceleration of free fall of both ends.
+void add_element_weight(const model::System& system, std::size_t index, const Eigen::Vector3d& gravity, const ElementMap& map, Eigen::VectorXd& load) {
+  if (map.matrices.mass.isZero(0)) return;
+  Eigen::VectorXd fall = Eigen::VectorXd::Zero(map.ends.rows());
+  fall.segment<3>(0) = model::end_in_ground(system.bodies(), system.elements()[index].n).rotation.transpose() * gravity;
+  fall.segment<3>(6) = model::end_in_ground(system.bodies(), system.elements()[index].k).rotation.transpose() * gravity;
+  const Eigen::VectorXd weight = map.ends.transpose() * (map.matrices.mass * fall);
+  for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[static_cast<std::size_t>(j)]) += weight(j);
+}
+
 }  // namespace
 
 Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected) {
@@ -44,7 +54,8 @@ Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout
   return load;
 }
 
-Eigen::VectorXd static_load(const model::System& system, const Layout& layout) {
+Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled) {
+  const Layout& layout = assembled.layout;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(layout.size());
   const auto& bodies = system.bodies();
   if (system.description().gravity)
@@ -53,6 +64,8 @@ Eigen::VectorXd static_load(const model::System& system, const Layout& layout) {
       weight.force = bodies[i].mass.mass * (bodies[i].pose.rotation.transpose() * *system.description().gravity);
       add_wrench<double>(layout, i, bodies[i].mass.centre, six(weight), load);
     }
+  if (system.description().gravity)
+    for (std::size_t e = 0; e < assembled.elements.size(); ++e) add_element_weight(system, e, *system.description().gravity, assembled.elements[e], load);
   for (const model::ConstantForce& force : system.description().constant_forces)
     add_wrench<double>(layout, force.body, force.at, six(force.wrench), load);
   return load;

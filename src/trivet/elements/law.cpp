@@ -23,6 +23,8 @@ Matrix12 viscous_damping(const Law& law) {
   if (const auto* proportional = std::get_if<ProportionalDamping>(&law.damping))
     return proportional->factor * (proportional->of_nominal ? law.nominal_stiffness : stiffness(law));
   if (const auto* given = std::get_if<DampingMatrix>(&law.damping)) return given->matrix;
+  if (const auto* relaxing = std::get_if<Viscoelastic>(&law.damping))
+    if (const auto* viscous = std::get_if<KelvinVoigt>(relaxing)) return viscous->time * stiffness(law);
   return Matrix12::Zero();
 }
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <limits>
+#include <optional>
 #include <variant>
+#include <vector>
 
+#include "trivet/elements/viscoelastic.h"
 #include "trivet/spatial/types.h"
 
 /// An elastic element joins two ends N and K. All matrices here are in its local frame, order (u_N, θ_N, u_K, θ_K),
@@ -11,7 +16,9 @@ namespace trivet::elements {
 
 using spatial::Matrix12;
 using spatial::Matrix6;
+using spatial::Vector12;
 using spatial::Vector6;
+using Matrix12c = Eigen::Matrix<std::complex<double>, 12, 12>;
 
 /// B = factor · K, of the scaled or of the nominal stiffness. factor [s] ≥ 0.
 struct ProportionalDamping {
@@ -26,18 +33,55 @@ struct LossFactor {
 struct DampingMatrix {
   Matrix12 matrix = Matrix12::Zero();
 };
-using Damping = std::variant<std::monostate, ProportionalDamping, LossFactor, DampingMatrix>;
+using Damping = std::variant<std::monostate, ProportionalDamping, LossFactor, DampingMatrix, Viscoelastic>;
 
-/// What an element does: nominal stiffness, the factor on it, and its damping.
+/// Mass of the element itself: that of its static shapes, and its internal modes with both ends held (modal masses 1).
+struct Inertia {
+  Matrix12 mass = Matrix12::Zero();          ///< [kg …]
+  Eigen::MatrixXd coupling{12, 0};           ///< 12 × modes: mass between end displacements and internal modes
+  Eigen::VectorXd angular_frequencies;       ///< of the internal modes at nominal stiffness [rad/s]
+};
+
+/// A dynamic stiffness D(ω) [N/m …] that is no quotient of polynomials: exact continua and measured tables. For complex ω, Re ω ≥ 0; a
+/// table takes the piece of its interpolation that holds at the real frequency `near`.
+struct FrequencyDependence {
+  std::function<Matrix12c(std::complex<double> omega, double near)> stiffness;
+  bool elastic = true;   ///< without losses of its own: damping then enters as a complex modulus μ, D = μ D(ω/√μ)
+  double from = 0, to = std::numeric_limits<double>::infinity();  ///< where it is defined [rad/s]
+  std::vector<double> knots;   ///< where one piece of a table ends and the next begins [rad/s], ascending
+};
+
+/// What an element does: nominal stiffness (at ω = 0), the factor on it, its damping, its own mass, and the wrench it carries at rest.
 struct Law {
   Matrix12 nominal_stiffness = Matrix12::Zero();
   double scale = 1;
   Damping damping;
+  std::optional<Inertia> inertia;
+  std::optional<FrequencyDependence> frequency_dependence;
+  std::optional<Vector12> preload;   ///< forces and moments on the ends N, K in the state about which it moves
 };
 
+/// At ω = 0.
 [[nodiscard]] Matrix12 stiffness(const Law& law);
+/// The part of the damping that is viscous at the ends.
 [[nodiscard]] Matrix12 viscous_damping(const Law& law);
 [[nodiscard]] double loss_factor(const Law& law);
+
+/// Is D(ω) beyond what `matrices` can say exactly?
+[[nodiscard]] bool is_frequency_dependent(const Law& law);
+
+/// The element as a linear system in 12 end displacements and its internal coordinates (modes of its mass, then strains of Maxwell branches
+/// without mass): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then the nearest system of this kind, for modes and starting values.
+struct Matrices {
+  Eigen::MatrixXd stiffness, damping, mass;
+  double loss_factor = 0;
+};
+[[nodiscard]] Matrices matrices(const Law& law);
+
+/// D(ω), 12×12, internal coordinates condensed. omega [rad/s] may be complex, Re ω ≥ 0.
+/// @throws foundation::NotComputable outside the range of a tabulated law
+[[nodiscard]] Matrix12c dynamic_stiffness(const Law& law, std::complex<double> omega, double near);
+[[nodiscard]] inline Matrix12c dynamic_stiffness(const Law& law, double omega) { return dynamic_stiffness(law, omega, omega); }
 
 /// The 12×12 that a 6×6 block of the K end (N fixed) implies by equilibrium: E C_KK Eᵀ, storing no energy in a rigid motion.
 [[nodiscard]] Matrix12 from_moved_end(const Matrix6& moved_end, const Eigen::Vector3d& arm);

@@ -43,7 +43,7 @@ Matrix6x unresisted(const model::System& system, const assembly::Assembled& asse
       if (assembled.layout.row(b, j) >= 0) free_rows.row(assembled.layout.row(b, j)) = row;
       else resistance += row.transpose() * row;
     }
-  const Eigen::VectorXd d = numerics::unit_scale(assembled.matrices.A);
+  const Eigen::VectorXd d = numerics::unit_scale(assembled.matrices);
   const Eigen::MatrixXd force = d.asDiagonal() * assembled.matrices.K * free_rows;
   const double scale = (d.asDiagonal() * assembled.matrices.K.cwiseAbs() * free_rows.cwiseAbs()).maxCoeff();
   if (scale > 0) resistance += (force / scale).transpose() * (force / scale);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/modal/motion_words.h"
+#include "trivet/numerics/massless.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {
@@ -37,7 +38,7 @@ void describe_bodies(const model::System& system, const assembly::Assembled& ass
     energy += share.sum();
     mode.screws.push_back(spatial::screw({at_pole.head<3>(), at_pole.tail<3>()}, body_size(body), body.mass.centre));
   }
-  mode.principal_kinetic_energy_share /= energy;
+  if (energy != 0) mode.principal_kinetic_energy_share /= energy;
 }
 
 void share_energy(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi, Mode& mode) {
@@ -47,12 +48,18 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
   mode.kinetic_energy_share.resize(6 * bodies);
   for (Eigen::Index b = 0; b < bodies; ++b)
     mode.kinetic_energy_share.segment<6>(6 * b) = assembled.layout.of_body(static_cast<std::size_t>(b), share);
+  mode.element_kinetic_energy_share.setZero(static_cast<Eigen::Index>(assembled.elements.size()));
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
+    const assembly::ElementMap& map = assembled.elements[e];
+    for (std::size_t j = static_cast<std::size_t>(map.end_columns); j < map.rows.size(); ++j)
+      mode.element_kinetic_energy_share(static_cast<Eigen::Index>(e)) += share(map.rows[j]);
+  }
   if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
   Eigen::VectorXd strain(static_cast<Eigen::Index>(assembled.elements.size()));
   for (Eigen::Index e = 0; e < strain.size(); ++e) {
     const assembly::ElementMap& map = assembled.elements[static_cast<std::size_t>(e)];
-    const spatial::Vector12 d = map.end_displacements(phi);
-    strain(e) = d.dot(map.stiffness * d);
+    const Eigen::VectorXd d = map.coordinates(phi);
+    strain(e) = d.dot(map.matrices.stiffness * d);
   }
   mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
 }
@@ -77,7 +84,8 @@ void warn(const numerics::GeneralizedModes& raw, Modes& result) {
 }  // namespace
 
 Modes modes(const model::System& system, const assembly::Assembled& assembled) {
-  const numerics::GeneralizedModes raw = numerics::generalized_modes(assembled.matrices.K, assembled.matrices.A, assembled.matrices.symmetric);
+  const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
+  const numerics::GeneralizedModes raw = numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
   Modes result;
   result.route = raw.route;
   for (Eigen::Index i = 0; i < raw.lambda.size(); ++i) {
@@ -86,7 +94,7 @@ Modes modes(const model::System& system, const assembly::Assembled& assembled) {
     mode.eigenvalue_squared = raw.lambda(i);
     if (raw.lambda(i) >= 0) mode.angular_frequency = std::sqrt(raw.lambda(i));
     mode.modal_mass = raw.norm(i);
-    const Eigen::VectorXd phi = raw.shapes.col(i);
+    const Eigen::VectorXd phi = massive.recovery * raw.shapes.col(i);
     describe_bodies(system, assembled, phi, mode);
     share_energy(system, assembled, phi, mode);
     mode.name = mode_name(system, mode);

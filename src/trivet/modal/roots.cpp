@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/modal/exact_roots.h"
 #include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/massless.h"
 #include "trivet/numerics/quadratic_roots.h"
 
 namespace trivet::modal {
@@ -43,11 +45,13 @@ struct AllRoots {
 };
 
 AllRoots all_roots(const numerics::DynamicMatrices& m) {
-  const numerics::GeneralizedModes modes = numerics::generalized_modes(m.K, m.A, m.symmetric);
+  const numerics::MassiveSystem massive = numerics::massive_system(m);
+  const bool massless = massive.A.rows() < m.size();
+  const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, m.symmetric);
   const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
   if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
   numerics::QuadraticRoots result;
-  const bool basis_is_orthonormal = modes.route == numerics::ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
+  const bool basis_is_orthonormal = !massless && modes.route == numerics::ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
   if (basis_is_orthonormal) {
     const Eigen::MatrixXd& phi = modes.shapes;
     const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd();
@@ -58,7 +62,7 @@ AllRoots all_roots(const numerics::DynamicMatrices& m) {
     result = numerics::roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
     result.vectors = (phi * result.vectors).eval();
   } else {
-    result = numerics::roots_of_companion(m);
+    result = massless ? numerics::roots_with_massless(m) : numerics::roots_of_companion(m);
   }
   // The companion matrix splits a double zero root to about √ε of the largest.
   const bool free = modes.lambda.size() > 0 && modes.lambda.cwiseAbs().minCoeff() == 0;
@@ -90,6 +94,40 @@ double sort_key(const Complex& lambda) {
   return std::round(size / unit) * unit;
 }
 
+/// Moves every oscillating root onto one of the exact Z; pairs stay conjugate. What does not settle is marked.
+void make_exact(const assembly::Assembled& assembled, numerics::QuadraticRoots& roots, foundation::Problems& warnings, std::vector<bool>& inexact) {
+  constexpr double distinct = 1e-6, same = 1e-9;
+  const Eigen::VectorXcd starts = roots.lambda;
+  const Eigen::Index n = assembled.constant.size();
+  int settled = 0, left = 0;
+  for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
+    const Complex start = roots.lambda(k);
+    if (std::abs(start.imag()) <= critical_split * std::abs(start)) {
+      inexact[static_cast<std::size_t>(k)] = std::abs(start) > 0;
+      left += std::abs(start) > 0 ? 1 : 0;
+      continue;
+    }
+    const bool lower = start.imag() < 0;
+    const Eigen::VectorXcd shape = lower ? Eigen::VectorXcd(roots.vectors.col(k).conjugate()) : Eigen::VectorXcd(roots.vectors.col(k));
+    const ExactRoot root = exact_root(assembled, lower ? std::conj(start) : start, shape);
+    // Two starts that differ and end on one root: the second has lost its own.
+    bool lost = false;
+    for (Eigen::Index j = 0; j < k; ++j)
+      lost = lost || (std::abs(starts(j) - start) > distinct * std::abs(start) && std::abs(roots.lambda(j) - (lower ? std::conj(root.eigenvalue) : root.eigenvalue)) < same * std::abs(start));
+    const bool kept = root.converged && !lost;
+    inexact[static_cast<std::size_t>(k)] = !kept;
+    ++(kept ? settled : left);
+    if (!kept) continue;
+    roots.lambda(k) = lower ? std::conj(root.eigenvalue) : root.eigenvalue;
+    const Eigen::VectorXcd exact = lower ? Eigen::VectorXcd(root.shape.conjugate()) : root.shape;
+    roots.vectors.col(k).head(n) = exact;
+  }
+  if (left > 0)
+    warnings.warning("roots", fmt::format("{} of {} roots are those of the nearest linear system", left, settled + left),
+                     "elements that depend on frequency in their own way have exact roots only where the motion oscillates and the search settles",
+                     "use the frequency response, which is exact, where these matter");
+}
+
 }  // namespace
 
 const char* name(RootKind kind) {
@@ -104,19 +142,23 @@ const char* name(RootKind kind) {
 
 Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes) {
   const numerics::DynamicMatrices& m = assembled.matrices;
-  const auto [raw, at_rest] = all_roots(m);
+  auto [raw, at_rest] = all_roots(m);
+  std::vector<bool> inexact(static_cast<std::size_t>(raw.lambda.size()), false);
+  const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(m.A).size());
   const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
   Roots result;
+  if (assembled.frequency_dependent()) make_exact(assembled, raw, result.warnings, inexact);
   result.poles = raw.lambda;
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
     Root root = classified(raw.lambda(k), scale, at_rest);
     if (root.kind == RootKind::rigid) result.poles(k) = 0;
     // With a loss factor only the half plane that belongs to ω > 0 has a meaning.
     if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
+    root.exact = !inexact[static_cast<std::size_t>(k)];
     root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * static_cast<Eigen::Index>(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
-    root.nearest_mode = nearest_mode(modes, std::abs(raw.lambda(k)), m.size());
+    root.nearest_mode = nearest_mode(modes, std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));
   }
   std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {

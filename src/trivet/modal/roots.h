@@ -12,7 +12,7 @@ namespace trivet::modal {
 
 enum class RootKind { oscillating, overdamped, growing, rigid };
 
-/// One solution of λ²A + λB + K(1 + iη), motion Re(v e^{λt}).
+/// One solution of λ²A + λB + K(1 + iη), or of the exact Z(−iλ) where elements depend on ω in their own way; motion Re(v e^{λt}).
 struct Root {
   std::complex<double> eigenvalue;                  ///< λ [1/s]
   RootKind kind = RootKind::oscillating;
@@ -21,6 +21,7 @@ struct Root {
   std::optional<double> damping_ratio;              ///< −Re λ/|λ|
   Eigen::VectorXcd shape;                           ///< six per body at the poles, largest (mass-weighted) component 1
   std::optional<int> nearest_mode;                  ///< number of the undamped mode nearest in |λ|
+  bool exact = true;                                ///< false: of the nearest linear system, where elements depend on ω in their own way
 };
 
 struct Roots {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -37,6 +38,11 @@ struct End {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();    ///< local axes as columns, in the same frame
 };
 
+/// Something worth knowing of how an element was found: "spring rate", "12.3 N/mm".
+struct Fact {
+  std::string what, value;
+};
+
 struct Element {
   std::string name;
   std::string type;  ///< the law's name in the project file, for messages and reports
@@ -45,6 +51,8 @@ struct Element {
   elements::Law law;
   bool symmetric = true;
   bool allow_residual = false;
+  std::vector<Fact> facts;   ///< for reading: how its law was found
+  double massless_up_to = std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
 };
 
 /// Force [N] and moment [N m] about `at`, body axes; component j is Re(amplitude_j e^{i(ωt + phase_j)}).

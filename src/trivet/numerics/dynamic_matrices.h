@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 namespace trivet::numerics {
 
@@ -33,6 +34,12 @@ struct DynamicMatrices {
 [[nodiscard]] inline Eigen::VectorXd unit_scale(const Eigen::MatrixXd& A) {
   return A.diagonal().unaryExpr([](double a) { return a == 0 ? 1.0 : 1 / std::sqrt(std::abs(a)); });
 }
+
+/// Rows of A that hold mass; the others belong to internal coordinates of elements (a Maxwell branch) and carry damping and stiffness only.
+[[nodiscard]] std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A);
+
+/// The same, and a coordinate without mass is scaled so that its stiffness is the largest K_ii / A_ii of the others.
+[[nodiscard]] Eigen::VectorXd unit_scale(const DynamicMatrices& m);
 
 /// The same matrices in coordinates q = D q̃.
 [[nodiscard]] inline DynamicMatrices scaled(const DynamicMatrices& m, const Eigen::VectorXd& d) {

@@ -158,7 +158,7 @@ double solve_pivoted(const DynamicMatrices& m, const Eigen::VectorXcd& h, double
 }  // namespace
 
 SweepResult sweep(const DynamicMatrices& given, const Eigen::VectorXcd& load, const std::vector<double>& omega) {
-  const Eigen::VectorXd d = unit_scale(given.A);
+  const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
   const Eigen::VectorXcd h = d.asDiagonal() * load;
   const auto n = m.size(), count = static_cast<Eigen::Index>(omega.size());

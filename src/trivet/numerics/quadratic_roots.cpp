@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -89,7 +90,7 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
 }
 
 QuadraticRoots roots_of_companion(const DynamicMatrices& given) {
-  const Eigen::VectorXd d = unit_scale(given.A);
+  const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices matrices = scaled(given, d);
   const Eigen::Index n = matrices.size();
   const Eigen::PartialPivLU<Eigen::MatrixXd> mass(matrices.A);
@@ -109,9 +110,43 @@ QuadraticRoots roots_of_companion(const DynamicMatrices& given) {
   return result;
 }
 
+QuadraticRoots roots_with_massless(const DynamicMatrices& given) {
+  const Eigen::VectorXd d = unit_scale(given);
+  const DynamicMatrices m = scaled(given, d);
+  const std::vector<Eigen::Index> p = massive_rows(m.A);
+  std::vector<Eigen::Index> z;
+  for (Eigen::Index i = 0; i < m.size(); ++i)
+    if (!std::binary_search(p.begin(), p.end(), i)) z.push_back(i);
+  const auto n = static_cast<Eigen::Index>(p.size()), k = static_cast<Eigen::Index>(z.size());
+  const Eigen::MatrixXcd K = m.complex_stiffness();
+  const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
+  const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
+  // z' first, as it acts on v' through the damping that couples them; v = speed · w balances the state matrix.
+  Eigen::MatrixXcd z_rate(k, 2 * n + k), v_rate(n, 2 * n + k);
+  z_rate << K(z, p), speed * m.B(z, p).cast<Complex>(), K(z, z);
+  z_rate = (-lag.solve(z_rate)).eval();
+  v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
+  v_rate = (-inertia.solve(v_rate + m.B(p, z).cast<Complex>() * z_rate)).eval();
+  Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n + k, 2 * n + k);
+  state.block(0, n, n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
+  state.middleRows(n, n) = v_rate / speed;
+  state.bottomRows(k) = z_rate;
+  QuadraticRoots result;
+  Eigen::MatrixXcd vectors;
+  eigen(state, !m.lossy(), result.lambda, vectors);
+  result.vectors.resize(m.size(), result.lambda.size());
+  for (Eigen::Index i = 0; i < n; ++i) result.vectors.row(p[static_cast<std::size_t>(i)]) = vectors.row(i);
+  for (Eigen::Index i = 0; i < k; ++i) result.vectors.row(z[static_cast<std::size_t>(i)]) = vectors.row(2 * n + i);
+  result.vectors = (d.asDiagonal() * result.vectors).eval();
+  const Eigen::VectorXd weight = d.cwiseInverse();
+  for (Eigen::Index i = 0; i < result.lambda.size(); ++i) normalise_by_largest(result.vectors.col(i), weight);
+  return result;
+}
+
 void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
   constexpr int steps = 3;
-  const Eigen::VectorXd d = unit_scale(given.A);
+  const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices matrices = scaled(given, d);
   const ExtendedMatrix A = matrices.A.cast<ExtendedComplex>(), B = matrices.B.cast<ExtendedComplex>();
   const ExtendedMatrix K = matrices.complex_stiffness().cast<ExtendedComplex>();

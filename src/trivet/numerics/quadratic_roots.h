@@ -20,6 +20,10 @@ struct QuadraticRoots {
 /// Roots of general matrices (A regular, unsymmetric or indefinite allowed) from the companion matrix.
 [[nodiscard]] QuadraticRoots roots_of_companion(const DynamicMatrices& matrices);
 
+/// Roots where some coordinates have no mass (internal ones of elements, held by a regular block of B): one root for each of them, two for
+/// each of the others, from the states (q, q̇, z).
+[[nodiscard]] QuadraticRoots roots_with_massless(const DynamicMatrices& matrices);
+
 /// Newton steps on each nonzero root in extended precision (long double), for light damping where a double eigensolver
 /// leaves few digits of Re λ. Roots whose step is not small and convergent (clusters, defective pairs) stay as they were.
 /// Cost O(count n³): meant for n ≤ 60.

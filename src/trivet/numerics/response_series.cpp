@@ -24,7 +24,7 @@ Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, 
 }  // namespace
 
 Eigen::MatrixXcd response_series(const DynamicMatrices& given, const Eigen::VectorXcd& load, double centre, double radius, int order) {
-  const Eigen::VectorXd d = unit_scale(given.A);
+  const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
   const Eigen::MatrixXcd A = m.A.cast<Complex>(), B = m.B.cast<Complex>();
   const Eigen::MatrixXcd slope = radius * (Complex(0, 1) * B - 2 * centre * A);
@@ -33,11 +33,18 @@ Eigen::MatrixXcd response_series(const DynamicMatrices& given, const Eigen::Vect
 }
 
 Eigen::MatrixXcd response_series_at_infinity(const DynamicMatrices& given, const Eigen::VectorXcd& load, double radius, int order) {
-  const Eigen::VectorXd d = unit_scale(given.A);
+  const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
-  const Eigen::MatrixXcd constant = -m.A.cast<Complex>();
-  const Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();
-  const Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
+  Eigen::MatrixXcd constant = -m.A.cast<Complex>();
+  Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();
+  Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
+  // Without mass in a row, −A leaves it empty at s = 0; divided by s it is regular: s K + i B.
+  for (Eigen::Index i = 0; i < m.size(); ++i)
+    if (m.A.row(i).isZero(0)) {
+      constant.row(i) = slope.row(i) / radius;
+      slope.row(i) = curvature.row(i) / radius;
+      curvature.row(i).setZero();
+    }
   return d.asDiagonal() * series(constant, slope, curvature, d.asDiagonal() * load, order);
 }
 

@@ -14,6 +14,7 @@ namespace trivet::numerics {
                                                double radius, int order);
 
 /// The same about ω = ∞ in s = 1/ω: q = s² p(s), p(s) = (s²(K + iK_loss) + isB − A)⁻¹ h; coefficients of p(radius τ).
+/// A row without mass must have damping there, and no load.
 [[nodiscard]] Eigen::MatrixXcd response_series_at_infinity(const DynamicMatrices& matrices, const Eigen::VectorXcd& load, double radius,
                                                            int order);
 

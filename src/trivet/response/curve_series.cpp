@@ -34,12 +34,17 @@ CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, c
   const bool viscous = channel.on_velocity.cwiseAbs().maxCoeff() > 0;
   Series y = channel.on_displacement.transpose() * q;
   const Series rate = viscous ? Series(channel.on_velocity.transpose().cast<Complex>() * q) : Series();
+  const bool inert = !channel.on_acceleration.isZero(0);
+  const Series force_of_mass = inert ? Series(channel.on_acceleration.transpose().cast<Complex>() * q) : Series();
   if (panel.at_infinity) {
-    // y = (i/s)^derivative (c0 + (i/s) c1) s² p(s); the powers of s are kept apart, so that the series stays regular.
-    if (viscous) y = (times_linear(y, 0, panel.radius) + i * rate).eval();
-    return {squared_modulus(y), (viscous ? 1 : 2) - channel.derivative};
+    // y = (i/s)^derivative (c0 + (i/s) c1 − c2/s²) s² p(s); the powers of s are kept apart, so that the series stays regular.
+    if (viscous || inert) y = times_linear(y, 0, panel.radius);
+    if (viscous) y += i * rate;
+    if (inert) y = (times_linear(y, 0, panel.radius) - force_of_mass).eval();
+    return {squared_modulus(y), (inert ? 0 : viscous ? 1 : 2) - channel.derivative};
   }
   if (viscous) y += times_linear(rate, i * panel.centre, i * panel.radius);
+  if (inert) y -= times_linear(times_linear(force_of_mass, panel.centre, panel.radius), panel.centre, panel.radius);
   for (int d = 0; d < channel.derivative; ++d) y = times_linear(y, i * panel.centre, i * panel.radius);
   return {squared_modulus(y), 0};
 }

@@ -8,6 +8,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/numerics/frequency_sweep.h"
 #include "trivet/numerics/refined_solution.h"
+#include "trivet/response/exact_response.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {
@@ -17,10 +18,13 @@ using Extended = long double;
 using Complex = std::complex<Extended>;
 using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
+using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// T (n × 12) of one element, straight from the convention: columns are what a unit end force does to the coordinates.
-Eigen::Matrix<Extended, Eigen::Dynamic, 12> carrier(const assembly::Layout& layout, const model::Element& element) {
-  Eigen::Matrix<Extended, Eigen::Dynamic, 12> t = Eigen::Matrix<Extended, Eigen::Dynamic, 12>::Zero(layout.size(), 12);
+/// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an internal coordinate
+/// does to the coordinates of the system.
+Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal, Eigen::Index n) {
+  Carrier t = Carrier::Zero(n, 12 + internal);
+  for (Eigen::Index i = 0; i < internal; ++i) t(layout.internal_row(index) + i, 12 + i) = 1;
   int first = 0;
   for (const model::End* end : {&element.n, &element.k}) {
     if (end->body)
@@ -36,47 +40,66 @@ Eigen::Matrix<Extended, Eigen::Dynamic, 12> carrier(const assembly::Layout& layo
   return t;
 }
 
+Eigen::MatrixXcd fast_solutions(const assembly::Assembled& assembled, const Eigen::VectorXcd& load, const std::vector<double>& omega) {
+  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, load, omega).response;
+  const std::vector<assembly::Channel> none;
+  const ExactResponse exact(assembled, none, load);
+  Eigen::MatrixXcd solutions(assembled.constant.size(), static_cast<Eigen::Index>(omega.size()));
+  for (std::size_t i = 0; i < omega.size(); ++i) solutions.col(static_cast<Eigen::Index>(i)) = exact.at(omega[i]).coordinates;
+  return solutions;
+}
+
 }  // namespace
 
 DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXcd& load,
                      const std::vector<double>& angular_frequency) {
   const assembly::Layout& layout = assembled.layout;
-  const Eigen::Index n = layout.size();
-  const Eigen::VectorXd d = numerics::unit_scale(assembled.matrices.A);
+  const numerics::DynamicMatrices& constant = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
+  const Eigen::Index n = constant.size();
+  const Eigen::VectorXd d = numerics::unit_scale(constant);
   ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n), mass = ExtendedMatrix::Zero(n, n);
   Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
-  for (const model::Element& element : system.elements()) {
-    const Eigen::Matrix<Extended, Eigen::Dynamic, 12> t = carrier(layout, element);
-    const Eigen::Matrix<Extended, 12, 12> c = elements::stiffness(element.law).cast<Extended>();
-    const Eigen::Matrix<Extended, 12, 12> b = elements::viscous_damping(element.law).cast<Extended>();
-    stiffness += (t * c * t.transpose()).cast<Complex>() * Complex(1, elements::loss_factor(element.law));
-    const Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> carried = t * b * t.transpose();
-    damping += carried.cast<Complex>();
-    element_damping += carried.cast<double>();
+  std::vector<std::pair<Carrier, const elements::Law*>> dependent;
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    if (elements::is_frequency_dependent(element.law)) {
+      dependent.emplace_back(carrier(layout, e, element, 0, n), &element.law);
+      continue;
+    }
+    const elements::Matrices m = elements::matrices(element.law);
+    const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n);
+    const auto carried = [&](const Eigen::MatrixXd& local) -> Carrier { return t * local.cast<Extended>() * t.transpose(); };
+    stiffness += carried(m.stiffness).cast<Complex>() * Complex(1, m.loss_factor);
+    mass += carried(m.mass).cast<Complex>();
+    damping += carried(m.damping).cast<Complex>();
+    element_damping += carried(m.damping).cast<double>();
   }
   // What the system as a whole adds to the damping (Rayleigh, modal ratios) has no second derivation here.
   if (!std::holds_alternative<std::monostate>(system.description().damping))
-    damping += (assembled.matrices.B - element_damping).cast<Complex>();
+    damping += (constant.B - element_damping).cast<Complex>();
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Matrix6 a = spatial::mass_matrix(system.bodies()[b].mass);
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
         if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
   }
-  const numerics::SweepResult fast = numerics::sweep(assembled.matrices, load, angular_frequency);
+  const Eigen::MatrixXcd fast = fast_solutions(assembled, load, angular_frequency);
   const ExtendedMatrix scale = d.cast<Complex>().asDiagonal();
-  const ExtendedVector h = scale * load.cast<Complex>();
+  const ExtendedVector h = scale * load.head(n).cast<Complex>();
 
   DeepCheck check;
   double worst_ratio = -1;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
-    if (!fast.response.col(column).allFinite()) continue;  // singular, and reported as such
+    if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
-    const ExtendedMatrix z = scale * (stiffness + Complex(0, w) * damping - w * w * mass) * scale;
+    ExtendedMatrix z = stiffness + Complex(0, w) * damping - w * w * mass;
+    for (const auto& [t, law] : dependent)
+      z += t.cast<Complex>() * elements::dynamic_stiffness(*law, angular_frequency[i]).cast<Complex>() * t.transpose().cast<Complex>();
+    z = (scale * z * scale).eval();
     const numerics::RefinedSolver direct(z);
     const ExtendedVector q = direct.solve(h);
-    const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.response.col(column)).cast<Complex>() - q;
+    const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<Complex>() - q;
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
     const double allowed = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * direct.condition();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "trivet/numerics/frequency_sweep.h"
+#include "trivet/response/exact_response.h"
 
 namespace trivet::response {
 namespace {
@@ -23,31 +24,52 @@ Eigen::VectorXcd curve_values(const assembly::Channel& channel, const Eigen::Mat
   const bool viscous = channel.on_velocity.cwiseAbs().maxCoeff() > 0;
   const Eigen::RowVectorXcd by_velocity = viscous ? Eigen::RowVectorXcd(channel.on_velocity.transpose().cast<Complex>() * q)
                                                   : Eigen::RowVectorXcd(Eigen::RowVectorXcd::Zero(q.cols()));
+  const Eigen::RowVectorXcd by_acceleration = channel.on_acceleration.isZero(0) ? Eigen::RowVectorXcd(Eigen::RowVectorXcd::Zero(q.cols()))
+                                                                                : Eigen::RowVectorXcd(channel.on_acceleration.transpose().cast<Complex>() * q);
   Eigen::VectorXcd values(q.cols());
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
     const double w = omega[static_cast<std::size_t>(i)];
-    values(i) = derivative_factor(w, channel.derivative) * (by_displacement(i) + Complex(0, w) * by_velocity(i));
+    values(i) = derivative_factor(w, channel.derivative) * (by_displacement(i) + Complex(0, w) * by_velocity(i) - w * w * by_acceleration(i));
   }
   return values;
+}
+
+void note_error(double error, double omega, SolutionCheck& check) {
+  if (std::isnan(error)) check.undefined_at.push_back(omega);
+  if (error > check.worst_backward_error) {
+    check.worst_backward_error = error;
+    check.at_angular_frequency = omega;
+  }
+}
+
+FrequencyResponse exact_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                 const Eigen::VectorXcd& load, const std::vector<double>& omega) {
+  FrequencyResponse result;
+  result.angular_frequency = omega;
+  for (const assembly::Channel& channel : channels)
+    result.curves.push_back({channel.name, channel.unit, Eigen::VectorXcd(static_cast<Eigen::Index>(omega.size()))});
+  const ExactResponse exact(assembled, channels, load);
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    const ExactSample sample = exact.at(omega[i]);
+    for (std::size_t c = 0; c < channels.size(); ++c) result.curves[c].value(static_cast<Eigen::Index>(i)) = sample.values(static_cast<Eigen::Index>(c));
+    note_error(sample.backward_error, omega[i], result.check);
+  }
+  return result;
 }
 
 }  // namespace
 
 FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                      const Eigen::VectorXcd& load, const std::vector<double>& angular_frequency) {
+  if (assembled.frequency_dependent()) return exact_response(assembled, channels, load, angular_frequency);
   const numerics::SweepResult solved = numerics::sweep(assembled.matrices, load, angular_frequency);
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
   for (const assembly::Channel& channel : channels)
     result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, angular_frequency)});
   result.check.fallbacks = solved.fallbacks;
-  for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i) {
-    if (std::isnan(solved.backward_error(i))) result.check.undefined_at.push_back(angular_frequency[static_cast<std::size_t>(i)]);
-    if (solved.backward_error(i) > result.check.worst_backward_error) {
-      result.check.worst_backward_error = solved.backward_error(i);
-      result.check.at_angular_frequency = angular_frequency[static_cast<std::size_t>(i)];
-    }
-  }
+  for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
+    note_error(solved.backward_error(i), angular_frequency[static_cast<std::size_t>(i)], result.check);
   return result;
 }
 

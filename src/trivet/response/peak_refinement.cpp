@@ -28,7 +28,7 @@ struct Sensitivity {
 class Curve {
  public:
   Curve(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& load)
-      : derivative_(channel.derivative), d_(numerics::unit_scale(assembled.matrices.A)) {
+      : derivative_(channel.derivative), d_(numerics::unit_scale(assembled.matrices)) {
     const numerics::DynamicMatrices m = numerics::scaled(assembled.matrices, d_);
     A_ = m.A.cast<Complex>();
     B_ = m.B.cast<Complex>();
@@ -36,6 +36,7 @@ class Curve {
     h_ = (d_.asDiagonal() * load).cast<Complex>();
     c0_ = (d_.asDiagonal() * channel.on_displacement).cast<Complex>();
     c1_ = (d_.asDiagonal() * channel.on_velocity).cast<Complex>();
+    c2_ = (d_.asDiagonal() * channel.on_acceleration).cast<Complex>();
   }
 
   Jet at(Extended w) const {
@@ -46,9 +47,10 @@ class Curve {
     const ExtendedVector q1 = solver.solve(-(slope * q0));
     const ExtendedVector q2 = solver.solve(-(Extended(2) * (slope * q1)) + Extended(2) * (A_ * q0));
     const auto with = [](const ExtendedVector& c, const ExtendedVector& q) -> Complex { return c.transpose() * q; };
-    // y = c0ᵀq + iω c1ᵀq, then each time derivative multiplies by iω.
-    Jet y = {with(c0_, q0) + i * w * with(c1_, q0), with(c0_, q1) + i * (with(c1_, q0) + w * with(c1_, q1)),
-             with(c0_, q2) + i * (Extended(2) * with(c1_, q1) + w * with(c1_, q2))};
+    // y = cᵀq with c = c0 + iω c1 − ω² c2, then each time derivative multiplies by iω.
+    const ExtendedVector c = c0_ + i * w * c1_ - w * w * c2_, slope_of_c = i * c1_ - Extended(2) * w * c2_;
+    Jet y = {with(c, q0), with(slope_of_c, q0) + with(c, q1),
+             Extended(2) * with(slope_of_c, q1) + with(c, q2) - Extended(2) * with(c2_, q0)};
     for (int k = 0; k < derivative_; ++k) y = {i * w * y[0], i * (y[0] + w * y[1]), i * (Extended(2) * y[1] + w * y[2])};
     return y;
   }
@@ -59,7 +61,7 @@ class Curve {
     const Complex i(0, 1);
     const ExtendedMatrix z = K_ + i * w * B_ - w * w * A_;
     const ExtendedVector q = numerics::RefinedSolver(z).solve(h_);
-    const ExtendedVector p = numerics::RefinedSolver(ExtendedMatrix(z.transpose())).solve(ExtendedVector(c0_ + i * w * c1_));
+    const ExtendedVector p = numerics::RefinedSolver(ExtendedMatrix(z.transpose())).solve(ExtendedVector(c0_ + i * w * c1_ - w * w * c2_));
     const Complex y = p.transpose() * h_;
     const Complex along = std::abs(y) > 0 ? std::conj(y) / std::abs(y) : Complex(1);
     const Extended rate = std::pow(w, Extended(derivative_));
@@ -78,7 +80,7 @@ class Curve {
   int derivative_;
   Eigen::VectorXd d_;
   ExtendedMatrix A_, B_, K_;
-  ExtendedVector h_, c0_, c1_;
+  ExtendedVector h_, c0_, c1_, c2_;
 };
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/numerics/response_series.h"
-#include "trivet/numerics/sign_changes.h"
-#include "trivet/response/curve_series.h"
+#include "trivet/response/axis_walk.h"
+#include "trivet/response/axis_panels.h"
 #include "trivet/response/frequency_response.h"
 #include "trivet/response/peak_refinement.h"
 
@@ -14,50 +13,6 @@ namespace trivet::response {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A curve below this share of what its coordinates could make of it is zero but for round-off.
-constexpr double vanishing = 1e-12;
-/// Panels are searched a little beyond their ends, so that an extremum on a seam is not lost; repeats merge afterwards.
-constexpr double overlap = 1e-6;
-/// Below this share of the first panel's radius an extremum stands at ω = 0.
-constexpr double at_rest = 1e-7;
-
-/// What one walk along the axis collects for one curve.
-struct Walk {
-  std::vector<Turning> turnings;
-  double largest_share = 0;   ///< of |y| in what the coordinates could make of it
-  double start = 0, end = 0;  ///< |y| at the lowest frequency and at infinity
-};
-
-/// |y| if all coordinates (in units of √mass) worked together.
-double possible_amplitude(const assembly::Channel& channel, const Eigen::VectorXd& scale, const Eigen::VectorXcd& q, double omega) {
-  const double level = q.cwiseAbs().cwiseQuotient(scale).maxCoeff();
-  const double reach = (channel.on_displacement.cwiseAbs() + omega * channel.on_velocity.cwiseAbs()).dot(scale);
-  return std::pow(omega, channel.derivative) * reach * level;
-}
-
-void walk_panel(const assembly::Channel& channel, const Panel& panel, const Eigen::MatrixXcd& q, const Eigen::VectorXd& scale, Walk& walk) {
-  const CurveSeries series = curve_series(channel, panel, q);
-  if (panel.at_infinity) {
-    walk.end = series.power > 0 ? 0 : amplitude(series, panel, 0);
-  } else {
-    const double possible = possible_amplitude(channel, scale, q.col(0), panel.centre);
-    const double size = std::sqrt(std::abs(*std::max_element(series.square.begin(), series.square.end(), [](double a, double b) { return std::abs(a) < std::abs(b); })));
-    if (!(size > vanishing * possible)) return;  // its ups and downs are round-off
-    walk.largest_share = std::max(walk.largest_share, size / possible);
-  }
-  const double lower = panel.at_infinity ? 0 : -1 - overlap;
-  std::vector<numerics::SignChange> changes = numerics::sign_changes(slope(series), lower, 1 + overlap);
-  if (panel.at_infinity) std::reverse(changes.begin(), changes.end());
-  for (const numerics::SignChange& change : changes) {
-    if (panel.at_infinity && !(change.at > 0)) continue;
-    const double omega = angular_frequency(panel, change.at);
-    // |y|² is even about ω = 0 without damping: the extremum at rest is no peak, and round-off may put it beside 0.
-    if (!panel.at_infinity && !(omega > at_rest * panel.radius)) continue;
-    // A maximum stays one whichever way the axis runs.
-    const double step = panel.at_infinity ? omega : panel.radius;
-    walk.turnings.push_back({omega, amplitude(series, panel, change.at), change.falling, step, step * change.uncertainty});
-  }
-}
 
 /// Ascending, and of neighbours of one kind (an extremum seen from two panels) only the more extreme.
 std::vector<Turning> alternating(std::vector<Turning> all) {
@@ -95,46 +50,53 @@ bool is_unbounded(const assembly::Assembled& assembled, const assembly::Channel&
   return y(1) > 9 * y(0) && y(2) > 9 * y(3);  // a pole in reach gives 10
 }
 
+bool defined_at_rest(const assembly::Assembled& assembled) {
+  return std::all_of(assembled.elements.begin(), assembled.elements.end(), [](const assembly::ElementMap& map) { return map.defined_from == 0; });
+}
+
+/// Frequency-dependent elements have no last pole: the search ends where the caller says, or well above the natural frequencies, and
+/// nowhere beyond a table.
+double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const PeakOptions& options) {
+  constexpr double well_above = 2;
+  double highest = 0;
+  for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
+  double end = options.search_to > 0 ? options.search_to : well_above * highest;
+  for (const assembly::ElementMap& map : assembled.elements) end = std::min(end, map.defined_to);
+  return end;
+}
+
 }  // namespace
 
 Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
             const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
   const numerics::DynamicMatrices& m = assembled.matrices;
-  const Eigen::VectorXd scale = numerics::unit_scale(m.A);
-  const PanelCover cover = cover_axis(roots.poles);
-  Peaks result;
-  result.searched_from = cover.lowest;
-  result.panels = static_cast<int>(cover.panels.size());
-  result.turnings.resize(channels.size());
   const bool loaded = load.cwiseAbs().maxCoeff() > 0;
+  const bool exact = assembled.frequency_dependent();
+  AxisWalk walk_along = exact ? walk_by_contours(assembled, channels, load, roots.poles, search_end(assembled, modes, options), progress)
+                              : walk_by_poles(assembled, channels, load, roots.poles, progress);
+  std::vector<Walk>& walks = walk_along.curves;
+  Peaks result;
+  result.searched_from = walk_along.lowest;
+  result.searched_to = walk_along.highest;
+  result.panels = walk_along.panels;
+  result.turnings.resize(channels.size());
 
-  std::vector<Walk> walks(channels.size());
-  if (loaded)
-    for (std::size_t p = 0; p < cover.panels.size(); ++p) {
-      const Panel& panel = cover.panels[p];
-      const Eigen::MatrixXcd q = panel.at_infinity ? numerics::response_series_at_infinity(m, load, panel.radius, series_order)
-                                                   : numerics::response_series(m, load, panel.centre, panel.radius, series_order);
-      if (!q.allFinite()) continue;  // stands on an undamped pole to the last digit: the gap around it is treated below
-      for (std::size_t c = 0; c < channels.size(); ++c) walk_panel(channels[c], panel, q, scale, walks[c]);
-      foundation::report_progress(progress, "peaks", 0.5 * static_cast<double>(p) / static_cast<double>(cover.panels.size()));
-    }
-
-  const bool rigid = cover.lowest > 0 || modal::has_rigid_motion(modes);
-  const FrequencyResponse first = frequency_response(assembled, channels, load, {cover.lowest});
+  const bool rigid = modal::has_rigid_motion(modes) || (!exact && walk_along.lowest > 0);
+  const FrequencyResponse first = frequency_response(assembled, channels, load, {rigid || !defined_at_rest(assembled) ? walk_along.lowest : 0.0});
   for (std::size_t c = 0; c < channels.size(); ++c) {
     CurveSummary& summary = result.curves.emplace_back(CurveSummary{channels[c].name, channels[c].unit, {}, 0, 0, false, 0});
     Walk& walk = walks[c];
     walk.start = std::abs(first.curves[c].value(0));
-    if (!rigid && std::isfinite(walk.start)) summary.static_amplitude = walk.start;
-    summary.vanishes = !loaded || walk.largest_share <= vanishing;
+    if (!rigid && defined_at_rest(assembled) && std::isfinite(walk.start)) summary.static_amplitude = walk.start;
+    summary.vanishes = !loaded || walk.largest_share <= vanishing_share;
     if (summary.vanishes) continue;
-    for (const double pole : cover.poles_on_axis)
+    for (const double pole : walk_along.poles_on_axis)
       if (is_unbounded(assembled, channels[c], load, pole)) walk.turnings.push_back({pole, infinity, true, gap_at_pole * pole, 0});
     result.turnings[c] = alternating(std::move(walk.turnings));
 
     double finite_top = std::max(std::isfinite(walk.start) ? walk.start : 0, walk.end);
     summary.highest = finite_top;
-    summary.highest_at = walk.end > walk.start ? infinity : cover.lowest;
+    summary.highest_at = walk.end > walk.start ? walk_along.highest : walk_along.lowest;
     for (const Turning& t : result.turnings[c]) {
       if (std::isfinite(t.amplitude)) finite_top = std::max(finite_top, t.amplitude);
       if (t.amplitude > summary.highest) {
@@ -149,7 +111,8 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       Peak peak{c, t.angular_frequency, t.amplitude, prominence(result.turnings[c], i, walk.start, walk.end), {}, {}, t.uncertainty, 0, false};
       if (!(peak.prominence > options.min_prominence * finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
-        const RefinedPeak refined = refine_peak(assembled, channels[c], load, t.angular_frequency, t.reach);
+        const RefinedPeak refined = exact ? RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, contour_accuracy * t.amplitude, true}
+                                          : refine_peak(assembled, channels[c], load, t.angular_frequency, t.reach);
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;
           peak.angular_frequency = refined.angular_frequency;
@@ -163,7 +126,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
         peak.refined = true;
       }
       if (summary.static_amplitude && *summary.static_amplitude > 0) peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
-      peak.nearest_mode = modal::nearest_mode(modes, peak.angular_frequency, m.size());
+      peak.nearest_mode = modal::nearest_mode(modes, peak.angular_frequency, static_cast<Eigen::Index>(numerics::massive_rows(m.A).size()));
       ++summary.peaks;
       result.list.push_back(peak);
     }

@@ -9,6 +9,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/roots.h"
+#include "trivet/response/axis_walk.h"
 
 namespace trivet::response {
 
@@ -36,31 +37,26 @@ struct CurveSummary {
   int peaks = 0;
 };
 
-/// A local extremum of |y(ω)|, maximum or minimum, as found on its panel.
-struct Turning {
-  double angular_frequency = 0;
-  double amplitude = 0;
-  bool maximum = false;
-  double reach = 0;         ///< radius of its panel [rad/s]
-  double uncertainty = 0;   ///< [rad/s]
-};
-
 struct Peaks {
   std::vector<Peak> list;               ///< by curve, then ascending
   std::vector<CurveSummary> curves;
   std::vector<std::vector<Turning>> turnings;  ///< per curve: all extrema
-  double searched_from = 0;             ///< [rad/s]; up to infinity
+  double searched_from = 0;             ///< [rad/s]
+  double searched_to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite where elements depend on frequency in their own way
   int panels = 0;                       ///< pieces of the axis that were searched
 };
 
 struct PeakOptions {
   double min_prominence = 1e-6;  ///< of the curve's largest finite amplitude
+  double search_to = 0;          ///< [rad/s] with frequency-dependent elements; 0: twice the highest natural frequency
 };
 
 /// Every peak of every channel, wherever it lies. The axis is covered by discs free of poles; on each |y|² is a Taylor series
 /// whose derivative is searched for sign changes by bisection with bounds, so that none above round-off is missed; the last
 /// disc is centred at ω = ∞. Each maximum is then refined in extended precision. Works for complex loads, loss factors,
 /// coincident and defective roots alike.
+/// Elements that depend on frequency in their own way (exact springs, tables, fractional laws) have no finite set of poles: there the
+/// series come from samples on circles that are shrunk until nothing of a pole inside is left, up to `search_to`.
 [[nodiscard]] Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
                           const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options = {},
                           const foundation::Progress& progress = {});

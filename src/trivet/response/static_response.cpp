@@ -20,14 +20,22 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
   }
   numerics::DynamicMatrices stiffness_only = assembled.matrices;
   stiffness_only.K_loss.resize(0, 0);
-  const Eigen::VectorXcd load = assembly::static_load(system, assembled.layout).cast<std::complex<double>>();
+  const Eigen::VectorXcd load = assembly::static_load(system, assembled).cast<std::complex<double>>();
+  // At rest a coordinate without mass moves like any other; a frequency-dependent element acts with D(0), which its matrices hold.
   const numerics::SweepResult solved = numerics::sweep(stiffness_only, load, {0.0});
   if (solved.singular > 0) throw foundation::NotComputable("static: the stiffness matrix is singular");
   const Eigen::VectorXd q = solved.response.col(0).real();
   StaticResponse result;
   result.backward_error = solved.backward_error(0);
   for (const assembly::Channel& channel : channels)
-    if (channel.derivative == 0) result.values.push_back({channel.name, channel.unit, channel.on_displacement.real().dot(q)});
+    if (channel.derivative == 0) {
+      double value = channel.on_displacement.real().dot(q) + channel.own_weight;
+      for (const assembly::DynamicForce& force : channel.dynamic_forces) {
+        const assembly::ElementMap& map = assembled.elements[force.element];
+        value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(q));
+      }
+      result.values.push_back({channel.name, channel.unit, value});
+    }
   return result;
 }
 

@@ -215,7 +215,7 @@ response::DeepCheck deep_check(const Case& variant) {
   const auto& request = variant.analyses.response;
   const response::Band band = request && request->band ? *request->band : default_band(modes);
   Eigen::VectorXcd load = assembly::harmonic_load(variant.system, assembled.layout);
-  if (load.cwiseAbs().maxCoeff() == 0) load = numerics::unit_scale(assembled.matrices.A).cwiseInverse().cast<std::complex<double>>();
+  if (load.cwiseAbs().maxCoeff() == 0) load.head(assembled.layout.of_bodies()) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(assembled.layout.of_bodies()).cast<std::complex<double>>();
   return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));
 }
 

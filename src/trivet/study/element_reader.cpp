@@ -5,6 +5,7 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/element_parts.h"
 #include "trivet/study/part_readers.h"
 
 namespace trivet::study {
@@ -14,15 +15,15 @@ using elements::Matrix12;
 
 constexpr std::size_t most_elements = 5000;
 
-/// What entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix measures.
-Quantity matrix_entry(bool damping, int i, int j) {
-  const bool moment = i % 6 >= 3, angle = j % 6 >= 3;
-  if (damping) {
-    if (moment) return angle ? Quantity::damping_moment_per_angle : Quantity::damping_moment_per_length;
-    return angle ? Quantity::damping_force_per_angle : Quantity::damping_force_per_length;
-  }
-  if (moment) return angle ? Quantity::moment_per_angle : Quantity::moment_per_length;
-  return angle ? Quantity::force_per_angle : Quantity::force_per_length;
+/// Laws that find their own 12×12 from dimensions, materials and data.
+constexpr std::pair<const char*, LengthOf (*)(TableReader&, model::Element&)> sized_laws[] = {
+    {"coil_spring", read_coil_spring},
+};
+
+std::vector<std::string> all_types() {
+  std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper"};
+  for (const auto& law : sized_laws) types.emplace_back(law.first);
+  return types;
 }
 
 /// Builds one element: where its ends are, then its law in their axes.
@@ -36,12 +37,13 @@ class ElementReader {
   std::optional<model::Element> read() {
     const std::size_t before = reader_.problems().list().size();
     element_.type = reader_.required_text("type");
-    const bool placed = read_ends();  // if not, the law is still read for its own problems
+    const bool sized = read_sized_law();  // its length places end N
+    const bool placed = read_ends();      // if not, the law is still read for its own problems
     element_.symmetric = reader_.boolean("symmetric").value_or(true);
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
-    const bool known_law = read_law();
-    read_damping();
+    const bool known_law = sized || read_law();
+    if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();
     else report_tables_inside(node_);  // which other keys belong here depends on the type
     return placed && reader_.problems().list().size() == before ? std::optional(element_) : std::nullopt;
@@ -68,6 +70,8 @@ class ElementReader {
     const auto axis = reader_.direction("axis");
     const auto orientation = reader_.orientation("orientation");
     const auto from_orientation = reader_.orientation("from_orientation");
+    if (length_ && from_orientation)
+      reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends of it share its own axes", "remove it, and turn the element by axis or orientation");
     if (reader_.has("axis") && reader_.has("orientation"))
       reader_.error("axis", "axis and orientation", "only one of them turns the local axes", "remove one");
     if (!on || !at || from_is_wrong || (reader_.has("from_at") && !from_at)) return false;
@@ -77,12 +81,39 @@ class ElementReader {
     element_.k.body = *on;
     element_.k.at = *at;
     element_.k.axes = orientation ? *orientation : axis ? spatial::axes_along(*axis) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    const Eigen::Vector3d k_in_ground = body.position + body.rotation * *at;
+    if (length_ && from_at && !axis && !orientation) align_with(body.rotation.transpose() * (k_in_ground - other.position - other.rotation * *from_at));
+    const Eigen::Vector3d n_to_k = length_.value_or(0) * (body.rotation * element_.k.axes.col(2));
     element_.n.body = from;
-    element_.n.at = from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (body.position + body.rotation * *at - other.position));
+    element_.n.at = from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (k_in_ground - n_to_k - other.position));
     element_.n.axes = from_orientation ? *from_orientation : Eigen::Matrix3d(other.rotation.transpose() * body.rotation * element_.k.axes);
     span_ = model::span(bodies_.bodies, element_.n, element_.k);
     placed_ = true;
+    if (length_ && from_at) check_length();
     return true;
+  }
+
+  /// An element with a length and two given ends lies along them.
+  void align_with(const Eigen::Vector3d& arm) {
+    if (arm.norm() > 0) element_.k.axes = spatial::axes_along(arm.normalized());
+  }
+
+  void check_length() {
+    constexpr double rounding = 1e-6;
+    const Eigen::Vector3d expected = *length_ * Eigen::Vector3d::UnitZ();
+    if ((span_.arm - expected).norm() <= rounding * *length_) return;
+    reader_.error("from_at", fmt::format("from N to K it is ({:.6g}, {:.6g}, {:.6g}) m in the local axes", span_.arm.x(), span_.arm.y(), span_.arm.z()),
+                  fmt::format("this element is {:.6g} m long along its local e3", *length_), "leave from_at away, or mend the ends, the axis or the element");
+  }
+
+  /// Laws that know their own size. False if the type is none of them.
+  bool read_sized_law() {
+    for (const auto& [type, read] : sized_laws)
+      if (element_.type == type) {
+        length_ = read(reader_, element_);
+        return true;
+      }
+    return false;
   }
 
   /// False if the type is none of the laws.
@@ -92,7 +123,7 @@ class ElementReader {
     else if (element_.type == "three_springs") read_bushing(false);
     else if (element_.type == "damper") read_damper();
     else {
-      if (reader_.has("type")) static_cast<void>(reader_.choice("type", {"matrix", "bushing", "three_springs", "damper"}));
+      if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types()));
       return false;
     }
     return true;
@@ -101,31 +132,12 @@ class ElementReader {
   void read_matrix() {
     if (!reader_.has("stiffness")) reader_.missing("stiffness", "give the 6×6 of the moved end K, or the full 12×12 (N, K)");
     if (const auto matrix = reader_.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12}))
-      element_.law.nominal_stiffness = full(*matrix);
-  }
-
-  /// A 12×12 is taken as given; a 6×6 of the K end is completed by equilibrium.
-  Matrix12 full(const Eigen::MatrixXd& matrix) const {
-    if (matrix.rows() == 12) return matrix;
-    return elements::in_end_axes(elements::from_moved_end(matrix, span_.arm), span_.n_from_k);
-  }
-
-  elements::Vector6 constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation) {
-    elements::Vector6 k = elements::Vector6::Zero();
-    if (!reader.has("translation")) reader.missing("translation", fmt::format("give three constants in {} along the local axes: translation = [x, y, z]", si_unit(translation)));
-    if (const auto t = reader.vector("translation", translation)) k.head<3>() = *t;
-    if (with_rotation)
-      if (const auto r = reader.vector("rotation", rotation)) k.tail<3>() = *r;
-    for (int i = 0; i < 6; ++i)
-      if (k(i) < 0)
-        reader.error(i < 3 ? "translation" : "rotation", fmt::format("{:.6g}", k(i)), "each constant must be ≥ 0",
-                     "a negative one would give energy away");
-    return k;
+      element_.law.nominal_stiffness = full_matrix(*matrix, span_);
   }
 
   void read_bushing(bool with_rotation) {
     read_centre();
-    const elements::Vector6 k = constants(reader_, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
+    const elements::Vector6 k = read_constants(reader_, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
     element_.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(k, span_.arm, centre_), span_.n_from_k);
   }
 
@@ -153,46 +165,6 @@ class ElementReader {
         elements::in_end_axes(elements::constant_along_line(c, line.normalized(), span_.arm, centre_), span_.n_from_k)};
   }
 
-  void read_damping() {
-    if (element_.type == "damper") return;
-    const Node* table = reader_.table("damping");
-    if (!table) return;
-    TableReader damping(*table, reader_.path() + ".damping", reader_.problems());
-    std::vector<std::string> laws;
-    for (const char* key : {"proportional", "loss_factor", "matrix"})
-      if (damping.has(key)) laws.push_back(key);
-    if (damping.has("translation") || damping.has("rotation")) laws.push_back(damping.has("translation") ? "translation" : "rotation");
-    const char* const rule = "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}";
-    if (laws.empty()) reader_.error("damping", "no law", rule, "give one of them");
-    if (laws.size() > 1) {
-      std::string given;
-      const Node* latest = table;
-      for (const std::string& law : laws) {
-        given += (given.empty() ? "" : " and ") + law;
-        if (table->find(law)->origin.line > latest->origin.line) latest = table->find(law);
-      }
-      reader_.error("damping", given, rule, "keep one of them").origin = latest->origin;
-    }
-    if (const auto factor = damping.number("proportional", Quantity::time)) {
-      const auto of = damping.choice("of", {"scaled", "nominal"});
-      element_.law.damping = elements::ProportionalDamping{*factor, of == "nominal"};
-    }
-    if (const auto loss = damping.number("loss_factor", Quantity::pure)) element_.law.damping = elements::LossFactor{*loss};
-    if (const auto matrix = damping.matrix("matrix", [](int, int i, int j) { return matrix_entry(true, i, j); }, {6, 12}))
-      element_.law.damping = elements::DampingMatrix{full(*matrix)};
-    if (damping.has("translation") || damping.has("rotation")) {
-      const elements::Vector6 c = constants(damping, Quantity::damping_force_per_length, Quantity::damping_moment_per_angle, true);
-      const double centre = element_.type == "matrix" ? 1 : centre_;
-      element_.law.damping = elements::DampingMatrix{elements::in_end_axes(elements::constants_at_point(c, span_.arm, centre), span_.n_from_k)};
-    }
-    for (const char* key : {"of", "translation", "rotation"}) {
-      const bool misplaced = std::string(key) == "of" && damping.has("of") && !damping.has("proportional");
-      if (misplaced) damping.error("of", "of without proportional", "it says of which stiffness a proportional damping is taken", "remove it");
-      static_cast<void>(damping.node(key));
-    }
-    damping.finish();
-  }
-
   const Node& node_;
   TableReader reader_;
   const model::Description& bodies_;
@@ -201,6 +173,7 @@ class ElementReader {
   model::Span span_{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   bool placed_ = false;
   double centre_ = 0.5;
+  LengthOf length_;   ///< of a law that knows it
 };
 
 }  // namespace

@@ -48,6 +48,15 @@ foundation::Problem& TableReader::error(const std::string& key, std::string find
   return error_at(node ? *node : table_, where, std::move(finding), std::move(rule), std::move(remedy));
 }
 
+void TableReader::add(const foundation::Problems& findings) {
+  for (foundation::Problem problem : findings.list()) {
+    const Node* node = table_.find(problem.subject.substr(0, problem.subject.find('.')));
+    problem.origin = (node ? *node : table_).origin;
+    problem.subject = problem.subject.empty() ? path_ : path_ + "." + problem.subject;
+    problems_.add(std::move(problem));
+  }
+}
+
 void TableReader::missing(const std::string& key, const std::string& remedy) { error(key, "missing", "it is required", remedy); }
 
 const Node* TableReader::node(const std::string& key) {

@@ -30,6 +30,9 @@ class TableReader {
   /// A table behind a key; another kind of value is a problem.
   const Node* table(const std::string& key);
 
+  /// Findings of a check whose subjects are keys of this table.
+  void add(const foundation::Problems& findings);
+
   std::optional<double> number(const std::string& key, Quantity quantity);
   double required_number(const std::string& key, Quantity quantity);
   std::optional<std::string> text(const std::string& key);

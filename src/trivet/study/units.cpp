@@ -136,6 +136,8 @@ const char* si_unit(Quantity quantity) {
     case Quantity::damping_force_per_angle: return "N s/rad";
     case Quantity::damping_moment_per_length: return "N m s/m";
     case Quantity::damping_moment_per_angle: return "N m s/rad";
+    case Quantity::pressure: return "Pa";
+    case Quantity::density: return "kg/m3";
   }
   return "";
 }

@@ -31,7 +31,9 @@ enum class Quantity {
   damping_force_per_length,
   damping_force_per_angle,
   damping_moment_per_length,
-  damping_moment_per_angle
+  damping_moment_per_angle,
+  pressure,
+  density
 };
 
 [[nodiscard]] const char* si_unit(Quantity quantity);

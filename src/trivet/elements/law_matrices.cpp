@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+#include "trivet/elements/law.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::elements {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A fractional law is imitated over this many decades to either side of its relaxation.
+constexpr double imitated_decades = 4;
+
+/// K = L S Lᵀ with as few columns as K has rank, S = ±1: strains that an element with stiffness K can store energy in.
+struct Strains {
+  Eigen::MatrixXd shape;
+  Eigen::VectorXd sign;
+};
+
+Strains strains(const Eigen::MatrixXd& stiffness) {
+  constexpr double round_off = 1e-13;
+  const Eigen::VectorXd scale = stiffness.diagonal().unaryExpr([](double k) { return k == 0 ? 1.0 : std::sqrt(std::abs(k)); });
+  const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * stiffness * scale.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (scaled + scaled.transpose()));
+  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
+    if (std::abs(solver.eigenvalues()(i)) > round_off * largest) kept.push_back(i);
+  const Eigen::VectorXd values = solver.eigenvalues()(kept);
+  const Eigen::MatrixXd vectors = solver.eigenvectors()(Eigen::all, kept);
+  return {scale.asDiagonal() * vectors * values.cwiseAbs().cwiseSqrt().asDiagonal(), values.cwiseSign()};
+}
+
+/// Adds one Maxwell branch of `ratio` times the stiffness behind L, relaxing with `time`: g(z − Lᵀd) + gτ ż = 0.
+void add_branch(const Strains& strain, double ratio, double time, Matrices& m) {
+  const Eigen::Index old = m.stiffness.rows(), rank = strain.sign.size(), first = strain.shape.rows();
+  for (Eigen::MatrixXd* matrix : {&m.stiffness, &m.damping, &m.mass}) {
+    matrix->conservativeResize(old + rank, old + rank);
+    matrix->rightCols(rank).setZero();
+    matrix->bottomRows(rank).setZero();
+  }
+  const Eigen::MatrixXd signed_shape = ratio * strain.shape * strain.sign.asDiagonal();
+  m.stiffness.topLeftCorner(first, first) += signed_shape * strain.shape.transpose();
+  m.stiffness.block(0, old, first, rank) = -signed_shape;
+  m.stiffness.block(old, 0, rank, first) = -signed_shape.transpose();
+  m.stiffness.bottomRightCorner(rank, rank) = ratio * Eigen::MatrixXd(strain.sign.asDiagonal());
+  m.damping.bottomRightCorner(rank, rank) = ratio * time * Eigen::MatrixXd(strain.sign.asDiagonal());
+}
+
+RationalForm rational(const Viscoelastic& law) {
+  if (const auto* fractional = std::get_if<FractionalZener>(&law)) {
+    const double reach = std::pow(10.0, imitated_decades);
+    return rational_form(law, 1 / (fractional->time * reach), reach / fractional->time);
+  }
+  return rational_form(law, 1, 2);  // exact on any band
+}
+
+/// The factor on every modulus of the element: scale, loss factor, proportional damping and relaxation together.
+Complex relative_stiffness(const Law& law, Complex omega) {
+  const Complex i(0, 1);
+  Complex factor = law.scale;
+  if (const auto* relaxing = std::get_if<Viscoelastic>(&law.damping)) factor *= relative_modulus(*relaxing, omega);
+  if (const auto* proportional = std::get_if<ProportionalDamping>(&law.damping))
+    factor += i * omega * proportional->factor * (proportional->of_nominal ? 1.0 : law.scale);
+  return factor * Complex(1, loss_factor(law));
+}
+
+/// −ω²M − ω⁴ Σ p pᵀ/(μω_k² − ω²): what the element's own mass adds when every modulus is μ times the nominal one.
+Matrix12c inertia_terms(const Inertia& inertia, Complex modulus, Complex omega) {
+  const Complex square = omega * omega;
+  Matrix12c terms = -square * inertia.mass.cast<Complex>();
+  for (Eigen::Index k = 0; k < inertia.angular_frequencies.size(); ++k) {
+    const double own = inertia.angular_frequencies(k);
+    const Vector12 p = inertia.coupling.col(k);
+    terms -= (square * square / (modulus * own * own - square)) * (p * p.transpose()).cast<Complex>();
+  }
+  return terms;
+}
+
+}  // namespace
+
+bool is_frequency_dependent(const Law& law) {
+  const auto* relaxing = std::get_if<Viscoelastic>(&law.damping);
+  return law.frequency_dependence || (relaxing && std::holds_alternative<FractionalZener>(*relaxing));
+}
+
+Matrices matrices(const Law& law) {
+  const Eigen::Index modes = law.inertia ? law.inertia->angular_frequencies.size() : 0;
+  Matrices m;
+  m.stiffness = m.damping = m.mass = Eigen::MatrixXd::Zero(12 + modes, 12 + modes);
+  m.stiffness.topLeftCorner<12, 12>() = stiffness(law);
+  m.loss_factor = loss_factor(law);
+  if (law.inertia) {
+    m.stiffness.diagonal().tail(modes) = law.scale * law.inertia->angular_frequencies.cwiseAbs2();
+    m.mass.topLeftCorner<12, 12>() = law.inertia->mass;
+    m.mass.topRightCorner(12, modes) = law.inertia->coupling;
+    m.mass.bottomLeftCorner(modes, 12) = law.inertia->coupling.transpose();
+    m.mass.bottomRightCorner(modes, modes).setIdentity();
+  }
+  if (const auto* proportional = std::get_if<ProportionalDamping>(&law.damping))
+    m.damping = proportional->factor * (proportional->of_nominal ? 1 / law.scale : 1.0) * m.stiffness;
+  if (const auto* given = std::get_if<DampingMatrix>(&law.damping)) m.damping.topLeftCorner<12, 12>() = given->matrix;
+  if (const auto* relaxing = std::get_if<Viscoelastic>(&law.damping)) {
+    const RationalForm form = rational(*relaxing);
+    const Eigen::MatrixXd relaxed = m.stiffness;
+    m.damping = form.viscous_time * relaxed;
+    const Strains strain = strains(relaxed);
+    for (std::size_t i = 0; i < form.ratios.size(); ++i)
+      if (form.ratios[i] > 0) add_branch(strain, form.ratios[i], form.times[i], m);
+  }
+  return m;
+}
+
+Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
+  const Complex modulus = relative_stiffness(law, omega);
+  Matrix12c result;
+  if (law.frequency_dependence) {
+    const FrequencyDependence& given = *law.frequency_dependence;
+    const double slack = std::isfinite(given.to) ? 1e-9 * given.to : 0;
+    if (near < given.from - slack || near > given.to + slack)
+      throw foundation::NotComputable(fmt::format("an element's table ends: it gives no stiffness at {:.6g} rad/s, only from {:.6g} to {:.6g} rad/s",
+                                                  near, given.from, given.to));
+    result = given.elastic ? Matrix12c(modulus * given.stiffness(omega / std::sqrt(modulus), near)) : Matrix12c(law.scale * given.stiffness(omega, near));
+  } else {
+    result = modulus * law.nominal_stiffness.cast<Complex>();
+    if (law.inertia) result += inertia_terms(*law.inertia, modulus, omega);
+  }
+  if (const auto* given = std::get_if<DampingMatrix>(&law.damping)) result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
+  return result;
+}
+
+}  // namespace trivet::elements

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/axis_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/numerics/response_series.h"
+#include "trivet/numerics/sign_changes.h"
+#include "trivet/response/curve_series.h"
+#include "trivet/response/exact_response.h"
+
+namespace trivet::response {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Panels are searched a little beyond their ends, so that an extremum on a seam is not lost; repeats merge afterwards.
+constexpr double overlap = 1e-6;
+/// Below this share of the first panel's radius an extremum stands at ω = 0.
+constexpr double at_rest = 1e-7;
+
+/// |y| if all coordinates (in units of √mass) worked together.
+double possible_amplitude(const assembly::Channel& channel, const Eigen::VectorXd& scale, const Eigen::VectorXcd& q, double omega) {
+  const double level = q.cwiseAbs().cwiseQuotient(scale).maxCoeff();
+  const double reach = (channel.on_displacement.cwiseAbs() + omega * channel.on_velocity.cwiseAbs() +
+                        omega * omega * channel.on_acceleration.cwiseAbs()).dot(scale);
+  return std::pow(omega, channel.derivative) * reach * level;
+}
+
+void note_turnings(const CurveSeries& series, const Panel& panel, Walk& walk) {
+  const double lower = panel.at_infinity ? 0 : -1 - overlap;
+  std::vector<numerics::SignChange> changes = numerics::sign_changes(slope(series), lower, 1 + overlap);
+  if (panel.at_infinity) std::reverse(changes.begin(), changes.end());
+  for (const numerics::SignChange& change : changes) {
+    if (panel.at_infinity && !(change.at > 0)) continue;
+    const double omega = angular_frequency(panel, change.at);
+    // |y|² is even about ω = 0 without damping: the extremum at rest is no peak, and round-off may put it beside 0.
+    if (!panel.at_infinity && !(omega > at_rest * panel.radius)) continue;
+    // A maximum stays one whichever way the axis runs.
+    const double step = panel.at_infinity ? omega : panel.radius;
+    walk.turnings.push_back({omega, amplitude(series, panel, change.at), change.falling, step, step * change.uncertainty});
+  }
+}
+
+double size_of(const CurveSeries& series) {
+  double largest = 0;
+  for (const double s : series.square) largest = std::max(largest, std::abs(s));
+  return std::sqrt(largest);
+}
+
+void walk_panel(const assembly::Channel& channel, const Panel& panel, const Eigen::MatrixXcd& q, const Eigen::VectorXd& scale, Walk& walk) {
+  const CurveSeries series = curve_series(channel, panel, q);
+  if (panel.at_infinity) {
+    walk.end = series.power > 0 ? 0 : amplitude(series, panel, 0);
+  } else {
+    const double possible = possible_amplitude(channel, scale, q.col(0), panel.centre);
+    if (!(size_of(series) > vanishing_share * possible)) return;  // its ups and downs are round-off
+    walk.largest_share = std::max(walk.largest_share, size_of(series) / possible);
+  }
+  note_turnings(series, panel, walk);
+}
+
+/// Samples on a circle of radius `spread` panel radii, and how small what betrays a pole must be.
+constexpr int samples = 64;
+constexpr double spread = 1.25;
+constexpr int betraying = 8;
+constexpr double pole_free = 1e-11;
+
+/// Taylor coefficients of every curve (rows) in τ, ω = centre + radius τ; empty if a pole is too near.
+Eigen::MatrixXcd contour_series(const ExactResponse& exact, const Panel& panel, Eigen::VectorXd& level) {
+  std::vector<Eigen::VectorXcd> values;
+  for (int k = 0; k < samples; ++k) {
+    const ExactSample sample = exact.at(panel.centre + spread * panel.radius * std::polar(1.0, 2 * std::numbers::pi * k / samples), panel.centre);
+    if (!sample.values.allFinite()) return {};
+    values.push_back(sample.values);
+  }
+  const Eigen::Index curves = values[0].size();
+  Eigen::MatrixXcd series = Eigen::MatrixXcd::Zero(curves, samples);
+  level.setZero(curves);
+  for (int j = 0; j < samples; ++j)
+    for (int k = 0; k < samples; ++k) series.col(j) += values[static_cast<std::size_t>(k)] * std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
+  for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
+  // Coefficients of the last powers are those of the first negative ones: the principal part of a pole inside.
+  for (Eigen::Index c = 0; c < curves; ++c)
+    if (series.row(c).tail(betraying).cwiseAbs().maxCoeff() > pole_free * level(c)) return {};
+  double power = 1;
+  for (int j = 0; j < samples; ++j, power /= spread) series.col(j) *= power;
+  return series.leftCols(samples - betraying);
+}
+
+CurveSeries squared(const Eigen::RowVectorXcd& y) {
+  CurveSeries result;
+  result.square.assign(static_cast<std::size_t>(y.size()), 0.0);
+  for (Eigen::Index k = 0; k < y.size(); ++k)
+    for (Eigen::Index j = 0; j <= k; ++j) result.square[static_cast<std::size_t>(k)] += (std::conj(y(j)) * y(k - j)).real();
+  return result;
+}
+
+double first_guess(const Eigen::VectorXcd& poles, double from) {
+  const double distance = (poles.array() - Complex(0, from)).abs().minCoeff();
+  return std::max(panel_ratio * distance, 1e-6 * from);
+}
+
+}  // namespace
+
+AxisWalk walk_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+                       const Eigen::VectorXcd& poles, const foundation::Progress& progress) {
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  const Eigen::VectorXd scale = numerics::unit_scale(m);
+  PanelCover cover = cover_axis(poles);
+  AxisWalk result{std::vector<Walk>(channels.size()), std::move(cover.poles_on_axis), cover.lowest, std::numeric_limits<double>::infinity(),
+                  static_cast<int>(cover.panels.size())};
+  if (load.cwiseAbs().maxCoeff() == 0) return result;
+  for (std::size_t p = 0; p < cover.panels.size(); ++p) {
+    const Panel& panel = cover.panels[p];
+    const Eigen::MatrixXcd q = panel.at_infinity ? numerics::response_series_at_infinity(m, load, panel.radius, series_order)
+                                                 : numerics::response_series(m, load, panel.centre, panel.radius, series_order);
+    if (!q.allFinite()) continue;  // stands on an undamped pole to the last digit: the gap around it is treated as such
+    for (std::size_t c = 0; c < channels.size(); ++c) walk_panel(channels[c], panel, q, scale, result.curves[c]);
+    foundation::report_progress(progress, "peaks", 0.5 * static_cast<double>(p) / static_cast<double>(cover.panels.size()));
+  }
+  return result;
+}
+
+AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+                          const Eigen::VectorXcd& near_poles, double highest, const foundation::Progress& progress) {
+  constexpr double start_share = 1e-3, growth = 1.6;
+  AxisWalk result{std::vector<Walk>(channels.size()), {}, 0, highest, 0};
+  double smallest = highest;
+  for (Eigen::Index k = 0; k < near_poles.size(); ++k)
+    if (std::abs(near_poles(k)) > 0 && near_poles(k).imag() != 0) smallest = std::min(smallest, std::abs(near_poles(k)));
+  for (const assembly::ElementMap& map : assembled.elements) result.lowest = std::max(result.lowest, map.defined_from);
+  if (result.lowest == 0) result.lowest = start_share * smallest;
+  if (load.cwiseAbs().maxCoeff() == 0 || !(highest > result.lowest)) return result;
+  const ExactResponse exact(assembled, channels, load);
+  std::vector<double> seams = {highest};
+  for (const assembly::ElementMap& map : assembled.elements) seams.insert(seams.end(), map.knots.begin(), map.knots.end());
+  std::sort(seams.begin(), seams.end());
+  double from = result.lowest, radius = first_guess(near_poles, from);
+  while (from < highest * (1 - 1e-9)) {
+    foundation::report_progress(progress, "peaks", 0.5 * from / highest);
+    // The whole circle must lie where the laws are defined: Re ω > 0.
+    const double seam = *std::upper_bound(seams.begin(), seams.end(), from * (1 + 1e-9));
+    radius = std::min({radius, 0.5 * (std::min(seam, highest) - from), from / (spread - 1) * 0.9});
+    const Panel panel{from + radius, radius, false};
+    Eigen::VectorXd level;
+    const Eigen::MatrixXcd series = contour_series(exact, panel, level);
+    if (series.size() == 0) {
+      radius *= 0.5;
+      if (radius > gap_at_pole * from) continue;
+      result.poles_on_axis.push_back(from * (1 + gap_at_pole));
+      from *= 1 + 4 * gap_at_pole;
+      continue;
+    }
+    ++result.panels;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const auto row = static_cast<Eigen::Index>(c);
+      if (level(row) == 0) continue;
+      result.curves[c].largest_share = 1;
+      note_turnings(squared(series.row(row)), panel, result.curves[c]);
+    }
+    from += 2 * radius;
+    radius *= growth;
+  }
+  const ExactSample last = exact.at(highest);
+  for (std::size_t c = 0; c < channels.size(); ++c) result.curves[c].end = std::abs(last.values(static_cast<Eigen::Index>(c)));
+  return result;
+}
+
+}  // namespace trivet::response

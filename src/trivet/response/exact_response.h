@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+
+namespace trivet::response {
+
+/// All answers at one ω, from the exact Z(ω).
+struct ExactSample {
+  Eigen::VectorXcd coordinates;   ///< first rows of the layout
+  Eigen::VectorXcd values;        ///< one per channel
+  double backward_error = 0;      ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
+};
+
+/// q(ω) = Z(ω)⁻¹ h where elements depend on ω in their own way; one pivoted factorisation a frequency. ω may be complex (Re ω ≥ 0).
+class ExactResponse {
+ public:
+  ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load);
+
+  [[nodiscard]] ExactSample at(std::complex<double> omega, double near) const;
+  [[nodiscard]] ExactSample at(double omega) const { return at(omega, omega); }
+
+ private:
+  const assembly::Assembled& assembled_;
+  const std::vector<assembly::Channel>& channels_;
+  Eigen::VectorXd scale_;
+  Eigen::VectorXcd load_;
+};
+
+}  // namespace trivet::response

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "trivet/model/system.h"
+#include "trivet/study/table_reader.h"
+
+/// One function per part of an element's table.
+namespace trivet::study {
+
+/// What entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix measures.
+[[nodiscard]] Quantity matrix_entry(bool damping, int i, int j);
+
+/// A 12×12 is taken as given; a 6×6 of the K end is completed by equilibrium.
+[[nodiscard]] elements::Matrix12 full_matrix(const Eigen::MatrixXd& given, const model::Span& span);
+
+/// `translation` and, if wanted, `rotation`: six constants along and about the local axes, each ≥ 0.
+[[nodiscard]] elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation);
+
+/// The table `damping` of an element into its law; constants act at the fraction `centre` of the span.
+void read_damping(TableReader& reader, const model::Span& span, double centre, model::Element& element);
+
+/// A law that knows its own size: it fills law and facts, in local axes with e3 from N to K, and returns the distance from N to K [m],
+/// or nothing after reporting what is wrong.
+using LengthOf = std::optional<double>;
+[[nodiscard]] LengthOf read_coil_spring(TableReader& reader, model::Element& element);
+
+}  // namespace trivet::study

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/material_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace trivet::study {
+namespace {
+
+void require_positive(TableReader& reader, const char* key, double value, const char* unit) {
+  if (!(value > 0)) reader.error(key, fmt::format("{:.6g} {}", value, unit), "it must be > 0", "mend the value or its unit");
+}
+
+std::optional<elements::Metal> named_metal(TableReader& reader) {
+  std::vector<std::string> names;
+  for (const elements::Metal& metal : elements::metals()) names.push_back(metal.name);
+  const auto name = reader.choice("material", names);
+  return name ? elements::metal(*name) : std::nullopt;
+}
+
+/// Exactly one of some keys.
+bool one_of(TableReader& reader, const std::vector<const char*>& keys, const char* remedy) {
+  int given = 0;
+  std::string list;
+  for (const char* key : keys) {
+    given += reader.has(key) ? 1 : 0;
+    list += (list.empty() ? "" : ", ") + std::string(key);
+  }
+  if (given == 1) return true;
+  const char* last = keys.front();
+  for (const char* key : keys) {
+    if (reader.has(key)) last = key;
+    static_cast<void>(reader.node(key));
+  }
+  reader.error(last, given == 0 ? "missing" : fmt::format("{} of {}", given, list), "exactly one of " + list + " is wanted", remedy);
+  return false;
+}
+
+}  // namespace
+
+std::optional<elements::Metal> read_metal(TableReader& reader) {
+  const Node* node = reader.node("material");
+  if (!node) {
+    reader.missing("material", "name one, material = \"spring_steel\", or give material = {E = \"206 GPa\", G = \"78.5 GPa\", density = 7850}");
+    return std::nullopt;
+  }
+  if (node->kind != Node::Kind::table) return named_metal(reader);
+  const std::size_t before = reader.problems().list().size();
+  TableReader table(*node, reader.path() + ".material", reader.problems());
+  elements::Metal metal{"given", 0, 0, std::numeric_limits<double>::quiet_NaN(), "the project file"};
+  metal.young_modulus = table.required_number("E", Quantity::pressure);
+  if (one_of(table, {"G", "nu"}, "give the shear modulus, or Poisson's ratio")) {
+    if (const auto shear = table.number("G", Quantity::pressure)) metal.shear_modulus = *shear;
+    if (const auto nu = table.number("nu", Quantity::pure)) metal.shear_modulus = metal.young_modulus / (2 * (1 + *nu));
+    require_positive(table, table.has("G") ? "G" : "nu", metal.shear_modulus, "Pa of shear modulus");
+  }
+  require_positive(table, "E", metal.young_modulus, "Pa");
+  if (const auto density = table.number("density", Quantity::density)) {
+    metal.density = *density;
+    require_positive(table, "density", *density, "kg/m³");
+  }
+  const double poisson = metal.young_modulus / (2 * metal.shear_modulus) - 1;
+  if (metal.shear_modulus > 0 && !(poisson > -1 && poisson < 0.5))
+    table.error("G", fmt::format("E = {:.6g} Pa, G = {:.6g} Pa: Poisson's ratio {:.4g}", metal.young_modulus, metal.shear_modulus, poisson),
+                "Poisson's ratio of an isotropic material lies between −1 and 0.5", "mend E or G; steel has E = 206 GPa, G = 79 GPa");
+  table.finish();
+  return reader.problems().list().size() == before ? std::optional(metal) : std::nullopt;
+}
+
+std::optional<elements::Rubber> read_rubber(TableReader& reader) {
+  const Node* node = reader.table("material");
+  if (!node) {
+    if (!reader.has("material")) reader.missing("material", "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}");
+    return std::nullopt;
+  }
+  const std::size_t before = reader.problems().list().size();
+  TableReader table(*node, reader.path() + ".material", reader.problems());
+  elements::Rubber rubber;
+  if (one_of(table, {"G", "E", "hardness"}, "give the shear modulus, Young's modulus, or the hardness (Shore A or IRHD)")) {
+    if (const auto shear = table.number("G", Quantity::pressure)) rubber.shear_modulus = *shear;
+    if (const auto young = table.number("E", Quantity::pressure)) rubber.shear_modulus = *young / 3;
+    if (const auto hardness = table.number("hardness", Quantity::pure)) {
+      const foundation::Problems findings = elements::check_hardness(*hardness);
+      table.add(findings);
+      rubber.shear_modulus = findings.has_errors() ? 1 : elements::young_modulus_from_hardness(*hardness) / 3;
+    }
+    const char* key = table.has("G") ? "G" : table.has("E") ? "E" : "hardness";
+    require_positive(table, key, rubber.shear_modulus, "Pa of shear modulus");
+  }
+  if (const auto bulk = table.number("bulk_modulus", Quantity::pressure)) {
+    rubber.bulk_modulus = *bulk;
+    require_positive(table, "bulk_modulus", *bulk, "Pa");
+  }
+  if (const auto stiffening = table.number("stiffening", Quantity::pure)) {
+    if (!(*stiffening >= 1)) table.error("stiffening", fmt::format("{:.6g}", *stiffening), "dynamic over static modulus is ≥ 1", "rubber is 1.1 to 3 times stiffer in vibration");
+    rubber.shear_modulus *= *stiffening;
+  }
+  table.finish();
+  bool sound = true;
+  for (const foundation::Problem& problem : reader.problems().list()) sound = sound && (&problem < reader.problems().list().data() + before || problem.severity == foundation::Severity::warning);
+  return sound ? std::optional(rubber) : std::nullopt;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/elements/coil_dynamics.h"
+#include "trivet/elements/coil_spring.h"
+#include "trivet/study/element_parts.h"
+#include "trivet/study/material_reader.h"
+
+namespace trivet::study {
+namespace {
+
+using elements::CoilSpring;
+
+constexpr int default_internal_modes = 6, most_internal_modes = 60;
+
+void read_wire(TableReader& reader, CoilSpring& spring) {
+  const bool rectangular = reader.has("wire_width") || reader.has("wire_height");
+  if (rectangular && reader.has("wire_diameter"))
+    reader.error("wire_diameter", "a diameter and a width or height", "a wire is round or rectangular", "keep wire_diameter, or wire_width (radial) and wire_height (axial)");
+  if (rectangular)
+    spring.wire = elements::RectangularWire{reader.required_number("wire_width", Quantity::length), reader.required_number("wire_height", Quantity::length)};
+  else
+    spring.wire = elements::RoundWire{reader.required_number("wire_diameter", Quantity::length)};
+  static_cast<void>(reader.node("wire_diameter"));
+}
+
+/// Free length of the active coils, or their pitch.
+void read_length(TableReader& reader, CoilSpring& spring) {
+  if (reader.has("free_length") == reader.has("pitch"))
+    reader.error(reader.has("pitch") ? "pitch" : "free_length", reader.has("pitch") ? "free_length and pitch" : "missing",
+                 "the length of the active coils follows from one of free_length, pitch", "give one of them");
+  if (const auto length = reader.number("free_length", Quantity::length)) spring.active_length = *length;
+  if (const auto pitch = reader.number("pitch", Quantity::length)) spring.active_length = *pitch * spring.active_coils;
+}
+
+/// One value for both ends, or [N, K].
+template <typename Value, typename Read>
+std::array<Value, 2> both_ends(const std::optional<std::vector<Value>>& list, const Value& otherwise, const Read& wrong) {
+  if (!list) return {otherwise, otherwise};
+  if (list->size() == 1) return {(*list)[0], (*list)[0]};
+  if (list->size() == 2) return {(*list)[0], (*list)[1]};
+  wrong();
+  return {otherwise, otherwise};
+}
+
+void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
+  const auto wrong = [&](const char* key) { return [&reader, key] { reader.error(key, "not one and not two values", "one value holds for both ends, two are those of N and K", "give one or two"); }; };
+  const Node* dead = reader.node("dead_coils");
+  std::optional<std::vector<double>> coils;
+  if (dead && dead->kind == Node::Kind::array) coils = reader.numbers("dead_coils", Quantity::pure);
+  else if (const auto one = reader.number("dead_coils", Quantity::pure)) coils = std::vector<double>{*one};
+  const auto dead_coils = both_ends<double>(coils, 0.0, wrong("dead_coils"));
+  spring.dead_coils_n = dead_coils[0];
+  spring.dead_coils_k = dead_coils[1];
+
+  const Node* seats = reader.node("ends");
+  std::optional<std::vector<std::string>> words;
+  if (seats && seats->kind == Node::Kind::array) words = reader.texts("ends");
+  else if (const auto one = reader.text("ends")) words = std::vector<std::string>{*one};
+  const auto ends = both_ends<std::string>(words, "clamped", wrong("ends"));
+  for (const std::string& word : ends)
+    if (word != "clamped" && word != "pivoted")
+      reader.error("ends", "\"" + word + "\"", "a seat is \"clamped\" or \"pivoted\" (no moment about the lateral axes)", "choose one of them");
+  spring.seat_n = ends[0] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
+  spring.seat_k = ends[1] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
+}
+
+std::string hertz(double omega) { return fmt::format("{:.6g} Hz", omega / (2 * std::numbers::pi)); }
+
+void add_facts(const CoilSpring& spring, model::Element& element) {
+  const elements::Matrix12& k = element.law.nominal_stiffness;
+  element.facts.push_back({"spring index D/d", fmt::format("{:.4g}", elements::spring_index(spring))});
+  element.facts.push_back({"distance of its seats", fmt::format("{:.6g} m", elements::seat_distance(spring))});
+  element.facts.push_back({"axial stiffness", fmt::format("{:.6g} N/m", k(8, 8))});
+  element.facts.push_back({"lateral stiffness", fmt::format("{:.6g} and {:.6g} N/m", k(6, 6), k(7, 7))});
+  if (!std::isnan(spring.density)) element.facts.push_back({"first own natural frequency", hertz(element.massless_up_to)});
+}
+
+void read_level(TableReader& reader, const CoilSpring& spring, const std::string& level, model::Element& element) {
+  const bool has_density = !std::isnan(spring.density);
+  if (has_density) element.massless_up_to = elements::natural_frequencies(spring, elements::SeatsHeld::both, 1).front();
+  const auto modes = reader.number("internal_modes", Quantity::pure);
+  if (modes && level == "quasi_static")
+    reader.error("internal_modes", "internal_modes without mass", "a quasi_static spring has none", "set level = \"with_mass\" or \"exact\", or remove it");
+  if (modes && !(*modes >= 0 && *modes <= most_internal_modes && *modes == std::floor(*modes))) {
+    reader.error("internal_modes", fmt::format("{:.6g}", *modes), fmt::format("a whole number from 0 to {}", most_internal_modes), "four to ten are usual");
+    return;
+  }
+  if (level == "quasi_static") return;
+  const elements::CoilInertia own = elements::reduced_mass(spring, modes ? static_cast<int>(*modes) : default_internal_modes);
+  element.law.inertia = elements::Inertia{own.mass, own.coupling, own.angular_frequencies};
+  element.facts.push_back({"own mass", fmt::format("{:.6g} kg", own.mass.block<3, 3>(0, 0).trace() / 3 + own.mass.block<3, 3>(6, 6).trace() / 3 + 2 * own.mass.block<3, 3>(0, 6).trace() / 3)});
+  if (level == "exact") {
+    element.law.frequency_dependence = elements::FrequencyDependence{};
+    element.law.frequency_dependence->stiffness = [coil = elements::seated_coil(spring)](std::complex<double> omega, double) { return elements::dynamic_stiffness(coil, omega); };
+  }
+  element.massless_up_to = std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
+  const std::size_t before = reader.problems().list().size();
+  CoilSpring spring;
+  read_wire(reader, spring);
+  spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
+  spring.active_coils = reader.required_number("active_coils", Quantity::pure);
+  read_length(reader, spring);
+  read_ends_of_coil(reader, spring);
+  spring.hand = reader.choice("hand", {"right", "left"}) == "left" ? elements::Hand::left : elements::Hand::right;
+  spring.start_angle = reader.number("start_angle", Quantity::angle).value_or(0);
+  if (const auto factor = reader.number("shear_factor", Quantity::pure)) spring.shear_factor = *factor;
+  const std::string level = reader.choice("level", {"quasi_static", "with_mass", "exact"}).value_or("quasi_static");
+  if (const auto metal = read_metal(reader)) {
+    spring.youngs_modulus = metal->young_modulus;
+    spring.shear_modulus = metal->shear_modulus;
+    spring.density = metal->density;
+  }
+  if (reader.problems().list().size() > before) return std::nullopt;
+  const foundation::Problems findings = elements::check(spring, level != "quasi_static");
+  reader.add(findings);
+  if (findings.has_errors()) return std::nullopt;
+  element.law.nominal_stiffness = elements::stiffness(spring);
+  read_level(reader, spring, level, element);
+  add_facts(spring, element);
+  return elements::seat_distance(spring);
+}
+
+}  // namespace trivet::study
