@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The coil spring by a second way: flexibility summed numerically, straight beam elements, its own limits.
+#include <gmock/gmock.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "support/coil_springs.h"
+#include "support/matchers.h"
+#include "trivet/elements/coil_dynamics.h"
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace {
+
+using namespace trivet;
+using elements::CoilSpring;
+using elements::Matrix12;
+using elements::Matrix6;
+using test::literature_spring;
+using test::random_spring;
+using test::scaled_difference;
+constexpr double pi = std::numbers::pi;
+constexpr int springs_tried = 60;
+
+struct Point {
+  Eigen::Vector3d place, tangent;
+};
+
+/// The wire's centre line from the seat at N, straight from the words of the definition.
+Point on_wire(const CoilSpring& s, double fraction) {
+  const double hand = s.hand == elements::Hand::right ? 1 : -1, sweep = 2 * pi * s.active_coils * hand, radius = s.mean_diameter / 2;
+  const double angle = s.start_angle + sweep * fraction;
+  return {{radius * std::cos(angle), radius * std::sin(angle), s.dead_coils_n * wire_height(s) + s.active_length * fraction},
+          {-radius * sweep * std::sin(angle), radius * sweep * std::cos(angle), s.active_length}};
+}
+
+/// Section axes: along the wire, radially in the plane normal to it, and the third.
+Eigen::Matrix3d axes_at(const Point& p) {
+  Eigen::Matrix3d axes;
+  const Eigen::Vector3d radial = Eigen::Vector3d(p.place.x(), p.place.y(), 0).normalized(), t = p.tangent.normalized();
+  axes << t, radial, t.cross(radial);
+  return axes;
+}
+
+elements::Vector6 section_flexibility(const CoilSpring& s) {
+  const elements::WireSection w = wire_section(s);
+  const double E = s.youngs_modulus, G = s.shear_modulus;
+  elements::Vector6 f;
+  f << 1 / (E * w.area), 1 / (w.shear_factor * G * w.area), 1 / (w.shear_factor * G * w.area), 1 / (G * w.torsion_constant),
+      1 / (E * w.second_moments(0)), 1 / (E * w.second_moments(1));
+  return f;
+}
+
+/// Castigliano's integral over the wire, eight-point Gauss on panels of a quarter turn.
+Matrix6 stiffness_by_quadrature(const CoilSpring& s) {
+  constexpr double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+  constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+  const int panels = 4 * int(std::ceil(s.active_coils)) + 4;
+  const Eigen::Vector3d seat(0, 0, seat_distance(s));
+  Matrix6 flexibility = Matrix6::Zero();
+  for (int panel = 0; panel < panels; ++panel)
+    for (int k = 0; k < 8; ++k) {
+      const Point p = on_wire(s, (panel + 0.5 + (k % 2 ? 0.5 : -0.5) * node[k / 2]) / panels);
+      const Matrix6 to_section = spatial::both_blocks(axes_at(p).transpose()) * spatial::rigid_motion(seat - p.place).transpose();
+      flexibility += 0.5 * weight[k / 2] / panels * p.tangent.norm() * to_section.transpose() * section_flexibility(s).asDiagonal() * to_section;
+    }
+  return flexibility.ldlt().solve(Matrix6::Identity());
+}
+
+TEST(CoilSpring, ClosedFormIsTheQuadratureOfItsFlexibility) {
+  constexpr double quadrature = 1e-10;
+  EXPECT_LE(scaled_difference(stiffness(literature_spring()).bottomRightCorner<6, 6>().eval(), stiffness_by_quadrature(literature_spring())), quadrature);
+  std::mt19937 random(1);
+  for (int i = 0; i < springs_tried; ++i) {
+    const CoilSpring spring = random_spring(random);
+    EXPECT_LE(scaled_difference(stiffness(spring).bottomRightCorner<6, 6>().eval(), stiffness_by_quadrature(spring)), quadrature) << i;
+  }
+}
+
+/// Stiffness of a chain of straight shear-flexible beams whose nodes lie on the wire, node after node condensed.
+Matrix6 stiffness_of_chords(const CoilSpring& s, int count) {
+  Matrix6 moved_end = Matrix6::Zero();
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d from = on_wire(s, double(i) / count).place, to = on_wire(s, (i + 1.0) / count).place;
+    const Eigen::Vector3d middle = on_wire(s, (i + 0.5) / count).place;
+    const Eigen::Matrix3d axes = axes_at({middle, to - from});
+    const double L = (to - from).norm();
+    Matrix6 at_end = section_flexibility(s).asDiagonal();
+    at_end *= L;
+    const Eigen::Vector3d bend = section_flexibility(s).tail<3>();
+    at_end(1, 1) += bend(2) * L * L * L / 3, at_end(2, 2) += bend(1) * L * L * L / 3;
+    at_end(1, 5) = at_end(5, 1) = bend(2) * L * L / 2, at_end(2, 4) = at_end(4, 2) = -bend(1) * L * L / 2;
+    const Matrix6 turn = spatial::both_blocks(axes);
+    const Matrix6 carry = spatial::rigid_motion(to - from);
+    // Flexibility of the chain so far, carried to the new end, plus that of the new piece.
+    moved_end = carry * moved_end * carry.transpose() + turn * at_end * turn.transpose();
+  }
+  const Matrix6 to_seat = spatial::rigid_motion(Eigen::Vector3d(0, 0, seat_distance(s)) - on_wire(s, 1).place);
+  return (to_seat * moved_end * to_seat.transpose()).ldlt().solve(Matrix6::Identity());
+}
+
+TEST(CoilSpring, StraightBeamElementsConvergeToItWithSecondOrder) {
+  const Matrix6 exact = stiffness(literature_spring()).bottomRightCorner<6, 6>();
+  double previous = scaled_difference(stiffness_of_chords(literature_spring(), 152), exact);
+  for (const int count : {304, 608, 1216, 2432}) {
+    const double error = scaled_difference(stiffness_of_chords(literature_spring(), count), exact);
+    EXPECT_THAT(previous / error, test::RelativelyNear(4.0, 0.02)) << count;
+    previous = error;
+  }
+  EXPECT_LE(previous, 1e-4);
+}
+
+TEST(CoilSpring, ARigidMotionStoresNoEnergyInAnySpring) {
+  std::mt19937 random(2);
+  for (int i = 0; i < springs_tried; ++i) {
+    CoilSpring spring = random_spring(random);
+    spring.seat_n = i % 2 ? elements::Seat::pivoted : elements::Seat::clamped;
+    spring.seat_k = i % 3 ? elements::Seat::pivoted : elements::Seat::clamped;
+    const elements::MatrixVerdict verdict =
+        elements::examine(stiffness(spring), elements::rigid_motions({0, 0, seat_distance(spring)}, Eigen::Matrix3d::Identity()));
+    constexpr double round_off = 1e-12;
+    EXPECT_LE(verdict.rigid_residual, round_off) << i;
+    EXPECT_LE(verdict.asymmetry, round_off) << i;
+    EXPECT_TRUE(elements::is_semidefinite(verdict)) << i;
+  }
+}
+
+TEST(CoilSpring, DynamicStiffnessTendsToTheStaticOne) {
+  constexpr double rounding = 1e-9;
+  std::mt19937 random(3);
+  for (int i = 0; i < springs_tried; ++i) {
+    CoilSpring spring = random_spring(random);
+    spring.seat_k = i % 2 ? elements::Seat::pivoted : elements::Seat::clamped;
+    Matrix12 expected = stiffness(spring);
+    if (i % 2) expected(9, 9) = expected(10, 10) = 1;  // rows of a pivot are zero in both
+    Matrix12 dynamic = dynamic_stiffness(spring, 0.0);
+    if (i % 2) dynamic(9, 9) = dynamic(10, 10) = 1;
+    EXPECT_LE(scaled_difference(dynamic, expected), rounding) << i;
+  }
+}
+
+TEST(CoilSpring, TurningTheSpringTurnsItsMatrix) {
+  constexpr double round_off = 1e-12;
+  CoilSpring spring = literature_spring();
+  const Matrix12 k = stiffness(spring);
+  spring.start_angle = 1.1;
+  Matrix12 turn = Matrix12::Zero();
+  turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() = spatial::both_blocks(spatial::rotation_about({0, 0, 1}, 1.1));
+  EXPECT_LE(scaled_difference(stiffness(spring), (turn * k * turn.transpose()).eval()), round_off);
+}
+
+TEST(CoilSpring, ALeftHandIsTheMirrorImage) {
+  constexpr double round_off = 1e-12;
+  CoilSpring spring = literature_spring();
+  spatial::Vector12 mirror;
+  mirror << 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1;
+  const double omega = 2 * pi * 700;
+  const Matrix12 expected = mirror.asDiagonal() * dynamic_stiffness(spring, omega) * mirror.asDiagonal();
+  spring.hand = elements::Hand::left;
+  EXPECT_LE(scaled_difference(dynamic_stiffness(spring, omega), expected), round_off);
+}
+
+TEST(CoilSpring, LossAlwaysTakesEnergy) {
+  constexpr double round_off = 1e-9;
+  std::mt19937 random(4);
+  for (int i = 0; i < springs_tried; ++i) {
+    CoilSpring spring = random_spring(random);
+    spring.loss_factor = 0.02;
+    const elements::SeatedCoil coil = seated_coil(spring);
+    const double surge = natural_frequencies(coil, elements::SeatsHeld::both, 1)[0];
+    for (double ratio : {0.01, 0.9, 1.0, 3.3, 20.0}) {
+      const Matrix12 loss = dynamic_stiffness(coil, std::complex<double>(ratio * surge, 0)).imag();
+      const spatial::Vector12 scale = loss.diagonal().cwiseSqrt().cwiseInverse();
+      const Matrix12 unit = scale.asDiagonal() * loss * scale.asDiagonal();
+      EXPECT_GE(Eigen::SelfAdjointEigenSolver<Matrix12>(unit).eigenvalues()(0), -round_off) << i << ", " << ratio;
+    }
+  }
+}
+
+TEST(CoilSpring, CountedFrequenciesAreZerosOfTheFreeEndsDeterminant) {
+  // Between two natural frequencies with K free, det D_KK keeps its sign but for the poles of the clamped spring.
+  std::mt19937 random(5);
+  for (int i = 0; i < 10; ++i) {
+    const elements::SeatedCoil coil = seated_coil(random_spring(random));
+    const std::vector<double> free = natural_frequencies(coil, elements::SeatsHeld::n_only, 12);
+    const std::vector<double> clamped = natural_frequencies(coil, elements::SeatsHeld::both, 12);
+    for (std::size_t k = 0; k < 12; ++k) {
+      EXPECT_LE(free[k], clamped[k] * (1 + 1e-12)) << "holding an end raises every frequency";
+      EXPECT_GE(free[k], k < 6 ? 0 : clamped[k - 6] * (1 - 1e-12)) << "six constraints shift by six at most";
+      const Matrix6 d = dynamic_stiffness(coil, free[k]).bottomRightCorner<6, 6>();
+      const elements::Vector6 scale = d.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+      const Matrix6 unit = scale.asDiagonal() * d * scale.asDiagonal();
+      EXPECT_LE(Eigen::SelfAdjointEigenSolver<Matrix6>(unit).eigenvalues().cwiseAbs().minCoeff(), 1e-6) << i << ", " << k;
+    }
+  }
+}
+
+}  // namespace
