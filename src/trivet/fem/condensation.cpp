@@ -70,11 +70,12 @@ SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials
   return stiffness;
 }
 
-SolidStiffness condense(const Mesh& fine, const Mesh& coarse, const std::vector<Material>& materials, const ElementFrame& frame,
+SolidStiffness condense(const Mesh& fine, const Mesh& coarse, double refinement, const std::vector<Material>& materials, const ElementFrame& frame,
                         const CondensationOptions& options, const foundation::Progress& progress) {
+  if (!(refinement > 1)) throw foundation::InvalidInput(fmt::format("refinement {}; the fine mesh must have the smaller elements (ratio > 1)", refinement));
   const SolidStiffness rough = condense(coarse, materials, frame, options, progress);
   SolidStiffness stiffness = condense(fine, materials, frame, options, progress);
-  stiffness.relative_error = scaled_difference(stiffness.stiffness, rough.stiffness);
+  stiffness.relative_error = scaled_difference(stiffness.stiffness, rough.stiffness) / (refinement - 1);
   return stiffness;
 }
 
