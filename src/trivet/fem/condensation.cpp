@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/fem/condensation.h"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "trivet/elements/law.h"
+#include "trivet/fem/mesh_checks.h"
+#include "trivet/fem/solid.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::fem {
+namespace {
+
+using spatial::Matrix12;
+
+/// |a − b|_ij / √(a_ii a_jj).
+Matrix12 scaled_difference(const Matrix12& a, const Matrix12& b) {
+  const spatial::Vector12 scale = a.diagonal().cwiseAbs().cwiseSqrt();
+  return (a - b).cwiseAbs().cwiseQuotient(scale * scale.transpose());
+}
+
+Matrix12 in_element_axes(const Matrix12& c, const Eigen::Matrix3d& axes) {
+  Matrix12 turn = Matrix12::Zero();
+  turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() = spatial::both_blocks(axes);
+  return turn.transpose() * c * turn;
+}
+
+SolidStiffness condense_with(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, TetPressure pressure,
+                             const CondensationOptions& options, const foundation::Progress& progress) {
+  Solid solid(mesh, materials, pressure);
+  require_memory(solid, false, options);
+  const Solid::Linearised result = solid.linearise(solid.rest(frame.point_n, frame.point_k), false, thread_count(options), progress);
+  if (result.singular || result.negative_pivots != 0)
+    throw foundation::NotComputable("the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
+  const Matrix12 all_motions = in_element_axes(result.tangent, frame.axes);
+  const Eigen::Vector3d arm = frame.axes.transpose() * (frame.point_k - frame.point_n);
+  SolidStiffness stiffness{.unknowns = solid.unknowns().count, .elements = static_cast<int>(mesh.elements.cols())};
+  const Matrix12 symmetric = 0.5 * (all_motions + all_motions.transpose());
+  stiffness.stiffness = elements::from_moved_end(symmetric.bottomRightCorner<6, 6>(), arm);
+  stiffness.rigid_residual = scaled_difference(stiffness.stiffness, all_motions).maxCoeff();
+  return stiffness;
+}
+
+}  // namespace
+
+int thread_count(const CondensationOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options) {
+  if (solid.bytes(recoverable) > options.memory_limit)
+    throw foundation::InvalidInput(fmt::format("the mesh with {} unknowns needs about {:.1f} GB, the limit is {:.1f} GB: take a coarser mesh or raise the limit",
+                                               solid.unknowns().count, solid.bytes(recoverable) * 1e-9, options.memory_limit * 1e-9));
+}
+
+SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, const CondensationOptions& options,
+                        const foundation::Progress& progress) {
+  require_sound(mesh, materials);
+  SolidStiffness stiffness = condense_with(mesh, materials, frame, TetPressure::constant, options, progress);
+  if (mesh.kind == Mesh::Kind::hex27) return stiffness;
+  const SolidStiffness upper = condense_with(mesh, materials, frame, TetPressure::continuous, options, progress);
+  const Matrix12 mean = 0.5 * (stiffness.stiffness + upper.stiffness);
+  stiffness.relative_error = scaled_difference(mean, stiffness.stiffness);
+  stiffness.stiffness = mean;
+  stiffness.rigid_residual = std::max(stiffness.rigid_residual, upper.rigid_residual);
+  stiffness.unknowns = upper.unknowns;
+  return stiffness;
+}
+
+SolidStiffness condense(const Mesh& fine, const Mesh& coarse, const std::vector<Material>& materials, const ElementFrame& frame,
+                        const CondensationOptions& options, const foundation::Progress& progress) {
+  const SolidStiffness rough = condense(coarse, materials, frame, options, progress);
+  SolidStiffness stiffness = condense(fine, materials, frame, options, progress);
+  stiffness.relative_error = scaled_difference(stiffness.stiffness, rough.stiffness);
+  return stiffness;
+}
+
+}  // namespace trivet::fem

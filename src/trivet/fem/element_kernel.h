@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "trivet/fem/material.h"
+#include "trivet/fem/mesh.h"
+
+namespace trivet::fem {
+
+/// How a tetrahedron carries its pressure: constant and condensed (approaches most stiffnesses from below on graded meshes), or linear
+/// and continuous (from above). Hexahedra always carry a linear pressure of their own, condensed.
+enum class TetPressure { constant, continuous };
+
+/// Internal forces and their derivative for one element. Unknowns: u_x of all nodes, u_y, u_z, then the pressures of the four corners
+/// if they are unknowns of the mesh. Forces in N, pressures in Pa.
+struct ElementSystem {
+  Eigen::MatrixXd tangent;
+  Eigen::VectorXd force;
+  bool inverted = false;  ///< the map of the element, or its deformation, has a determinant ≤ 0 somewhere
+};
+
+/// @param displacement, pressure  of the element's nodes and corners; nullptr means the undeformed element
+[[nodiscard]] ElementSystem element_system(Mesh::Kind kind, TetPressure tet_pressure, const Eigen::Matrix3Xd& nodes, const Material& material,
+                                           const Eigen::Matrix3Xd* displacement, const Eigen::Vector4d* pressure);
+
+/// Volume [m³] and the smallest determinant of the element's map over its integration points.
+struct ElementVolume {
+  double volume = 0, smallest_determinant = 0;
+};
+[[nodiscard]] ElementVolume element_volume(Mesh::Kind kind, const Eigen::Matrix3Xd& nodes);
+
+}  // namespace trivet::fem

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "trivet/fem/condensation.h"
+#include "trivet/fem/substructuring.h"
+#include "trivet/fem/unknowns.h"
+#include "trivet/spatial/types.h"
+
+namespace trivet::fem {
+
+/// A meshed solid with its materials and plates, ready to be linearised about any state. The plates move by (u_N, θ_N, u_K, θ_K)
+/// of their present reference points, in the axes of the mesh.
+class Solid {
+ public:
+  Solid(const Mesh& mesh, const std::vector<Material>& materials, TetPressure tet_pressure);
+
+  /// Deformed state: displacement of every node [m], pressure unknowns [Pa], reference points of the plates now [m].
+  struct State {
+    Eigen::Matrix3Xd displacement;
+    Eigen::VectorXd unknown_pressures;  ///< by number of unknown; displacement entries unused
+    Eigen::Vector3d point_n, point_k;
+  };
+  [[nodiscard]] State rest(const Eigen::Vector3d& point_n, const Eigen::Vector3d& point_k) const;
+
+  /// Tangent and internal forces of a state, condensed on the plates.
+  struct Linearised {
+    spatial::Matrix12 tangent;       ///< second-order rotation terms of the plates included
+    spatial::Vector12 reaction;      ///< wrench of the plates on the solid, as if the free nodes were in balance after one Newton step
+    spatial::Vector12 wrench;        ///< wrench of the plates on the solid in this very state
+    double unbalance = 0;            ///< root of the summed squares of the forces left on free nodes [N]
+    int negative_pivots = 0;         ///< beyond those that belong to pressures
+    bool inverted = false, singular = false;
+  };
+  [[nodiscard]] Linearised linearise(const State& state, bool recoverable, int threads, const foundation::Progress& progress);
+
+  /// Newton correction of the free unknowns for a small motion of the plates; after a recoverable linearisation.
+  [[nodiscard]] Eigen::VectorXd correction(const spatial::Vector12& plate_motion) const;
+  void add_to_free(const Eigen::VectorXd& correction, State& state) const;
+
+  [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
+  [[nodiscard]] double bytes(bool recoverable) const { return substructuring_->bytes(recoverable); }
+
+ private:
+  struct Gathered;
+  Eigen::MatrixXd element_matrix(int element, const State& state, Gathered& gathered) const;
+
+  const Mesh& mesh_;
+  const std::vector<Material>& materials_;
+  TetPressure tet_pressure_;
+  Unknowns unknowns_;
+  std::vector<std::vector<int>> element_unknowns_;
+  std::unique_ptr<Substructuring> substructuring_;
+};
+
+/// Threads that these options mean on this machine.
+[[nodiscard]] int thread_count(const CondensationOptions& options);
+/// @throws InvalidInput if the condensation of the solid needs more memory than the options allow
+void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options);
+
+}  // namespace trivet::fem
