@@ -22,12 +22,6 @@ Matrix12 scaled_difference(const Matrix12& a, const Matrix12& b) {
   return (a - b).cwiseAbs().cwiseQuotient(scale * scale.transpose());
 }
 
-Matrix12 in_element_axes(const Matrix12& c, const Eigen::Matrix3d& axes) {
-  Matrix12 turn = Matrix12::Zero();
-  turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() = spatial::both_blocks(axes);
-  return turn.transpose() * c * turn;
-}
-
 SolidStiffness condense_with(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, TetPressure pressure,
                              const CondensationOptions& options, const foundation::Progress& progress) {
   Solid solid(mesh, materials, pressure);
@@ -45,6 +39,12 @@ SolidStiffness condense_with(const Mesh& mesh, const std::vector<Material>& mate
 }
 
 }  // namespace
+
+Matrix12 in_element_axes(const Matrix12& c, const Eigen::Matrix3d& axes) {
+  Matrix12 turn = Matrix12::Zero();
+  turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() = spatial::both_blocks(axes);
+  return turn.transpose() * c * turn;
+}
 
 int thread_count(const CondensationOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -70,11 +70,12 @@ SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials
   return stiffness;
 }
 
-SolidStiffness condense(const Mesh& fine, const Mesh& coarse, const std::vector<Material>& materials, const ElementFrame& frame,
+SolidStiffness condense(const Mesh& fine, const Mesh& coarse, double refinement, const std::vector<Material>& materials, const ElementFrame& frame,
                         const CondensationOptions& options, const foundation::Progress& progress) {
+  if (!(refinement > 1)) throw foundation::InvalidInput(fmt::format("refinement {}; the fine mesh must have the smaller elements (ratio > 1)", refinement));
   const SolidStiffness rough = condense(coarse, materials, frame, options, progress);
   SolidStiffness stiffness = condense(fine, materials, frame, options, progress);
-  stiffness.relative_error = scaled_difference(stiffness.stiffness, rough.stiffness);
+  stiffness.relative_error = scaled_difference(stiffness.stiffness, rough.stiffness) / (refinement - 1);
   return stiffness;
 }
 

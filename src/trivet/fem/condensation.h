@@ -39,9 +39,9 @@ struct SolidStiffness {
 [[nodiscard]] SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame,
                                       const CondensationOptions& options = {}, const foundation::Progress& progress = {});
 
-/// Stiffness on the finer of two meshes of the same solid, with the error estimated from the coarser. The singular bonded edges let the
-/// error fall by about half or more from one to the other: the difference is a cautious estimate.
-[[nodiscard]] SolidStiffness condense(const Mesh& fine, const Mesh& coarse, const std::vector<Material>& materials, const ElementFrame& frame,
+/// Stiffness on the finer of two meshes of the same solid. `refinement` > 1 is the ratio of their element sizes: an error that falls in
+/// proportion to the size, as at worst at the singular bonded edges, is 1/(refinement − 1) times the difference; that is the estimate.
+[[nodiscard]] SolidStiffness condense(const Mesh& fine, const Mesh& coarse, double refinement, const std::vector<Material>& materials, const ElementFrame& frame,
                                       const CondensationOptions& options = {}, const foundation::Progress& progress = {});
 
 }  // namespace trivet::fem

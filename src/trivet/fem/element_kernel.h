@@ -5,12 +5,9 @@
 
 #include "trivet/fem/material.h"
 #include "trivet/fem/mesh.h"
+#include "trivet/fem/tet_pressure.h"
 
 namespace trivet::fem {
-
-/// How a tetrahedron carries its pressure: constant and condensed (approaches most stiffnesses from below on graded meshes), or linear
-/// and continuous (from above). Hexahedra always carry a linear pressure of their own, condensed.
-enum class TetPressure { constant, continuous };
 
 /// Internal forces and their derivative for one element. Unknowns: u_x of all nodes, u_y, u_z, then the pressures of the four corners
 /// if they are unknowns of the mesh. Forces in N, pressures in Pa.

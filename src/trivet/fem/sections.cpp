@@ -24,6 +24,19 @@ std::array<int, 9> lattice(auto node) {
   return quad;
 }
 
+/// Factor on the radius of nodes on a circle, so that `around` parabolic arcs keep its polar moment of area, on which torsion hangs.
+double radius_factor(int around) {
+  const double half = std::numbers::pi / around, sagitta = 1 - std::cos(half);
+  double moment = 0;  // ∫ r² (x dy − y dx) over half an arc, Gauss–Legendre
+  constexpr std::array<double, 5> places{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683, 0.906179845938664};
+  constexpr std::array<double, 5> weights{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366, 0.236926885056189};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double t = places[i], x = 1 - sagitta * t * t, y = std::sin(half) * t;
+    moment += weights[i] * (x * x + y * y) * (x * std::sin(half) + y * 2 * sagitta * t);
+  }
+  return std::pow(2 * half / moment, 0.25);
+}
+
 /// Bulged square of half width b in a circle of radius R: b (s (1 + β (1 − t²)), t (1 + β (1 − s²))).
 Eigen::Vector2d core_point(double radius, double s, double t) {
   constexpr double half_width = 0.42, bulge = 0.25;
@@ -89,7 +102,7 @@ Section disc(double radius, int core, const std::vector<double>& to_rim) {
   };
   for (int t = 0; t < around; ++t) {
     const double angle = -0.75 * std::numbers::pi + 2 * std::numbers::pi * t / around;
-    const Eigen::Vector2d inside = section.points.col(node(0, t)), rim = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d inside = section.points.col(node(0, t)), rim = radius * radius_factor(around / 2) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     for (int layer = 1; layer <= layers; ++layer)
       section.points.col(node(layer, t)) = inside + levels[static_cast<std::size_t>(layer)] * (rim - inside);
   }
@@ -107,7 +120,7 @@ Section ring(double inner_radius, double outer_radius, int around, const std::ve
   for (int t = 0; t < count; ++t) {
     const double angle = 2 * std::numbers::pi * t / count;
     for (int layer = 0; layer < layers; ++layer)
-      section.points.col(node(layer, t)) = (inner_radius + levels[static_cast<std::size_t>(layer)] * (outer_radius - inner_radius)) *
+      section.points.col(node(layer, t)) = radius_factor(around) * (inner_radius + levels[static_cast<std::size_t>(layer)] * (outer_radius - inner_radius)) *
                                            Eigen::Vector2d(std::cos(angle), std::sin(angle));
     section.inner.push_back(node(0, t));
     section.outer.push_back(node(layers - 1, t));

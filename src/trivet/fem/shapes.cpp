@@ -14,8 +14,12 @@
 namespace trivet::fem {
 namespace {
 
-/// Size of the smallest element at a bonded rim, over the smallest dimension of the rubber there, at level 1.
-constexpr double rim_fraction = 0.12;
+/// Size of the smallest element at a bonded rim, over the smallest dimension of the rubber there, at level 1. With 1/level²
+/// the error of the singular edge falls at least as fast as that of the inside.
+constexpr double rim_fraction = 0.3;
+
+double rim_size(int level) { return rim_fraction / (level * level); }
+
 
 void require_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) throw foundation::InvalidInput(fmt::format("{} = {} m; it must be > 0", name, value));
@@ -44,7 +48,7 @@ struct Levels {
 Levels along_axis(const std::vector<Layer>& layers, int level, double half_width) {
   Levels levels{{0.0}, {}};
   for (const Layer& layer : layers) {
-    const double start = levels.z.back(), smallest = rim_fraction / level * std::min(layer.thickness, half_width) / layer.thickness;
+    const double start = levels.z.back(), smallest = rim_size(level) * std::min(layer.thickness, half_width) / layer.thickness;
     const auto places = layer.metal ? std::vector<double>{0, 1} : graded_to_both(2 * level, smallest);
     for (std::size_t i = 1; i < places.size(); ++i) {
       levels.z.push_back(start + places[i] * layer.thickness);
@@ -89,7 +93,7 @@ Mesh mesh_of(const Disc& shape, int level) {
   require_positive("diameter", shape.diameter);
   const double radius = shape.diameter / 2, thin = thinnest_rubber(shape.layers);
   const int count = toward_edge(level, radius, thin);
-  const Section section = disc(radius, level, graded_to_one(count, 2 * rim_fraction / level * std::min(thin / radius, 1.0)));
+  const Section section = disc(radius, level, graded_to_one(count, 2 * rim_size(level) * std::min(thin / radius, 1.0)));
   Mesh result = extruded(section, along_axis(shape.layers, level, radius));
   bond_ends(result, section);
   return result;
@@ -97,7 +101,7 @@ Mesh mesh_of(const Disc& shape, int level) {
 
 std::vector<double> across(double width, double thin, int level) {
   const int count = toward_edge(level, width / 2, thin);
-  std::vector<double> places = graded_to_both(2 * count, rim_fraction / level * std::min(thin / width, 0.5));
+  std::vector<double> places = graded_to_both(2 * count, rim_size(level) * std::min(thin / width, 0.5));
   for (double& x : places) x = (x - 0.5) * width;
   return places;
 }
@@ -119,7 +123,7 @@ Mesh mesh_of(const Bush& shape, int level) {
   if (!(shape.inner_diameter < shape.outer_diameter))
     throw foundation::InvalidInput(fmt::format("inner_diameter = {} m, outer_diameter = {} m; the inner must be the smaller", shape.inner_diameter, shape.outer_diameter));
   const double wall = (shape.outer_diameter - shape.inner_diameter) / 2;
-  const Section section = ring(shape.inner_diameter / 2, shape.outer_diameter / 2, 4 + 2 * level, graded_to_both(2 * level, rim_fraction / level));
+  const Section section = ring(shape.inner_diameter / 2, shape.outer_diameter / 2, 4 + 2 * level, graded_to_both(2 * level, rim_size(level)));
   Levels levels{across(shape.length, wall, level), {}};
   levels.material.assign(levels.z.size() - 1, shape.material);
   Mesh result = extruded(section, levels);
@@ -165,7 +169,7 @@ SolidStiffness condense(const Shape& shape, const std::vector<Material>& materia
                         const foundation::Progress& progress) {
   const Mesh fine = mesh(shape, level);
   if (level == 1) return condense(fine, materials, frame(shape), options, progress);
-  return condense(fine, mesh(shape, level - 1), materials, frame(shape), options, progress);
+  return condense(fine, mesh(shape, level - 1), static_cast<double>(level) / (level - 1), materials, frame(shape), options, progress);
 }
 
 }  // namespace trivet::fem
