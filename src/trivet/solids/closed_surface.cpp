@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/solids/closed_surface.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace trivet::solids {
+namespace {
+
+using foundation::Problems;
+
+constexpr double flat = 1e-7;        // coordinates of a binary file are no better than 6e-8 of the extent: volume ≤ flat·area·extent is none
+constexpr double degenerate = 1e-12;  // area over squared longest edge
+constexpr std::size_t holes_told = 5;
+
+/// Sets of connected vertices.
+class Connected {
+ public:
+  explicit Connected(Eigen::Index count) : parent_(static_cast<std::size_t>(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int i) {
+    while (of(i) != i) i = of(i) = of(of(i));
+    return i;
+  }
+  void join(int a, int b) { of(std::max(root(a), root(b))) = std::min(root(a), root(b)); }
+
+ private:
+  int& of(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<int> parent_;
+};
+
+/// An edge between two vertices, low < high, with how often triangles run along it upwards and downwards.
+struct Edge {
+  int low, high, up, down;
+};
+
+std::vector<Edge> edges_of(const Eigen::Matrix3Xi& triangles) {
+  std::vector<Edge> all;
+  all.reserve(3 * static_cast<std::size_t>(triangles.cols()));
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    if (triangles(0, t) == triangles(1, t) || triangles(1, t) == triangles(2, t) || triangles(2, t) == triangles(0, t)) continue;  // a line at most
+    for (int j = 0; j < 3; ++j) {
+      const int from = triangles(j, t), to = triangles((j + 1) % 3, t);
+      all.push_back({std::min(from, to), std::max(from, to), from < to, from > to});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+  std::vector<Edge> merged;
+  for (const Edge& edge : all) {
+    if (!merged.empty() && merged.back().low == edge.low && merged.back().high == edge.high)
+      merged.back().up += edge.up, merged.back().down += edge.down;
+    else
+      merged.push_back(edge);
+  }
+  return merged;
+}
+
+std::string point(const Eigen::Vector3d& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
+
+std::string place(const TriangleSurface& surface, const std::vector<Edge>& edges) {
+  Eigen::AlignedBox3d box;
+  for (const Edge& edge : edges) box.extend(surface.vertices.col(edge.low)).extend(surface.vertices.col(edge.high));
+  return fmt::format("around {}, from {} to {}", point(box.center()), point(box.min()), point(box.max()));
+}
+
+/// Edges in connected groups, in order of their lowest vertex.
+std::vector<std::vector<Edge>> groups(const TriangleSurface& surface, const std::vector<Edge>& edges) {
+  Connected connected(surface.vertices.cols());
+  for (const Edge& edge : edges) connected.join(edge.low, edge.high);
+  std::map<int, std::vector<Edge>> by_root;
+  for (const Edge& edge : edges) by_root[connected.root(edge.low)].push_back(edge);
+  std::vector<std::vector<Edge>> list;
+  for (auto& [root, group] : by_root) list.push_back(std::move(group));
+  return list;
+}
+
+void check_edges(const TriangleSurface& surface, Problems& problems) {
+  std::vector<Edge> open, turned, shared;
+  for (const Edge& edge : edges_of(surface.triangles)) {
+    if (edge.up == edge.down && edge.up > 1) shared.push_back(edge);
+    if (edge.up == edge.down) continue;
+    (edge.up + edge.down == 2 ? turned : open).push_back(edge);
+  }
+  const auto holes = groups(surface, open);
+  for (std::size_t i = 0; i < std::min(holes.size(), holes_told); ++i)
+    problems.error("file", fmt::format("hole {} of {}: {} open edges {} in the file's units", i + 1, holes.size(), holes[i].size(), place(surface, holes[i])),
+                   "each edge of a closed surface belongs to two triangles", "close the surface in the program that made it, then export it again");
+  if (!turned.empty())
+    problems.error("file", fmt::format("{} edges between triangles that face opposite sides, {} in the file's units", turned.size(), place(surface, turned)),
+                   "all triangles must face outwards", "orient the surface in the program that made it, then export it again");
+  if (!shared.empty())
+    problems.warning("file", fmt::format("{} edges belong to more than two triangles, {} in the file's units", shared.size(), place(surface, shared)),
+                     "parts that touch in an edge enclose their volumes side by side", "nothing, if parts are meant to touch there");
+}
+
+void check_triangles(const TriangleSurface& surface, Problems& problems) {
+  Eigen::Index count = 0, first = 0;
+  for (Eigen::Index t = surface.triangles.cols() - 1; t >= 0; --t) {
+    const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t)), b = surface.vertices.col(surface.triangles(1, t)) - a,
+                          c = surface.vertices.col(surface.triangles(2, t)) - a;
+    const double longest = std::max({b.squaredNorm(), c.squaredNorm(), (b - c).squaredNorm()});
+    if (b.cross(c).norm() <= degenerate * longest) ++count, first = t;
+  }
+  if (count > 0)
+    problems.warning("file", fmt::format("{} degenerate triangles, the first at {} in the file's units", count,
+                                         point(surface.vertices.col(surface.triangles(0, first)))),
+                     "a triangle without area encloses nothing", "nothing: they do not change the result");
+}
+
+struct Shell {
+  VolumeIntegrals integrals;
+  double area = 0;
+  Eigen::AlignedBox3d box;
+};
+
+/// Sums of the tetrahedra from `reference` to each triangle, their second moment about `reference`: det/120 (Σ v vᵀ + s sᵀ), s = Σ v.
+struct TetrahedronSums {
+  double volume = 0, area = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const double determinant = a.dot(b.cross(c));
+    const Eigen::Vector3d s = a + b + c;
+    volume += determinant / 6;
+    area += (b - a).cross(c - a).norm() / 2;
+    first += determinant / 24 * s;
+    second += determinant / 120 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+  }
+};
+
+std::vector<Shell> shells_of(const TriangleSurface& surface) {
+  Connected connected(surface.vertices.cols());
+  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
+    for (int j = 1; j < 3; ++j) connected.join(surface.triangles(0, t), surface.triangles(j, t));
+  std::map<int, Shell> shells;
+  std::map<int, TetrahedronSums> sums;
+  for (Eigen::Index i = 0; i < surface.vertices.cols(); ++i) shells[connected.root(static_cast<int>(i))].box.extend(surface.vertices.col(i));
+  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+    const int root = connected.root(surface.triangles(0, t));
+    const Eigen::Vector3d middle = shells[root].box.center();
+    sums[root].add(surface.vertices.col(surface.triangles(0, t)) - middle, surface.vertices.col(surface.triangles(1, t)) - middle,
+                   surface.vertices.col(surface.triangles(2, t)) - middle);
+  }
+  std::vector<Shell> list;
+  for (auto& [root, shell] : shells) {
+    const TetrahedronSums& sum = sums[root];
+    shell.area = sum.area;
+    if (sum.area == 0) continue;  // degenerate triangles by themselves
+    shell.integrals.volume = sum.volume;
+    if (sum.volume != 0) {
+      const Eigen::Vector3d centre = sum.first / sum.volume;
+      shell.integrals.centre = shell.box.center() + centre;
+      shell.integrals.second_moment = sum.second - sum.volume * centre * centre.transpose();
+    }
+    list.push_back(shell);
+  }
+  return list;
+}
+
+void check_shells(const std::vector<Shell>& shells, Problems& problems) {
+  if (shells.empty())
+    problems.error("file", "no triangle has an area", "a solid has a volume > 0", "export the part again as STL");
+  for (const Shell& shell : shells) {
+    const std::string place = fmt::format("from {} to {} in the file's units", point(shell.box.min()), point(shell.box.max()));
+    if (std::abs(shell.integrals.volume) <= flat * shell.area * shell.box.diagonal().norm()) {
+      problems.error("file", fmt::format("a surface of area {:.6g} {} encloses the volume {:.3g}", shell.area, place, shell.integrals.volume),
+                     "a solid has a volume > 0", "remove the flat part, or give it its thickness");
+    } else if (shell.integrals.volume < 0 && std::none_of(shells.begin(), shells.end(), [&](const Shell& outer) {
+                 return outer.integrals.volume > -shell.integrals.volume && outer.box.contains(shell.box);
+               })) {
+      problems.error("file", fmt::format("the surface {} faces inwards: volume {:.6g}", place, shell.integrals.volume),
+                     "a surface faces outwards; only a cavity inside another surface faces inwards", "turn the surface over and export it again");
+    }
+  }
+}
+
+}  // namespace
+
+foundation::Expected<EnclosedVolume> enclosed_volume(const TriangleSurface& surface) {
+  EnclosedVolume enclosed;
+  check_edges(surface, enclosed.remarks);
+  check_triangles(surface, enclosed.remarks);
+  if (enclosed.remarks.has_errors()) return tl::unexpected(enclosed.remarks);
+  const std::vector<Shell> shells = shells_of(surface);
+  check_shells(shells, enclosed.remarks);
+  if (enclosed.remarks.has_errors()) return tl::unexpected(enclosed.remarks);
+  enclosed.shells = static_cast<int>(shells.size());
+  for (const Shell& shell : shells) {
+    enclosed.cavities += shell.integrals.volume < 0;
+    enclosed.integrals = sum(enclosed.integrals, shell.integrals);
+  }
+  return enclosed;
+}
+
+}  // namespace trivet::solids

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/solids/stl_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <unordered_map>
+
+namespace trivet::solids {
+namespace {
+
+using foundation::Problems;
+using Corner = std::array<double, 3>;
+
+constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
+constexpr std::size_t triangles_between_reports = 50'000;
+
+struct CornerHash {
+  std::size_t operator()(const Corner& c) const {
+    std::uint64_t hash = 0;
+    for (const double x : c) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15u, hash ^= hash >> 29;
+    return hash;
+  }
+};
+
+/// Gathers corners, three to a triangle.
+class Builder {
+ public:
+  void add(const Corner& corner) {
+    const Corner key{corner[0] + 0.0, corner[1] + 0.0, corner[2] + 0.0};  // −0 is 0
+    const auto [place, is_new] = numbers_.try_emplace(key, static_cast<int>(corners_.size()));
+    if (is_new) corners_.push_back(key);
+    order_.push_back(place->second);
+  }
+  [[nodiscard]] std::size_t count() const { return order_.size() / 3; }
+  [[nodiscard]] TriangleSurface surface() const {
+    return {Eigen::Map<const Eigen::Matrix3Xd>(corners_.empty() ? nullptr : corners_[0].data(), 3, static_cast<Eigen::Index>(corners_.size())),
+            Eigen::Map<const Eigen::Matrix3Xi>(order_.data(), 3, static_cast<Eigen::Index>(count()))};
+  }
+
+ private:
+  std::unordered_map<Corner, int, CornerHash> numbers_;
+  std::vector<Corner> corners_;
+  std::vector<int> order_;
+};
+
+tl::unexpected<Problems> refused(const std::filesystem::path& file, const std::string& finding, int line = 0) {
+  Problems problems;
+  problems.error("file", fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(", line {}", line) : "", finding),
+                 "an STL file holds triangles, as binary records or as text from 'solid' to 'endsolid'", "export the part again as STL");
+  return tl::unexpected(problems);
+}
+
+bool finite(const Corner& c) { return std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]); }
+
+foundation::Expected<TriangleSurface> read_binary(const std::filesystem::path& file, std::string_view bytes, const foundation::Progress& progress) {
+  Builder builder;
+  const std::size_t count = (bytes.size() - header_bytes) / triangle_bytes;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % triangles_between_reports == 0) foundation::report_progress(progress, "reading STL", static_cast<double>(i) / static_cast<double>(count));
+    for (std::size_t j = 0; j < 3; ++j) {
+      std::array<float, 3> x;  // little-endian by the format
+      std::memcpy(x.data(), bytes.data() + header_bytes + i * triangle_bytes + 12 * (j + 1), sizeof x);
+      if (!finite({x[0], x[1], x[2]})) return refused(file, fmt::format("triangle {} of {} has a coordinate that is no finite number", i + 1, count));
+      builder.add({x[0], x[1], x[2]});
+    }
+  }
+  return builder.surface();
+}
+
+/// Words of a text with the line they stand in.
+class Words {
+ public:
+  explicit Words(std::string_view text) : rest_(text) {}
+  /// The next word in lower case, empty at the end.
+  std::string next() {
+    while (!rest_.empty() && is_blank(rest_.front())) skip();
+    std::string word;
+    for (; !rest_.empty() && !is_blank(rest_.front()); rest_.remove_prefix(1)) word += lower(rest_.front());
+    return word;
+  }
+  void skip_line() {
+    while (!rest_.empty() && rest_.front() != '\n') rest_.remove_prefix(1);
+  }
+  [[nodiscard]] int line() const { return line_; }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  static char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+  void skip() {
+    if (rest_.front() == '\n') ++line_;
+    rest_.remove_prefix(1);
+  }
+  std::string_view rest_;
+  int line_ = 1;
+};
+
+bool read_corner(Words& words, Corner& corner) {
+  for (double& x : corner) {
+    const std::string word = words.next();
+    const char* begin = word.c_str() + (word.starts_with('+') ? 1 : 0);
+    const auto [end, error] = std::from_chars(begin, word.c_str() + word.size(), x);
+    if (error != std::errc() || end != word.c_str() + word.size() || !std::isfinite(x)) return false;
+  }
+  return true;
+}
+
+foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& file, std::string_view text, const foundation::Progress& progress) {
+  Words words(text);
+  Builder builder;
+  int corners = 0;
+  bool in_solid = false;
+  for (std::string word = words.next(); !word.empty(); word = words.next()) {
+    if (word == "solid") {
+      in_solid = true;
+      words.skip_line();  // its name
+    } else if (word == "endsolid") {
+      in_solid = false;
+      words.skip_line();
+    } else if (word == "vertex") {
+      Corner corner;
+      if (!read_corner(words, corner)) return refused(file, "'vertex' is not followed by three finite numbers", words.line());
+      builder.add(corner);
+      ++corners;
+    } else if (word == "endloop") {
+      if (corners != 3) return refused(file, fmt::format("a loop of {} vertices, not 3", corners), words.line());
+      corners = 0;
+      if (builder.count() % triangles_between_reports == 0) foundation::report_progress(progress, "reading STL", 0.5);
+    } else if (word == "facet") {
+      words.skip_line();  // its normal
+    } else if (word != "outer" && word != "loop" && word != "endfacet") {
+      return refused(file, fmt::format("unexpected '{:.40}'", word), words.line());
+    }
+  }
+  if (in_solid || corners != 0) return refused(file, "ends without 'endsolid': it was cut off", words.line());
+  return builder.surface();
+}
+
+}  // namespace
+
+foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file, const foundation::Progress& progress) {
+  std::ifstream stream(file, std::ios::binary);
+  std::error_code not_a_file;
+  if (!stream || !std::filesystem::is_regular_file(file, not_a_file)) return refused(file, "cannot be read");
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+
+  std::uint32_t count = 0;
+  if (bytes.size() >= header_bytes) std::memcpy(&count, bytes.data() + header_bytes - 4, 4);
+  // Binary headers may begin with "solid" too: the size decides.
+  const bool binary = bytes.size() >= header_bytes && bytes.size() == header_bytes + std::size_t{count} * triangle_bytes;
+  const bool text = !binary && bytes.find('\0') == std::string::npos && Words(bytes).next() == "solid";
+  if (!binary && !text)
+    return refused(file, bytes.size() < header_bytes ? fmt::format("{} bytes, neither text nor a binary STL file", bytes.size())
+                                                     : fmt::format("{} bytes; a binary file of {} triangles, as its header says, has {}", bytes.size(), count,
+                                                                   header_bytes + std::size_t{count} * triangle_bytes));
+  foundation::Expected<TriangleSurface> surface = binary ? read_binary(file, bytes, progress) : read_text(file, bytes, progress);
+  if (surface && surface->triangles.cols() == 0) return refused(file, "holds no triangle");
+  return surface;
+}
+
+}  // namespace trivet::solids

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/foundation/problems.h"
+
+namespace trivet::solids {
+
+/// Triangles of a surface, in the units of their file. Vertices of equal coordinates are one vertex, numbered as they first occur.
+struct TriangleSurface {
+  Eigen::Matrix3Xd vertices;
+  Eigen::Matrix3Xi triangles;  ///< three vertex numbers from 0, counterclockwise seen from outside
+};
+
+/// Reads an STL file, binary or text. Normals in the file are not used: the order of the vertices says what is outside.
+/// A problem's subject is "file".
+[[nodiscard]] foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file, const foundation::Progress& progress = {});
+
+}  // namespace trivet::solids

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/stl_shapes.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/temporary_folder.h"
+#include "trivet/solids/closed_surface.h"
+#include "trivet/solids/rigid_solid.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::solids;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double mm = 1e-3;
+constexpr double round_off = 1e-13;  // some hundred operations on numbers of one size
+
+/// All messages of the problems of an outcome, one a line; empty without problems.
+template <typename T>
+std::string messages(const foundation::Expected<T>& outcome) {
+  std::string text;
+  if (!outcome)
+    for (const foundation::Problem& problem : outcome.error().list()) text += message(problem) + "\n";
+  return text;
+}
+
+foundation::Expected<RigidSolid> stl_solid(const test::Triangles& triangles) {
+  const foundation::TemporaryFolder folder;
+  test::write_file(folder.path() / "part.stl", test::stl_text(triangles));
+  return rigid_solid({{"part", StlSolid{folder.path() / "part.stl", mm}, 1000}});
+}
+
+// ---- placing and adding
+
+TEST(RigidSolid, ABoxInPiecesIsTheBox) {
+  const Part whole{"whole", Box{0.3, 0.2, 0.1}, 2700, {{0.15, 0, 0}, Eigen::Matrix3d::Identity()}};
+  const Part left{"left", Box{0.1, 0.2, 0.1}, 2700, {{0.05, 0, 0}, Eigen::Matrix3d::Identity()}};
+  const Part right{"right", Box{0.2, 0.2, 0.1}, 2700, {{0.2, 0, 0}, Eigen::Matrix3d::Identity()}};
+  const auto one = rigid_solid({whole}), two = rigid_solid({left, right});
+  ASSERT_TRUE(one && two);
+  EXPECT_THAT(two->properties.mass, test::RelativelyNear(one->properties.mass, round_off));
+  EXPECT_THAT(two->properties.centre, test::NearVector(one->properties.centre, round_off));
+  EXPECT_LE((two->properties.inertia_about_centre - one->properties.inertia_about_centre).norm(), round_off);
+  EXPECT_THAT(two->parts, SizeIs(2));
+  EXPECT_EQ(two->parts[1].name, "right");
+}
+
+TEST(RigidSolid, DensitiesWeighTheCentre) {
+  const auto solid = rigid_solid({{"steel", Box{0.1, 0.1, 0.1}, 7800}, {"light", Box{0.1, 0.1, 0.1}, 2600, {{0.4, 0, 0}, Eigen::Matrix3d::Identity()}}});
+  ASSERT_TRUE(solid);
+  EXPECT_THAT(solid->properties.mass, test::RelativelyNear(10.4, round_off));
+  EXPECT_THAT(solid->properties.centre, test::NearVector(Eigen::Vector3d(0.1, 0, 0), round_off));
+}
+
+TEST(RigidSolid, ATurnedPartTurnsItsInertia) {
+  const Eigen::Matrix3d turn = spatial::rotation_about({1, 2, -0.5}, 0.8);
+  const Part straight{"part", Box{0.3, 0.2, 0.1}, 1000}, skew{"part", Box{0.3, 0.2, 0.1}, 1000, {{1, -2, 0.5}, turn}};
+  const auto one = rigid_solid({straight}), two = rigid_solid({skew});
+  ASSERT_TRUE(one && two);
+  const Eigen::Matrix3d expected = turn * one->properties.inertia_about_centre * turn.transpose();
+  EXPECT_LE((two->properties.inertia_about_centre - expected).norm(), round_off * expected.norm());
+  EXPECT_THAT(two->properties.centre, test::NearVector(Eigen::Vector3d(1, -2, 0.5), round_off));
+}
+
+// ---- bad parts
+
+TEST(RigidSolid, TellsEveryProblemOfEveryPartAtOnce) {
+  const auto solid = rigid_solid({{"plate", Box{0.3, 0.2, -0.01}, -7850}, {"pipe", Tube{0.05, 0.06, 1}, 7850}, {"ball", Sphere{}, 1000}});
+  ASSERT_FALSE(solid);
+  EXPECT_THAT(messages(solid), AllOf(HasSubstr("plate.density: -7850 kg/m³"), HasSubstr("plate.length_z: -0.01 m"),
+                                     HasSubstr("pipe.inner_diameter: 0.06 m, outer_diameter = 0.05 m: wall -0.005 m"),
+                                     HasSubstr("ball.diameter: not given")));
+}
+
+TEST(RigidSolid, RefusesWhatHasNoVolume) {
+  EXPECT_THAT(messages(rigid_solid({{"cone", Cone{0, 0, 0.1}, 1000}})), HasSubstr("both diameters are 0 m"));
+  EXPECT_THAT(messages(rigid_solid({{"tube", Tube{0.1, 0.1, 0.1}, 1000}})), HasSubstr("wall 0 m"));
+  EXPECT_THAT(messages(rigid_solid({{"grain", Sphere{1e-120}, 1000}})), HasSubstr("check the units"));
+  EXPECT_THAT(messages(rigid_solid({{"box", Box{INFINITY, 1, 1}, 1000}})), HasSubstr("length_x: inf m"));
+  EXPECT_THAT(messages(rigid_solid({})), HasSubstr("at least one part"));
+}
+
+TEST(RigidSolid, RefusesAPoseThatIsNone) {
+  Part part{"box", Box{1, 1, 1}, 1000};
+  part.pose.rotation(0, 0) = -1;
+  EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("box.orientation: is no rotation"));
+  part.pose = {{NAN, 0, 0}, Eigen::Matrix3d::Identity()};
+  EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("position"));
+}
+
+TEST(Primitives, AreRefusedWhenACallerSkipsTheirCheck) { EXPECT_THROW((void)integrals(Cylinder{0.1, -1}), foundation::InvalidInput); }
+
+// ---- surfaces of triangles
+
+TEST(ClosedSurface, TextAndBinaryFilesOfABoxAreExact) {
+  const foundation::TemporaryFolder folder;
+  const test::Triangles box = test::box_triangles({1, 2, 3}, {5, 5, 5});
+  test::write_file(folder.path() / "text.stl", test::stl_text(box));
+  test::write_file(folder.path() / "binary.stl", test::stl_binary(box));
+  for (const char* name : {"text.stl", "binary.stl"}) {
+    const auto solid = rigid_solid({{"box", StlSolid{folder.path() / name, mm}, 7800}});
+    ASSERT_TRUE(solid) << messages(solid);
+    EXPECT_THAT(solid->properties.mass, test::RelativelyNear(7800 * 24e-9, round_off));
+    EXPECT_THAT(solid->properties.centre, test::NearVector(Eigen::Vector3d(3, 3.5, 4) * mm, round_off));
+    const Eigen::Matrix3d exact = 7800 * 24e-9 / 12 * Eigen::Vector3d(9 + 4, 16 + 4, 16 + 9).asDiagonal() * mm * mm;
+    EXPECT_LE((solid->properties.inertia_about_centre - exact).norm(), round_off * exact.norm());
+  }
+}
+
+TEST(ClosedSurface, AHoleIsToldWithItsPlaceAndItsOpenEdges) {
+  test::Triangles box = test::box_triangles({0, 0, 0}, {10, 20, 30});
+  box.erase(box.begin() + 2, box.begin() + 4);  // the lid at z = 30
+  EXPECT_THAT(messages(stl_solid(box)), AllOf(HasSubstr("part.file"), HasSubstr("hole 1 of 1: 4 open edges around (5, 10, 30), from (0, 0, 30) to (10, 20, 30)")));
+}
+
+TEST(ClosedSurface, TwoHolesAreTwoFindings) {
+  test::Triangles boxes = test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({5, 0, 0}, {6, 1, 1}));
+  boxes.erase(boxes.begin() + 12);
+  boxes.erase(boxes.begin());
+  EXPECT_THAT(messages(stl_solid(boxes)), AllOf(HasSubstr("hole 1 of 2: 3 open edges"), HasSubstr("hole 2 of 2: 3 open edges"), HasSubstr("(6, 1, 0)")));
+}
+
+TEST(ClosedSurface, ATurnedTriangleIsNotAHole) {
+  test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
+  std::swap(box[0][1], box[0][2]);
+  EXPECT_THAT(messages(stl_solid(box)), AllOf(HasSubstr("3 edges between triangles that face opposite sides"), ::testing::Not(HasSubstr("hole"))));
+}
+
+TEST(ClosedSurface, ASurfaceInsideOutIsRefused) {
+  EXPECT_THAT(messages(stl_solid(test::turned(test::box_triangles({0, 0, 0}, {1, 1, 1})))), HasSubstr("faces inwards: volume -1"));
+  const auto beside = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}), test::turned(test::box_triangles({9, 0, 0}, {10, 1, 1})));
+  EXPECT_THAT(messages(stl_solid(beside)), HasSubstr("from (9, 0, 0) to (10, 1, 1) in the file's units faces inwards"));
+}
+
+TEST(ClosedSurface, ACavityTakesItsVolumeAway) {
+  const auto hollow = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}), test::turned(test::box_triangles({1, 1, 1}, {2, 2, 2})));
+  const auto solid = stl_solid(hollow);
+  ASSERT_TRUE(solid) << messages(solid);
+  EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(63e-9, round_off));
+  EXPECT_THAT(solid->properties.centre, test::NearVector(Eigen::Vector3d::Constant((64 * 2 - 1.5) / 63 * mm), round_off));
+}
+
+TEST(ClosedSurface, AFlatSurfaceHasNoVolume) {
+  EXPECT_THAT(messages(stl_solid(test::box_triangles({0, 0, 0}, {1, 1, 0}))), AllOf(HasSubstr("part.file"), HasSubstr("volume")));
+}
+
+TEST(ClosedSurface, DegenerateTrianglesAreRemarkedAndHarmless) {
+  test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
+  box.push_back({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0)});
+  const auto solid = stl_solid(box);
+  ASSERT_TRUE(solid) << messages(solid);
+  EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(1e-9, round_off));
+  ASSERT_THAT(solid->remarks.list(), SizeIs(1));
+  EXPECT_THAT(message(solid->remarks.list()[0]), HasSubstr("1 degenerate triangles"));
+}
+
+TEST(ClosedSurface, BoxesThatTouchInAnEdgeAreRemarkedAndAddUp) {
+  const auto solid = stl_solid(test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({1, 1, 0}, {2, 2, 1})));
+  ASSERT_TRUE(solid) << messages(solid);
+  EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(2e-9, round_off));
+  EXPECT_THAT(solid->remarks.list(), SizeIs(1));
+}
+
+// ---- files that are none
+
+TEST(StlFile, SaysWhatIsWrongWithIt) {
+  const foundation::TemporaryFolder folder;
+  const auto of = [&](const std::string& bytes) {
+    test::write_file(folder.path() / "part.stl", bytes);
+    return messages(rigid_solid({{"part", StlSolid{folder.path() / "part.stl", mm}, 1000}}));
+  };
+  const test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
+  EXPECT_THAT(of(""), HasSubstr("0 bytes"));
+  EXPECT_THAT(of("hello"), HasSubstr("5 bytes, neither text nor a binary STL file"));
+  EXPECT_THAT(of("solid nothing\nendsolid\n"), HasSubstr("holds no triangle"));
+  EXPECT_THAT(of(test::stl_binary(box).substr(0, 400)), HasSubstr("400 bytes; a binary file of 12 triangles, as its header says, has 684"));
+  EXPECT_THAT(of(test::stl_text(box).substr(0, 400)), HasSubstr("cut off"));
+  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n"), AllOf(HasSubstr("line 4"), HasSubstr("three finite numbers")));
+  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 nan\n"), HasSubstr("three finite numbers"));
+  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nendloop\n"), HasSubstr("a loop of 1 vertices"));
+  EXPECT_THAT(of("solid\nfaçade\n"), HasSubstr("unexpected 'façade'"));
+  std::string with_nan = test::stl_binary(box);
+  with_nan.replace(84 + 12, 4, "\xff\xff\xff\x7f");
+  EXPECT_THAT(of(with_nan), HasSubstr("triangle 1 of 12 has a coordinate that is no finite number"));
+  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "missing.stl", mm}, 1000}})), HasSubstr("cannot be read"));
+  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path(), mm}, 1000}})), HasSubstr("cannot be read"));
+  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "part.stl"}, 1000}})), HasSubstr("part.unit: not given"));
+}
+
+}  // namespace
