@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace trivet::identification {
+
+/// t such that a Student variable lies in (−t, t) with probability `confidence`.
+/// @param confidence  in (0, 1)
+/// @param degrees_of_freedom  > 0, need not be whole
+[[nodiscard]] double student_quantile(double confidence, double degrees_of_freedom);
+
+}  // namespace trivet::identification

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trivet/foundation/problems.h"
+
+namespace trivet::study {
+
+/// Largest table that is read.
+inline constexpr std::uintmax_t largest_csv_file = 256u << 20;
+
+/// A table of numbers with named columns. An empty cell, "nan" or "-" is NaN: not measured.
+struct CsvTable {
+  std::string source;                ///< file name, for messages
+  std::vector<std::string> columns;  ///< names as written, outer blanks and quotes removed
+  std::vector<int> lines;            ///< line of each row in the file, from 1
+  Eigen::MatrixXd values;            ///< one row per row, one column per name
+  std::vector<std::string> names;    ///< of the rows: the column "name" if there is one, else empty; not in `columns`
+};
+
+/// A header row, then numbers with a decimal point; comma, semicolon or tab between cells (the first of tab, semicolon, comma that the
+/// header holds); `#` begins a comment line; a byte order mark, CRLF and quoted cells are taken. A column called "name"
+/// holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated or empty column names, rows of
+/// another length, cells that are no number.
+[[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source);
+
+/// The same from a file; refuses what cannot be read, is empty, binary or larger than `largest_csv_file`.
+[[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path);
+
+/// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there are.
+[[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted);
+
+}  // namespace trivet::study

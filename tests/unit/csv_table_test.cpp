@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/csv_table.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace {
+
+using namespace trivet;
+using study::columns;
+using study::csv_table;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+std::string first_message(const std::string& text) {
+  const auto table = csv_table(text, "rig.csv");
+  return table ? "a table" : foundation::message(table.error().list().front());
+}
+
+TEST(CsvTable, ReadsNumbersUnderTheirNames) {
+  const auto table = csv_table("\xEF\xBB\xBF# made on the rig\r\nname, x ,\"F, z\"\r\n\r\nup,1e-3,-2.5\r\n# pause\r\ndown,+4,\r\n", "rig.csv").value();
+  EXPECT_THAT(table.columns, ElementsAre("x", "F, z"));
+  EXPECT_THAT(table.names, ElementsAre("up", "down"));
+  EXPECT_THAT(table.lines, ElementsAre(4, 6));
+  EXPECT_EQ(table.values(0, 0), 1e-3);
+  EXPECT_EQ(table.values(0, 1), -2.5);
+  EXPECT_EQ(table.values(1, 0), 4);
+  EXPECT_TRUE(std::isnan(table.values(1, 1)));
+}
+
+TEST(CsvTable, TakesTheSeparatorFromTheHeader) {
+  for (const std::string separator : {",", ";", "\t"}) {
+    const auto table = csv_table("x" + separator + "y\n1" + separator + "2\n3" + separator + "\n", "rig.csv");
+    ASSERT_TRUE(table.has_value());
+    EXPECT_EQ(table->values(0, 1), 2);
+    EXPECT_TRUE(std::isnan(table->values(1, 1)));
+  }
+}
+
+TEST(CsvTable, AMissingColumnIsNamedWithTheOnesThereAre) {
+  const auto table = csv_table("time,displacment,force\n0,0,0\n", "rig.csv").value();
+  const auto found = columns(table, {"force", "displacement", "phase"});
+  ASSERT_FALSE(found.has_value());
+  ASSERT_THAT(found.error().list(), SizeIs(2));
+  EXPECT_EQ(foundation::message(found.error().list()[0]),
+            "rig.csv: error: no column displacement; the columns are: time, displacment, force; did you mean displacment?");
+  EXPECT_EQ(columns(table, {"force", "time"})->cols(), 2);
+}
+
+TEST(CsvTable, BadRowsAreNamedByLineAllAtOnce) {
+  const auto table = csv_table("x;y\n1;2\n1,5;2\n3\n4;5;6\n7;\"8\n1e999;0x10\n", "rig.csv");
+  ASSERT_FALSE(table.has_value());
+  const auto& list = table.error().list();
+  ASSERT_THAT(list, SizeIs(6));
+  EXPECT_THAT(foundation::message(list[0]), HasSubstr("rig.csv:3: error: x = \"1,5\"; a cell is a finite number with a decimal point"));
+  EXPECT_THAT(foundation::message(list[1]), HasSubstr("rig.csv:4: error: 1 cells; the header has 2 columns"));
+  EXPECT_THAT(foundation::message(list[2]), HasSubstr("rig.csv:5: error: 3 cells"));
+  EXPECT_THAT(foundation::message(list[3]), HasSubstr("rig.csv:6: error: a quote is not closed"));
+  EXPECT_THAT(foundation::message(list[4]), HasSubstr("x = \"1e999\""));
+  EXPECT_THAT(foundation::message(list[5]), HasSubstr("y = \"0x10\""));
+}
+
+TEST(CsvTable, NeedsAHeaderAndARow) {
+  EXPECT_THAT(first_message(""), HasSubstr("the table is empty"));
+  EXPECT_THAT(first_message("\xEF\xBB\xBF\n# only a comment\n"), HasSubstr("the table is empty"));
+  EXPECT_THAT(first_message("x,y\n"), HasSubstr("no row below the header"));
+  EXPECT_THAT(first_message("1,2\n3,4\n"), HasSubstr("rig.csv:1: error: the first row holds numbers"));
+  EXPECT_THAT(first_message("x,x\n3,4\n"), HasSubstr("the column x stands twice"));
+  EXPECT_THAT(first_message("x,\n3,4\n"), HasSubstr("column 2 has no name"));
+  EXPECT_THAT(first_message("\"x,y\n3,4\n"), HasSubstr("a quote is not closed"));
+}
+
+TEST(CsvTable, AFileOfTheWrongKindDoesNotFillTheScreen) {
+  std::string text = "x,y\n";
+  for (int i = 0; i < 1000; ++i) text += "a,b\nc\n";
+  EXPECT_THAT(csv_table(text, "rig.csv").error().list(), SizeIs(40));
+}
+
+TEST(CsvTable, RefusesWhatIsNoTextFile) {
+  const std::string path = testing::TempDir() + "csv_table_test.csv";
+  std::ofstream(path, std::ios::binary) << std::string("x,y\n1,\0\n", 8);
+  EXPECT_THAT(foundation::message(study::read_csv_table(path).error().list().front()), HasSubstr("zero bytes"));
+  std::ofstream(path, std::ios::binary) << "x,y\n1,2\n";
+  EXPECT_EQ(study::read_csv_table(path)->values(0, 1), 2);
+  std::filesystem::remove(path);
+  EXPECT_THAT(foundation::message(study::read_csv_table(path).error().list().front()), HasSubstr("no such file"));
+  EXPECT_THAT(foundation::message(study::read_csv_table(testing::TempDir()).error().list().front()), HasSubstr("no file"));
+}
+
+}  // namespace
