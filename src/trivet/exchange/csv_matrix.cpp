@@ -44,7 +44,7 @@ Rows read_rows(std::string_view text, FileProblems& problems) {
     if (first) separator = separator_of(lines.line());
     const auto row = cells_of(lines.line(), separator);
     if (first && is_heading(row)) {
-      problems.warning(lines.number(), "heading", quoted(lines.line()), "a line without a number is no row of the matrix", "start it with # to say so");
+      problems.warning(lines.number(), "heading", in_quotes(lines.line()), "a line without a number is no row of the matrix", "start it with # to say so");
       continue;
     }
     if (!rows.values.empty() && row.size() != rows.values.front().size())
@@ -58,7 +58,7 @@ Rows read_rows(std::string_view text, FileProblems& problems) {
     for (std::size_t j = 0; j < row.size() && !problems.enough(); ++j) {
       const auto value = number(row[j]);
       if (!value)
-        problems.error(lines.number(), fmt::format("entry ({}, {})", rows.values.size() + 1, j + 1), quoted(row[j]), "every entry is a finite number", remedy(row[j], separator));
+        problems.error(lines.number(), fmt::format("entry ({}, {})", rows.values.size() + 1, j + 1), in_quotes(row[j]), "every entry is a finite number", remedy(row[j], separator));
       values.push_back(value.value_or(0));
     }
     rows.values.push_back(std::move(values));

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 namespace trivet::exchange {
@@ -44,6 +46,21 @@ void check_size(long long rows, long long columns, int line, FileProblems& probl
                    "condense the model to its interface nodes in the program that wrote it");
 }
 
+Triangles triangles_of(const std::vector<Entry>& entries) {
+  std::set<std::pair<int, int>> upper;
+  for (const Entry& entry : entries)
+    if (entry.row < entry.column) upper.emplace(entry.row, entry.column);
+  const auto mirrored = [&](const Entry& entry) { return entry.row > entry.column && upper.contains({entry.column, entry.row}); };
+  return std::any_of(entries.begin(), entries.end(), mirrored) ? Triangles::both : Triangles::one;
+}
+
+void check_labels(const std::vector<Label>& labels, int line, FileProblems& problems) {
+  std::set<Label> seen;
+  for (const Label& label : labels)
+    if (!seen.insert(label).second && !problems.enough())
+      problems.error(line, fmt::format("node {}, component {}", label.node, label.component), "named twice", "every row is another component", "correct the list of nodes");
+}
+
 std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles, bool is_complex, FileProblems& problems) {
   const auto key = [](const Entry& e) { return std::tuple(std::minmax(e.row, e.column), e.row < e.column, e.line); };
   std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
@@ -67,6 +84,27 @@ std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Tria
     if (is_complex) matrix.imaginary(entry.row, entry.column) = entry.imaginary;
     if (is_complex && mirror) matrix.imaginary(entry.column, entry.row) = entry.imaginary;
   }
+  return matrix;
+}
+
+std::optional<NamedMatrix> assembled(const std::vector<LabelledEntry>& labelled, std::optional<Triangles> triangles, bool is_complex, int line, FileProblems& problems) {
+  std::map<Label, int> rows;
+  for (const LabelledEntry& entry : labelled) rows.emplace(entry.row, 0), rows.emplace(entry.column, 0);
+  std::vector<Label> labels;
+  for (auto& [label, row] : rows) {
+    row = static_cast<int>(labels.size());
+    labels.push_back(label);
+  }
+  check_size(static_cast<long long>(labels.size()), static_cast<long long>(labels.size()), line, problems);
+  if (problems.any()) return std::nullopt;
+  std::vector<Entry> entries;
+  for (const LabelledEntry& one : labelled) {
+    entries.push_back(one.entry);
+    entries.back().row = rows.at(one.row), entries.back().column = rows.at(one.column);
+  }
+  const Triangles written = triangles.value_or(triangles_of(entries));
+  auto matrix = assembled(std::move(entries), static_cast<int>(labels.size()), written, is_complex, problems);
+  if (matrix) matrix->labels = std::move(labels);
   return matrix;
 }
 

@@ -29,7 +29,7 @@ std::optional<Header> read_header(Lines& lines, FileProblems& problems) {
   };
   if (parts.size() != 5 || !is(0, {"%%matrixmarket"}) || !is(1, {"matrix"}) || !is(2, {"coordinate", "array"}) || !is(3, {"real", "integer", "complex"}) ||
       !is(4, {"general", "symmetric"})) {
-    problems.error(lines.number(), "header", quoted(lines.line()), rule, "write the matrix again as real or complex, general or symmetric");
+    problems.error(lines.number(), "header", in_quotes(lines.line()), rule, "write the matrix again as real or complex, general or symmetric");
     return std::nullopt;
   }
   return Header{is(2, {"coordinate"}), is(3, {"complex"}), is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
@@ -56,7 +56,7 @@ void read_coordinates(Lines& lines, const Header& header, int order, long long c
     const auto real = parts.size() < 3 ? std::nullopt : number(parts[2]);
     const auto imaginary = parts.size() < 4 ? std::optional(0.0) : number(parts[3]);
     if (parts.size() != wanted || !row || !column || !real || !imaginary) {
-      problems.error(lines.number(), "entry", quoted(lines.line()),
+      problems.error(lines.number(), "entry", in_quotes(lines.line()),
                      header.is_complex ? "an entry is row, column, real and imaginary part" : "an entry is row, column and a finite number", "correct the line");
     } else if (*row < 1 || *row > order || *column < 1 || *column > order) {
       problems.error(lines.number(), "entry", fmt::format("row {}, column {}", *row, *column), fmt::format("rows and columns count from 1 to {}", order),
@@ -84,7 +84,7 @@ void read_array(Lines& lines, const Header& header, int order, std::vector<Entry
     const auto real = parts.empty() ? std::nullopt : number(parts[0]);
     const auto imaginary = parts.size() < 2 ? std::optional(0.0) : number(parts[1]);
     if (parts.size() != wanted || !real || !imaginary)
-      problems.error(lines.number(), "entry", quoted(lines.line()), header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number", "correct the line");
+      problems.error(lines.number(), "entry", in_quotes(lines.line()), header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number", "correct the line");
     entries.push_back({row, column, real.value_or(0), imaginary.value_or(0), lines.number()});
     if (++row == order) row = header.triangles == Triangles::one ? ++column : (++column, 0);
   }
@@ -106,7 +106,7 @@ foundation::Expected<NamedMatrix> read_matrix_market(std::string_view text, cons
   const auto columns = rows ? whole_number(sizes[1]) : std::nullopt;
   const auto count = !columns ? std::nullopt : header->coordinate ? whole_number(sizes[2]) : std::optional(0);
   if (!count || *count < 0) {
-    problems.error(lines.number(), "size", sizes.empty() ? "missing" : quoted(lines.line()),
+    problems.error(lines.number(), "size", sizes.empty() ? "missing" : in_quotes(lines.line()),
                    header->coordinate ? "the size line is rows, columns, number of entries" : "the size line is rows and columns", "correct the size line");
     return problems.refused();
   }

@@ -35,19 +35,19 @@ std::optional<Header> read_header(std::string_view text, FileProblems& problems)
   const std::string_view type = value_of(text, "descr");
   header.is_complex = type.starts_with("'<c16'");
   if (!header.is_complex && !type.starts_with("'<f8'"))
-    problems.error(0, "number type", quoted(type.substr(0, type.find(", "))), "float64 ('<f8') and complex128 ('<c16') are read",
+    problems.error(0, "number type", in_quotes(type.substr(0, type.find(", "))), "float64 ('<f8') and complex128 ('<c16') are read",
                    "save numpy.ascontiguousarray(matrix, dtype=\"float64\")");
   const std::string_view order = value_of(text, "fortran_order");
   header.by_columns = order.starts_with("True");
   if (!header.by_columns && !order.starts_with("False"))
-    problems.error(0, "fortran_order", quoted(order.substr(0, order.find(','))), "it is True or False", "write the file again with numpy.save");
+    problems.error(0, "fortran_order", in_quotes(order.substr(0, order.find(','))), "it is True or False", "write the file again with numpy.save");
   const std::string_view shape = value_of(text, "shape");
   const std::size_t end = shape.find(')');
   const auto sizes = shape.starts_with('(') && end != std::string_view::npos ? cells(shape.substr(1, end - 1), ',') : std::vector<std::string_view>{};
   const auto rows = sizes.size() == 2 ? whole_number(sizes[0]) : std::nullopt;
   const auto columns = rows ? whole_number(sizes[1]) : std::nullopt;
   if (!columns)
-    problems.error(0, "shape", quoted(shape.substr(0, end == std::string_view::npos ? end : end + 1)), "a matrix has two dimensions", "save a two-dimensional array");
+    problems.error(0, "shape", in_quotes(shape.substr(0, end == std::string_view::npos ? end : end + 1)), "a matrix has two dimensions", "save a two-dimensional array");
   else
     check_size(*rows, *columns, 0, problems);
   header.order = rows.value_or(0);

@@ -57,7 +57,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest_shown = 40;
   return "\"" + std::string(text.substr(0, longest_shown)) + (text.size() > longest_shown ? "…\"" : "\"");
 }

@@ -31,7 +31,7 @@ class Lines {
 [[nodiscard]] std::vector<std::string_view> cells(std::string_view line, char separator);
 [[nodiscard]] std::string lower(std::string_view text);
 /// At most 40 signs of a text, in quotes, for a message.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// A finite number that fills the whole text.
 [[nodiscard]] std::optional<double> number(std::string_view text);
