@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "trivet/exchange/named_matrix.h"
+
+namespace trivet::exchange {
+
+struct MatrixFileOptions {
+  /// One of `matrix_formats()`; empty: told by the first bytes and the ending of the name.
+  std::string format;
+  /// Which matrix, where a file may hold several: name of the DMIG, type of the *MATRIX ("stiffness" if empty).
+  std::string name;
+};
+
+/// "matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix".
+[[nodiscard]] const std::vector<std::string>& matrix_formats();
+
+/// A matrix out of a file. Beside a CalculiX .sti or .mas, the .dof file of the same name is read.
+[[nodiscard]] foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& path, const MatrixFileOptions& options = {});
+
+}  // namespace trivet::exchange

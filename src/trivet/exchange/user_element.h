@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "trivet/exchange/named_matrix.h"
+#include "trivet/exchange/text_lines.h"
+
+namespace trivet::exchange {
+
+/// A linear user element in the keywords of Abaqus: *USER ELEMENT, its nodes in a comment, its components, and the *MATRIX of that
+/// type (small letters): the lower triangle row by row, or all rows if it is unsymmetric.
+[[nodiscard]] foundation::Expected<NamedMatrix> read_user_element(std::string_view text, const std::string& type, FileProblems& problems);
+
+}  // namespace trivet::exchange

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/matrix_files.h"
+
+namespace trivet::test {
+namespace {
+
+using study::catalogue_from_text;
+using testing::HasSubstr;
+
+const std::string head = "catalogue = 1\n[mounts.\"M 20\"]\nmaker = \"Acme\"\n";
+
+TEST(Catalogue, IsReadWithUnits) {
+  const auto read = catalogue_from_text(head +
+                                            "translation = [\"60 N/mm\", \"60 N/mm\", 350e3]\nrotation = [10, 10, \"8 N m/rad\"]\nloss_factor = \"8 %\"\n"
+                                            "static_load = [\"0 N\", \"0.8 kN\"]\nstatic_deflection_limit = \"2.5 mm\"\nmass = \"120 g\"\nprice = \"12.50 EUR\"\nsource = \"sheet 7\"\n",
+                                        "c.toml");
+  ASSERT_TRUE(read) << complaint(read);
+  const study::Mount* mount = read->find("M 20");
+  ASSERT_NE(mount, nullptr);
+  EXPECT_THAT(mount->translation, NearVector(Eigen::Vector3d(60e3, 60e3, 350e3), 4 * epsilon));
+  EXPECT_THAT(mount->rotation, NearVector(Eigen::Vector3d(10, 10, 8), 4 * epsilon));
+  EXPECT_DOUBLE_EQ(*mount->loss_factor, 0.08);
+  EXPECT_THAT(*mount->static_load, NearVector(Eigen::Vector2d(0, 800), 4 * epsilon));
+  EXPECT_DOUBLE_EQ(*mount->static_deflection_limit, 0.0025);
+  EXPECT_DOUBLE_EQ(*mount->mass, 0.12);
+  EXPECT_EQ(mount->price, "12.50 EUR");
+  EXPECT_EQ(mount->source, "sheet 7");
+  EXPECT_EQ(mount->origin.line, 2);
+  EXPECT_TRUE(read->warnings.list().empty());
+}
+
+TEST(Catalogue, TakesAMountWithThreeStiffnessesOnly) {
+  const auto read = catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml");
+  ASSERT_TRUE(read) << complaint(read);
+  EXPECT_FALSE(read->mounts[0].loss_factor || read->mounts[0].static_load || read->mounts[0].mass);
+}
+
+TEST(Catalogue, SaysWhatIsWrongAndWhere) {
+  const auto said = [](const std::string& text) { return complaint(catalogue_from_text(text, "c.toml")); };
+  const std::string good = "translation = [1, 1, 2]\n";
+  EXPECT_THAT(said("mounts = [\n"), HasSubstr("c.toml:"));
+  EXPECT_THAT(said("[mounts.a]\nmaker = \"b\"\n" + good), HasSubstr("catalogue: missing"));
+  EXPECT_THAT(said("catalogue = 2\n[mounts.a]\nmaker = \"b\"\n" + good), HasSubstr("c.toml:1: error: catalogue: format 2"));
+  EXPECT_THAT(said("catalogue = 1\n"), HasSubstr("mounts: missing"));
+  EXPECT_THAT(said("catalogue = 1\n[mounts]\n"), HasSubstr("mounts: no mount"));
+  EXPECT_THAT(said("catalogue = 1\nmounts = 3\n"), HasSubstr("a table is wanted here"));
+  EXPECT_THAT(said("catalogue = 1\nmounts.a = 3\n"), HasSubstr("c.toml:2: error: mounts.a"));
+  EXPECT_THAT(said("catalogue = 1\n[mounts.a]\n" + good), HasSubstr("mounts.a.maker: missing"));
+  EXPECT_THAT(said(head), HasSubstr("mounts.M 20.translation: missing"));
+  EXPECT_THAT(said(head + "translation = [1, 1]\n"), HasSubstr("c.toml:4: error: mounts.M 20.translation"));
+  EXPECT_THAT(said(head + "translation = [1, 1, -2]\n"), HasSubstr("translation: -2 N/m; a stiffness is ≥ 0"));
+  EXPECT_THAT(said(head + "translation = [\"1 kg\", 1, 2]\n"), HasSubstr("does not measure what is wanted here"));
+  EXPECT_THAT(said(head + good + "stiffnes = 3\n"), HasSubstr("c.toml:5: error: mounts.M 20.stiffnes: unknown key"));
+  EXPECT_THAT(said(head + good + "loss_factor = -0.1\n"), HasSubstr("c.toml:5: error: mounts.M 20.loss_factor"));
+  EXPECT_THAT(said(head + good + "static_load = [5, 5]\n"), HasSubstr("the first one not below the second"));
+  EXPECT_THAT(said(head + good + "static_load = [5]\n"), HasSubstr("static_load: 1 numbers"));
+  EXPECT_THAT(said(head + good + "static_deflection_limit = 0\n"), HasSubstr("it must be > 0"));
+  EXPECT_THAT(said(head + good + "mass = -1\n"), HasSubstr("mass: -1 kg"));
+  EXPECT_THAT(complaint(study::read_catalogue("/no/such/catalogue.toml")), HasSubstr("o such file or directory; the catalogue must be a readable text file"));
+}
+
+TEST(Catalogue, WarnsOfWhatDoesNotFitTogether) {
+  const auto read = catalogue_from_text(head + "translation = [1, 1, 1000]\nloss_factor = 8\nstatic_load = [0, 100]\nstatic_deflection_limit = \"2 mm\"\n", "c.toml");
+  ASSERT_TRUE(read) << complaint(read);
+  ASSERT_EQ(read->warnings.list().size(), 2u);
+  EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("c.toml:5: warning: mounts.M 20.loss_factor: 8;"));
+  EXPECT_THAT(message(read->warnings.list()[1]), HasSubstr("the highest load deflects the mount by 0.1 m; its limit is 0.002 m"));
+}
+
+TEST(Catalogue, ProposesTheNearestName) {
+  const std::vector<study::Catalogue> catalogues{study::generic_catalogue(), *catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml")};
+  EXPECT_EQ(study::mount_named("M 20", catalogues)->maker, "Acme");
+  EXPECT_THAT(complaint(study::mount_named("disc 50x25 55 Sha", catalogues)), HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
+  EXPECT_THAT(complaint(study::mount_named("air spring", catalogues)), HasSubstr("look into the catalogue"));
+}
+
+TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
+  const study::Catalogue& catalogue = study::generic_catalogue();
+  EXPECT_EQ(catalogue.mounts.size(), 21u);
+  EXPECT_TRUE(catalogue.warnings.list().empty());
+  const study::Mount* mount = catalogue.find("disc 50x25 55 ShA");
+  ASSERT_NE(mount, nullptr);
+  constexpr double printed = 6e-3;  // three digits
+  const double r = 0.025, h = 0.025, e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55)), area = std::numbers::pi * r * r;
+  EXPECT_THAT(mount->translation.z(), RelativelyNear(1 / (1 / (e * 1.5) + 1 / 2e9) * area / h, printed));
+  EXPECT_THAT(mount->translation.x(), RelativelyNear(e / 3 * area / h / (1 + 1.0 / 36), printed));
+  EXPECT_THAT(mount->rotation.z(), RelativelyNear(e / 3 * std::numbers::pi * std::pow(r, 4) / 2 / h, printed));
+  for (const study::Mount& one : catalogue.mounts) {
+    EXPECT_EQ(one.maker, "generic");
+    EXPECT_THAT(one.source, HasSubstr("no maker's data"));
+    EXPECT_THAT(one.static_load->y() / one.translation.z(), RelativelyNear(*one.static_deflection_limit, printed));
+  }
+}
+
+}  // namespace
+}  // namespace trivet::test

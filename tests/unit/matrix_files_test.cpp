@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Matrix Market, NumPy and CSV files, written by SciPy and NumPy and by hand.
+#include <gtest/gtest.h>
+
+#include "support/matchers.h"
+#include "support/matrix_files.h"
+#include "trivet/exchange/csv_matrix.h"
+#include "trivet/exchange/file_bytes.h"
+#include "trivet/exchange/matrix_market.h"
+#include "trivet/exchange/numpy_array.h"
+
+namespace trivet::test {
+namespace {
+
+using exchange::NamedMatrix;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The other program computed the entries with a few operations in another order.
+constexpr double round_off = 8 * epsilon;
+/// Matrix Market files here have 16 decimals.
+constexpr double printed = 1e-15;
+
+std::string kept(const std::string& name) { return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name); }
+
+void expect_bar(const foundation::Expected<NamedMatrix>& read, double tolerance, const Eigen::MatrixXd& added = Eigen::MatrixXd::Zero(12, 12)) {
+  ASSERT_TRUE(read) << complaint(read);
+  const Eigen::MatrixXd wanted = bernoulli() + added;
+  EXPECT_THAT(read->values, NearInUnits(wanted, entry_scale(bernoulli()), tolerance));
+  EXPECT_TRUE(read->labels.empty());
+}
+
+/// Ones on and above the diagonal: rows and columns mixed up would show.
+Eigen::MatrixXd upper_ones() { return Eigen::MatrixXd::Ones(12, 12).triangularView<Eigen::Upper>(); }
+
+TEST(MatrixMarket, IsReadInAllFormsThatScipyWrites) {
+  expect_bar(exchange::read_matrix_market(kept("beam_coordinate_symmetric.mtx"), "f"), printed);
+  expect_bar(exchange::read_matrix_market(kept("beam_coordinate_general.mtx"), "f"), printed);
+  expect_bar(exchange::read_matrix_market(kept("beam_array_symmetric.mtx"), "f"), printed);
+  expect_bar(exchange::read_matrix_market(kept("beam_array_general.mtx"), "f"), printed, upper_ones());
+}
+
+TEST(MatrixMarket, KeepsTheImaginaryPart) {
+  const auto read = exchange::read_matrix_market(kept("beam_complex.mtx"), "f");
+  expect_bar(read, printed);
+  const Eigen::MatrixXd wanted = 0.02 * bernoulli();
+  EXPECT_THAT(read->imaginary, NearInUnits(wanted, entry_scale(wanted), printed));
+}
+
+TEST(MatrixMarket, TakesCommentsBlankLinesAndWindowsLineEnds) {
+  const auto read = exchange::read_matrix_market("%%MatrixMarket Matrix Coordinate Integer General\r\n% by hand\r\n\r\n2 2 2\r\n1 1 3\r\n\r\n2 2 -4\r\n", "f");
+  ASSERT_TRUE(read) << complaint(read);
+  EXPECT_EQ(read->values(0, 0), 3);
+  EXPECT_EQ(read->values(1, 1), -4);
+}
+
+TEST(NumpyArray, IsReadInEveryVersionAndOrder) {
+  for (const char* name : {"beam.npy", "beam_version_2.npy", "beam_version_3.npy", "beam_complex.npy"}) expect_bar(exchange::read_numpy_array(kept(name), "f"), round_off);
+  expect_bar(exchange::read_numpy_array(kept("beam_by_columns.npy"), "f"), round_off, upper_ones());
+  const auto lossy = exchange::read_numpy_array(kept("beam_complex.npy"), "f");
+  const Eigen::MatrixXd wanted = 0.02 * bernoulli();
+  EXPECT_THAT(lossy->imaginary, NearInUnits(wanted, entry_scale(wanted), round_off));
+}
+
+TEST(CsvMatrix, IsReadWithCommasSemicolonsTabsAndBlanks) {
+  expect_bar(exchange::read_csv_matrix(kept("beam.csv"), "f"), round_off);
+  expect_bar(exchange::read_csv_matrix(kept("beam_semicolon.csv"), "f"), round_off);
+  for (const char* text : {"1\t2\n3\t4\n", " 1  2 \n 3 4", "\xEF\xBB\xBF# heading\n1, 2\r\n3,4\r\n"}) {
+    const auto read = exchange::read_csv_matrix(text, "f");
+    ASSERT_TRUE(read) << complaint(read);
+    EXPECT_EQ(read->values, (Eigen::MatrixXd(2, 2) << 1, 2, 3, 4).finished());
+  }
+}
+
+TEST(CsvMatrix, SaysThatItTookALineForAHeading) {
+  const auto read = exchange::read_csv_matrix("ux, uy\n1, 2\n3, 4\n", "f");
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->warnings.list().size(), 1u);
+  EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("f:1: warning: heading"));
+}
+
+struct Bad {
+  const char* text;
+  const char* complaint;
+};
+
+TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
+  const std::string head = "%%MatrixMarket matrix coordinate real general\n";
+  const Bad cases[] = {
+      {"2 2 1\n1 1 1\n", "f:1: error: header"},  // placed after the head below: a second one is missing
+      {"2 3 1\n1 1 1\n", "f:2: error: size: 2 × 3"},
+      {"2 2\n1 1 1\n", "f:2: error: size: \"2 2\""},
+      {"2 2 -1\n", "f:2: error: size"},
+      {"0 0 0\n", "f:2: error: size: 0 × 0"},
+      {"2000000000 2000000000 1\n1 1 1\n", "f:2: error: size: 2000000000 × 2000000000; a matrix of at most 6000"},
+      {"99999999999 99999999999 1\n", "f:2: error: size"},
+      {"2 2 1\n0 1 5\n", "f:3: error: entry: row 0, column 1; rows and columns count from 1 to 2; the file seems to count from 0"},
+      {"2 2 1\n3 1 5\n", "f:3: error: entry: row 3"},
+      {"2 2 1\n1 1 abc\n", "f:3: error: entry: \"1 1 abc\""},
+      {"2 2 1\n1 1 nan\n", "f:3: error: entry"},
+      {"2 2 1\n1 1 1e999\n", "f:3: error: entry"},
+      {"2 2 1\n1 1 1 2\n", "f:3: error: entry"},
+      {"2 2 2\n1 1 1\n", "the file ends after 1 of 2"},
+      {"2 2 1\n1 1 1\n2 2 1\n", "f:4: error: entries: more than the 1 announced"},
+      {"2 2 2\n1 1 1\n1 1 1\n", "f:4: error: entry (1, 1): given again, first in line 3"},
+      {"2 2 2000000000\n1 1 1\n", "the file ends after 1 of 2000000000"},
+      {"", "error: size: missing"},
+  };
+  for (const Bad& bad : cases) {
+    const bool headless = std::string(bad.complaint).find("header") != std::string::npos;
+    const auto read = exchange::read_matrix_market(headless ? bad.text : head + bad.text, "f");
+    EXPECT_THAT(complaint(read), HasSubstr(bad.complaint)) << bad.text;
+  }
+  for (const char* kind : {"coordinate pattern general", "coordinate real skew-symmetric", "array complex hermitian", "vector real general"})
+    EXPECT_THAT(complaint(exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + kind + "\n1 1 1\n1 1 1\n", "f")), HasSubstr("f:1: error: header"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n2 1 5\n1 2 6\n", "f")),
+              HasSubstr("its mirror image in line 3 is 5"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n", "f")), HasSubstr("the file ends in column 2 of 2"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real symmetric\n2 2\n1\n2\n3\n4\n", "f")), HasSubstr("f:6: error: entries: more than"));
+}
+
+/// A version 1 file with this header text and this many zero bytes behind it.
+std::string numpy_file(const std::string& header, std::size_t bytes) {
+  std::string file("\x93NUMPY\x01\x00", 8);
+  file += static_cast<char>(header.size() & 255);
+  file += static_cast<char>(header.size() >> 8);
+  return file + header + std::string(bytes, '\0');
+}
+
+TEST(NumpyArray, SaysWhatIsWrong) {
+  const auto said = [](const std::string& bytes) { return complaint(exchange::read_numpy_array(bytes, "f")); };
+  const std::string order = "'fortran_order': False, ";
+  EXPECT_EQ(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 8)), "none");
+  EXPECT_THAT(said("PK\x03\x04"), HasSubstr("take the array out of the .npz"));
+  EXPECT_THAT(said(""), HasSubstr("no NumPy file"));
+  EXPECT_THAT(said("\x93NUMPY"), HasSubstr("no NumPy file"));
+  EXPECT_THAT(said(std::string("\x93NUMPY\x01\x00\xff\xff{", 11)), HasSubstr("65535 bytes announced"));
+  EXPECT_THAT(said(std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff{", 13)), HasSubstr("4294967295 bytes announced"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f4', " + order + "'shape': (1, 1), }", 4)), HasSubstr("number type: \"'<f4'\""));
+  EXPECT_THAT(said(numpy_file("{'descr': '>f8', " + order + "'shape': (1, 1), }", 8)), HasSubstr("number type"));
+  EXPECT_THAT(said(numpy_file("{'descr': '|O', " + order + "'shape': (1, 1), }", 8)), HasSubstr("number type"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', 'shape': (1, 1), }", 8)), HasSubstr("fortran_order"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (4,), }", 32)), HasSubstr("a matrix has two dimensions"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1, 1), }", 8)), HasSubstr("a matrix has two dimensions"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 2), }", 16)), HasSubstr("size: 1 × 2"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (-1, -1), }", 16)), HasSubstr("size: -1 × -1"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (999999, 999999), }", 16)), HasSubstr("at most 6000"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (5000, 5000), }", 16)), HasSubstr("16 bytes; a 5000 × 5000 matrix of this type has 200000000"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 7)), HasSubstr("was the file cut off?"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 0) + std::string("\0\0\0\0\0\0\xf8\x7f", 8)), HasSubstr("entry (1, 1): nan"));
+}
+
+TEST(CsvMatrix, SaysWhatIsWrongAndWhere) {
+  const Bad cases[] = {
+      {"", "size: 0 × 0"},
+      {"# nothing\n\n", "size: 0 × 0"},
+      {"1,2\n3\n", "f:2: error: row: 1 numbers; the row in line 1 has 2"},
+      {"1,2,3\n4,5,6\n", "size: 2 × 3"},
+      {"1,2\n3,x\n", "f:2: error: entry (2, 2): \"x\""},
+      {"1,2\n3,\n", "entry (2, 2): \"\"; every entry is a finite number; write 0"},
+      {"1,5;2,5\n3;4\n", "heading"},
+      {"1;2,5\n3;4\n", "write decimal points"},
+      {"inf,2\n3,4\n", "entry (1, 1): \"inf\""},
+      {"1,2\n3,1e400\n", "entry (2, 2)"},
+  };
+  for (const Bad& bad : cases) EXPECT_THAT(complaint(exchange::read_csv_matrix(bad.text, "f")), HasSubstr(bad.complaint)) << bad.text;
+  EXPECT_THAT(complaint(exchange::read_csv_matrix(std::string(20000, ' ') + "1" + std::string(20000, ','), "f")), HasSubstr("at most 6000"));
+}
+
+TEST(MatrixFile, MustBeAReadableFile) {
+  EXPECT_THAT(complaint(exchange::file_bytes("/no/such/file.mtx")), HasSubstr("no such file"));
+  EXPECT_THAT(complaint(exchange::file_bytes(TRIVET_SOURCE_DIR)), HasSubstr("this is a directory"));
+}
+
+TEST(MatrixReaders, SurviveEveryTruncationAndEveryChangedByte) {
+  for (const char* name : {"beam_complex.mtx", "beam_array_symmetric.mtx", "beam.csv", "beam_complex.npy"}) {
+    const std::string whole = kept(name);
+    for (std::size_t at = 0; at < whole.size(); at += 3) {
+      std::string changed = whole;
+      changed[at] = static_cast<char>(changed[at] ^ 0x15);
+      for (const std::string& text : {whole.substr(0, at), changed}) {
+        static_cast<void>(exchange::read_matrix_market(text, "f"));
+        static_cast<void>(exchange::read_numpy_array(text, "f"));
+        static_cast<void>(exchange::read_csv_matrix(text, "f"));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace trivet::test
