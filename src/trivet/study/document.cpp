@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/document.h"
 
+#include <fmt/format.h>
+
 namespace trivet::study {
 
 const Node* Node::find(std::string_view key) const {
@@ -22,6 +24,20 @@ const char* words(Node::Kind kind) {
     case Node::Kind::other: return "a date or time";
   }
   return "";
+}
+
+std::string canonical(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::text: return "\"" + node.text + "\"";
+    case Node::Kind::integer:
+    case Node::Kind::real: return fmt::format("{:.17g}", node.number);
+    case Node::Kind::boolean: return node.boolean ? "true" : "false";
+    default: break;
+  }
+  std::string text = "{";
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    text += (node.kind == Node::Kind::table ? node.keys[i] + "=" : std::string()) + canonical(node.items[i]) + ";";
+  return text + "}";
 }
 
 const Node& deepest(const Node& root, std::string_view path) {

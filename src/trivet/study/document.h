@@ -27,6 +27,9 @@ struct Node {
 
 [[nodiscard]] const char* words(Node::Kind kind);
 
+/// The value written out, equal for equal values.
+[[nodiscard]] std::string canonical(const Node& node);
+
 /// "elements.front spring.damping" → the deepest node on that path that exists.
 [[nodiscard]] const Node& deepest(const Node& root, std::string_view path);
 

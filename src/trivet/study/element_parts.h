@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -22,9 +23,27 @@ namespace trivet::study {
 /// The table `damping` of an element into its law; constants act at the fraction `centre` of the span.
 void read_damping(TableReader& reader, const model::Span& span, double centre, model::Element& element);
 
+/// A file that a project file names, relative to its own folder. A missing key is a problem.
+[[nodiscard]] std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key);
+
 /// A law that knows its own size: it fills law and facts, in local axes with e3 from N to K, and returns the distance from N to K [m],
 /// or nothing after reporting what is wrong.
 using LengthOf = std::optional<double>;
 [[nodiscard]] LengthOf read_coil_spring(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_rubber_disc(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_rubber_block(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_rubber_bush(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_sandwich(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_solid_mount(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_beam(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_link(TableReader& reader, model::Element& element);
+
+/// Laws from files, between ends that the project file places.
+void read_imported(TableReader& reader, const model::Span& span, model::Element& element);
+void read_measured(TableReader& reader, const model::Span& span, model::Element& element);
+/// Per direction k'(f) and k''(f) out of a table: air springs, wire-rope isolators, hydraulic mounts.
+void read_tabulated(TableReader& reader, const model::Span& span, model::Element& element);
+/// `type = "catalogue:NAME"`; returns the mount's height, 0 if the catalogue gives none.
+void read_catalogue_mount(TableReader& reader, const std::string& name, const model::Span& span, model::Element& element);
 
 }  // namespace trivet::study

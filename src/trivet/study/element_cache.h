@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trivet::study {
+
+/// Numbers that cost long to find, kept on disk under a hash of everything they depend on. The folder is $TRIVET_CACHE, else trivet/ in
+/// $XDG_CACHE_HOME or ~/.cache; TRIVET_CACHE="" switches it off. A damaged entry counts as absent.
+[[nodiscard]] std::optional<std::vector<double>> cached_numbers(const std::string& key);
+void keep_numbers(const std::string& key, const std::vector<double>& numbers);
+
+/// A key from a description of the computation in words and digits, and from the contents of files.
+[[nodiscard]] std::string content_key(const std::string& description, const std::vector<std::string>& files = {});
+
+}  // namespace trivet::study
