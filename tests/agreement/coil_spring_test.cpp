@@ -9,6 +9,7 @@
 #include "support/coil_springs.h"
 #include "support/matchers.h"
 #include "trivet/elements/coil_dynamics.h"
+#include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -195,6 +196,79 @@ TEST(CoilSpring, CountedFrequenciesAreZerosOfTheFreeEndsDeterminant) {
       EXPECT_LE(Eigen::SelfAdjointEigenSolver<Matrix6>(unit).eigenvalues().cwiseAbs().minCoeff(), 1e-6) << i << ", " << k;
     }
   }
+}
+
+/// Rigid-body inertia of the wire and its dead coils about the seat at N, summed point by point.
+Matrix6 rigid_mass(const CoilSpring& s) {
+  constexpr int points = 20000;
+  const double line_mass = s.density * wire_section(s).area;
+  Matrix6 total = Matrix6::Zero();
+  for (int i = 0; i < points; ++i) {
+    const Point p = on_wire(s, (i + 0.5) / points);
+    Matrix6 local = line_mass * Matrix6::Identity();
+    const Eigen::Matrix3d axes = axes_at(p);
+    const Eigen::Vector3d moments(wire_section(s).second_moments(2), wire_section(s).second_moments(0), wire_section(s).second_moments(1));
+    local.bottomRightCorner<3, 3>() = s.density * axes * moments.asDiagonal() * axes.transpose();
+    total += p.tangent.norm() / points * spatial::rigid_motion(p.place).transpose() * local * spatial::rigid_motion(p.place);
+  }
+  return total;
+}
+
+TEST(ReducedCoil, CarriesTheRigidInertiaOfTheWire) {
+  constexpr double summation = 1e-7;  // midpoint rule on 20,000 points of up to 20 turns
+  std::mt19937 random(6);
+  for (int i = 0; i < 10; ++i) {
+    CoilSpring spring = random_spring(random);
+    spring.dead_coils_n = spring.dead_coils_k = 0;
+    const Matrix12 mass = reduced(spring, 0).mass;
+    Eigen::Matrix<double, 12, 6> about_n;
+    about_n << Matrix6::Identity(), spatial::rigid_motion({0, 0, seat_distance(spring)});
+    EXPECT_LE(scaled_difference((about_n.transpose() * mass * about_n).eval(), rigid_mass(spring)), summation) << i;
+  }
+}
+
+/// Dynamic stiffness of the reduced spring.
+Matrix12 condensed(const elements::ReducedCoil& r, double omega) {
+  const Eigen::VectorXd factor = std::pow(omega, 4) * (r.natural_frequencies.array().square() - omega * omega).inverse();
+  return r.stiffness - omega * omega * r.mass - r.coupling * factor.asDiagonal() * r.coupling.transpose();
+}
+
+TEST(ReducedCoil, ConvergesToTheExactDynamicStiffness) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 12; ++i) {
+    CoilSpring spring = random_spring(random);
+    if (i % 3 == 1) spring.seat_k = elements::Seat::pivoted;
+    const elements::SeatedCoil coil = seated_coil(spring);
+    const elements::ReducedCoil few = reduced(spring, 4), many = reduced(spring, 40);
+    CoilSpring clamped = spring;
+    clamped.seat_k = elements::Seat::clamped;
+    const spatial::Vector12 scale = stiffness(clamped).diagonal().cwiseSqrt();
+    for (const double ratio : {0.2, 0.8, 1.3}) {
+      const double omega = ratio * few.natural_frequencies(0);
+      const Matrix12 exact = dynamic_stiffness(coil, omega);
+      EXPECT_THAT(condensed(many, omega), test::NearInUnits(exact, scale, 0.02 * std::pow(ratio, 4))) << i << ", " << ratio;
+      const auto error = [&](const elements::ReducedCoil& r) {
+        return (scale.cwiseInverse().asDiagonal() * (condensed(r, omega) - exact) * scale.cwiseInverse().asDiagonal()).eval().norm();
+      };
+      EXPECT_LE(error(many), 0.1 * error(few)) << i << ", " << ratio;
+    }
+  }
+}
+
+TEST(ReducedCoil, ExtendedMatricesHaveTheFrequenciesOfTheFreeSpring) {
+  constexpr double truncation = 2e-3, order = 3.5;  // error of the sixth with 16 modes, and what twice as many gain at least
+  const std::vector<double> exact = natural_frequencies(literature_spring(), elements::SeatsHeld::n_only, 6);
+  const auto errors = [&](int modes) -> Eigen::VectorXd {
+    const elements::ReducedCoil r = reduced(literature_spring(), modes);
+    const Eigen::MatrixXd k = r.extended_stiffness().bottomRightCorner(6 + modes, 6 + modes);
+    const Eigen::MatrixXd a = r.extended_mass().bottomRightCorner(6 + modes, 6 + modes);
+    const Eigen::VectorXd lambda = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(k, a, Eigen::EigenvaluesOnly).eigenvalues();
+    return lambda.head<6>().cwiseSqrt().cwiseQuotient(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(exact.data())).array() - 1;
+  };
+  const Eigen::VectorXd few = errors(16), many = errors(32);
+  EXPECT_LE(few.maxCoeff(), truncation);
+  EXPECT_GE(many.minCoeff(), -1e-10) << "left-out modes can only stiffen";
+  EXPECT_LE(many.maxCoeff(), few.maxCoeff() / order);
 }
 
 }  // namespace

@@ -33,6 +33,16 @@ MATCHER_P3(NearInUnits, expected, scale, tolerance, "") {
   return worst <= tolerance;
 }
 
+/// The same for a matrix whose columns have another scale than its rows.
+MATCHER_P4(NearInUnitsOf, expected, row_scale, column_scale, tolerance, "") {
+  const auto scaled = (arg - expected).cwiseAbs().cwiseQuotient(row_scale * column_scale.transpose()).eval();
+  Eigen::Index row = 0, column = 0;
+  const double worst = scaled.maxCoeff(&row, &column);
+  *result_listener << "entry (" << row << ", " << column << ") is " << arg(row, column) << ", expected " << expected(row, column)
+                   << ", scaled difference " << worst << ", allowed " << tolerance;
+  return worst <= tolerance;
+}
+
 /// Every component of a vector within `tolerance` of the largest.
 MATCHER_P2(NearVector, expected, tolerance, "") {
   const double scale = expected.cwiseAbs().maxCoeff();

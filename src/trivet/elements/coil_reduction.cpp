@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/elements/coil_reduction.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::elements {
+namespace {
+
+using Complex = std::complex<double>;
+using Weight = std::function<Complex(Complex)>;
+
+/// (1/2πi) ∮ weight(λ) D(λ) dλ on a circle about a real centre; D is real on the real axis, so half the circle is enough.
+/// The trapezoidal rule is exact up to `ratio`^points, the larger of the two ratios of a pole's distance and the radius.
+Matrix12 circle_integral(const SeatedCoil& coil, double centre, double radius, double ratio, const Weight& weight) {
+  constexpr double accuracy = 1e-15;
+  const int half = int(std::ceil(0.5 * std::log(accuracy) / std::log(ratio)));
+  Matrix12 sum = Matrix12::Zero();
+  for (int j = 0; j < half; ++j) {
+    const Complex arm = std::polar(radius, (j + 0.5) * std::numbers::pi / half), lambda = centre + arm;
+    sum += (weight(lambda) * arm * dynamic_stiffness(coil, std::sqrt(lambda))).real();
+  }
+  return sum / half;
+}
+
+/// Natural frequencies as close as this, relatively, are separated by algebra and not by circles.
+constexpr double close = 1e-3;
+
+/// Eigenvalues first … last (excluded) of a group and the distance from it to whatever else is singular.
+struct Group {
+  std::size_t first, last;
+  double low, high, gap;
+};
+
+std::vector<Group> groups(const std::vector<double>& lambda, std::size_t wanted) {
+  std::vector<Group> result;
+  for (std::size_t first = 0, last = 0; first < wanted; first = last) {
+    for (last = first + 1; last < lambda.size() && lambda[last] - lambda[last - 1] < close * lambda[last]; ++last) {
+    }
+    if (last == lambda.size()) return {};
+    const double below = first == 0 ? 0 : lambda[first - 1];
+    result.push_back({first, last, lambda[first], lambda[last - 1], std::min(lambda[first] - below, lambda[last] - lambda[last - 1])});
+  }
+  return result;
+}
+
+/// Columns c_k of one group from Σ c_k c_kᵀ and Σ (λ_k − centre) c_k c_kᵀ; `scale` makes newtons and newton metres compare.
+Eigen::Matrix<double, 12, Eigen::Dynamic> couplings(const SeatedCoil& coil, const Group& group, const spatial::Vector12& scale) {
+  const auto count = Eigen::Index(group.last - group.first);
+  const double centre = 0.5 * (group.low + group.high), spread = 0.5 * (group.high - group.low), radius = spread + 0.5 * group.gap;
+  const double ratio = std::max(spread / radius, radius / (spread + group.gap));
+  const auto moment = [&](const Weight& weight) -> Matrix12 {
+    const Matrix12 sum = circle_integral(coil, centre, radius, ratio, weight);
+    return scale.asDiagonal() * (0.5 * (sum + sum.transpose())) * scale.asDiagonal();
+  };
+  const Matrix12 order0 = moment([](Complex lambda) { return 1.0 / (lambda * lambda); });
+  const Eigen::SelfAdjointEigenSolver<Matrix12> solver(order0);
+  const Eigen::VectorXd size = solver.eigenvalues().tail(count).cwiseMax(0).cwiseSqrt();
+  Eigen::Matrix<double, 12, Eigen::Dynamic> columns = solver.eigenvectors().rightCols(count) * size.asDiagonal();
+  if (count > 1) {
+    const Matrix12 order1 = moment([&](Complex lambda) { return (lambda - centre) / (lambda * lambda); });
+    const Eigen::MatrixXd back = solver.eigenvectors().rightCols(count) * size.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd inner = back.transpose() * order1 * back;
+    columns = (columns * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inner).eigenvectors()).eval();
+  }
+  for (Eigen::Index i = 0; i < 12; ++i)
+    if (scale(i) > 0) columns.row(i) /= scale(i);
+  return columns;
+}
+
+std::vector<double> squared_frequencies(const SeatedCoil& coil, int count) {
+  std::vector<double> lambda = natural_frequencies(coil, SeatsHeld::both, count);
+  for (double& value : lambda) value *= value;
+  return lambda;
+}
+
+/// −dD/dλ at λ = 0, on a circle well inside the first pole.
+Matrix12 static_mass(const SeatedCoil& coil, double first_pole) {
+  constexpr double inside = 0.125;
+  const Matrix12 slope = circle_integral(coil, 0, inside * first_pole, inside, [](Complex lambda) { return 1.0 / (lambda * lambda); });
+  return -0.5 * (slope + slope.transpose());
+}
+
+}  // namespace
+
+ReducedCoil reduced(const SeatedCoil& with_loss, int modes) {
+  if (modes < 0) throw foundation::InvalidInput("reduced coil spring: " + std::to_string(modes) + " modes, must be ≥ 0");
+  SeatedCoil coil = with_loss;
+  coil.loss_factor = 0;
+  const auto wanted = std::size_t(modes);
+  std::vector<double> lambda = squared_frequencies(coil, modes + 2);
+  std::vector<Group> all = groups(lambda, wanted);
+  while (wanted > 0 && all.empty()) {
+    lambda = squared_frequencies(coil, int(lambda.size()) + 4);
+    all = groups(lambda, wanted);
+  }
+
+  ReducedCoil result;
+  result.stiffness = dynamic_stiffness(coil, 0.0);
+  result.mass = static_mass(coil, lambda[0]);
+  const spatial::Vector12 scale = result.mass.diagonal().unaryExpr([](double m) { return m > 0 ? 1 / std::sqrt(m) : 0.0; });
+  result.natural_frequencies.resize(modes);
+  result.coupling.resize(12, modes);
+  for (const Group& group : all) {
+    const Eigen::Matrix<double, 12, Eigen::Dynamic> columns = couplings(coil, group, scale);
+    for (std::size_t k = group.first; k < std::min(group.last, wanted); ++k) {
+      result.natural_frequencies(Eigen::Index(k)) = std::sqrt(lambda[k]);
+      result.coupling.col(Eigen::Index(k)) = columns.col(Eigen::Index(k - group.first));
+    }
+  }
+  return result;
+}
+
+ReducedCoil reduced(const CoilSpring& spring, int modes) {
+  ReducedCoil result = reduced(seated_coil(spring), modes);
+  result.stiffness = stiffness(spring);
+  return result;
+}
+
+Eigen::MatrixXd ReducedCoil::extended_stiffness() const {
+  const Eigen::Index m = natural_frequencies.size();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(12 + m, 12 + m);
+  k.topLeftCorner<12, 12>() = stiffness;
+  k.bottomRightCorner(m, m).diagonal() = natural_frequencies.array().square();
+  return k;
+}
+
+Eigen::MatrixXd ReducedCoil::extended_mass() const {
+  const Eigen::Index m = natural_frequencies.size();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(12 + m, 12 + m);
+  a.topLeftCorner<12, 12>() = mass;
+  a.topRightCorner(12, m) = coupling;
+  a.bottomLeftCorner(m, 12) = coupling.transpose();
+  return a;
+}
+
+}  // namespace trivet::elements

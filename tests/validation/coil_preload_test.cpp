@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The compressed coil spring against Haringx' column, the buckling formula of EN 13906-1, and its stress example.
+#include <gmock/gmock.h>
+
+#include "support/coil_springs.h"
+#include "support/matchers.h"
+#include "trivet/elements/coil_preload.h"
+#include "trivet/elements/coil_stress.h"
+
+namespace {
+
+using namespace trivet;
+using elements::CoilSpring;
+using test::literature_spring;
+using test::RelativelyNear;
+constexpr double pi = std::numbers::pi;
+
+/// The literature spring's wire and pitch, with as many coils as the length takes.
+CoilSpring spring_of_length(double length) {
+  CoilSpring spring = literature_spring();
+  spring.active_coils *= length / spring.active_length;
+  spring.active_length = length;
+  return spring;
+}
+
+/// Lateral stiffness between parallel seats of Haringx' elastic column with bending and shear stiffness of the coils; force P > 0.
+double haringx_lateral_stiffness(const CoilSpring& s, double compression, double force) {
+  const double D = s.mean_diameter, I = wire_section(s).second_moments(0), E = s.youngs_modulus, G = s.shear_modulus;
+  const double L = s.active_length - compression, coils = s.active_coils;
+  const double bending = L / (coils * pi * D / 2 * (1 / (E * I) + 1 / (2 * G * I))), shear = 8 * E * I * L / (coils * pi * D * D * D);
+  const double q = std::sqrt(force * (1 + force / shear) / bending);
+  return force / ((1 + force / shear) * 2 / q * std::tan(q * L / 2) - L);
+}
+
+/// EN 13906-1: compression at which a spring buckles; `seating` is ν, 0.5 between held seats, 1 if one may slide.
+double standard_buckling(const CoilSpring& s, double seating) {
+  const double ratio = s.shear_modulus / s.youngs_modulus, slender = pi * s.mean_diameter / (seating * s.active_length);
+  return s.active_length * 0.5 / (1 - ratio) * (1 - std::sqrt(1 - (1 - ratio) / (0.5 + ratio) * slender * slender));
+}
+
+TEST(CompressedCoil, LateralStiffnessFallsAsHaringxSays) {
+  // The column smears the coils out; the two lateral stiffnesses of the real spring lie on one side by less than 3 % of the unloaded value.
+  constexpr double of_the_unloaded = 0.03;
+  const CoilSpring spring = literature_spring();
+  const double unloaded = stiffness(spring)(6, 6);
+  double previous = unloaded;
+  for (const double fraction : {0.02, 0.05, 0.1, 0.15, 0.2, 0.25}) {
+    const elements::CompressedCoil state = compressed_by(spring, fraction * spring.active_length);
+    const double haringx = haringx_lateral_stiffness(spring, state.compression, state.axial_force);
+    EXPECT_NEAR(state.stiffness(6, 6), haringx, of_the_unloaded * unloaded) << fraction;
+    EXPECT_NEAR(state.stiffness(7, 7), haringx, of_the_unloaded * unloaded) << fraction;
+    EXPECT_LT(state.stiffness(6, 6), previous);
+    previous = state.stiffness(6, 6);
+  }
+}
+
+TEST(CompressedCoil, BucklesWhereTheStandardSays) {
+  constexpr double smeared_coils = 0.011;
+  for (const double length : {0.06, 0.08, 0.1, 0.12}) {
+    const CoilSpring spring = spring_of_length(length);
+    const auto held = buckling(spring, elements::SeatsHeld::both), sliding = buckling(spring, elements::SeatsHeld::lateral_slide);
+    ASSERT_TRUE(held && sliding) << length;
+    EXPECT_THAT(held->compression, RelativelyNear(standard_buckling(spring, 0.5), smeared_coils)) << length;
+    EXPECT_THAT(sliding->compression, RelativelyNear(standard_buckling(spring, 1), smeared_coils)) << length;
+  }
+}
+
+TEST(CompressedCoil, AStubbySpringDoesNotBuckle) { EXPECT_FALSE(buckling(literature_spring(), elements::SeatsHeld::both)); }
+
+TEST(CompressedCoil, ForceOfTheStandardsExample) {
+  // EN 13906-1 worked example: 280 N at s1 = 17.3 mm, 620 N at s2 = 38.3 mm, L1 = 88.5 and L2 = 67.5 mm; the standard neglects
+  // that the seats do not turn, that the coils widen, and the shear of the wire.
+  constexpr double of_the_standard = 0.025;
+  CoilSpring spring = literature_spring();
+  spring.wire = elements::RoundWire{5e-3};
+  spring.mean_diameter = 34.6e-3;
+  spring.active_coils = 9.5;
+  spring.dead_coils_n = spring.dead_coils_k = 1;
+  spring.active_length = 105.8e-3 - 2 * 5e-3;
+  spring.youngs_modulus = 2.06e11;
+  spring.shear_modulus = 8.15e10;
+  EXPECT_THAT(compressed_with(spring, 280).compression, RelativelyNear(17.3e-3, of_the_standard));
+  EXPECT_THAT(compressed_with(spring, 620).compression, RelativelyNear(38.3e-3, of_the_standard));
+  EXPECT_NEAR(compressed_with(spring, 620).seat_distance, 67.5e-3, 0.8e-3);
+  // Stress: 8 F D/(π d³) = 437.0 MPa; Bergsträsser's factor at C = 6.92 is 1.2026, Wahl's 1.2156.
+  constexpr double digits = 1e-4;
+  EXPECT_THAT(nominal_shear_stress(spring, 620), RelativelyNear(437.0e6, digits));
+  EXPECT_THAT(elements::bergstraesser_factor(6.92), RelativelyNear(1.2026, digits));
+  EXPECT_THAT(wahl_shear_stress(spring, -620), RelativelyNear(437.0e6 * 1.2156, digits));
+}
+
+TEST(CoilStress, RectangularWireTwistsAsInTheTables) {
+  // Timoshenko and Goodier: τ = T/(α b h²) with α = 0.208 and 0.246 for side ratios 1 and 2.
+  constexpr double printed = 3e-3;
+  CoilSpring spring = literature_spring();
+  for (const auto& [ratio, factor] : {std::pair{1.0, 0.208}, {2.0, 0.246}}) {
+    spring.wire = elements::RectangularWire{1e-3, ratio * 1e-3};
+    spring.active_length = 0.05;
+    EXPECT_THAT(nominal_shear_stress(spring, 10), RelativelyNear(10 * 5e-3 / (factor * ratio * 1e-9), printed)) << ratio;
+  }
+}
+
+}  // namespace
