@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/foundation/problems.h"
+
+/// Findings that several elements share.
+namespace trivet::elements {
+
+/// Error unless the length [m] is positive and finite; says whether it is.
+bool check_length(foundation::Problems& problems, const std::string& key, double value);
+
+/// The dynamic stiffening factor: error unless > 0, warning outside 1 … 4.
+void check_factor(foundation::Problems& problems, double dynamic_factor);
+
+/// Warning outside 0.25 … 20, the range of shape factors that the formulas were measured over.
+void check_shape_factor(foundation::Problems& problems, double shape_factor);
+
+/// @throws InvalidInput with the first error of the list, if there is one
+void require_sound(const foundation::Problems& problems);
+
+}  // namespace trivet::elements
