@@ -159,7 +159,7 @@ void warn(const LoopRecord& record, LoopFit& loop) {
   if (record.time.size() > 0 && std::abs(*loop.angular_frequency / record.angular_frequency - 1) > frequency_differs)
     warning(fmt::format("{:.5g} rad/s by the time of the samples, {:.5g} rad/s stated", *loop.angular_frequency, record.angular_frequency),
             "the two should agree; the samples count", "check the units of time and frequency");
-  if (loop.cycles >= 4 && loop.cycle_scatter > 2)
+  if (loop.cycles >= 4 && loop.cycle_scatter > 1.5)
     warning(fmt::format("cycles differ {:.1f} times more than noise explains", loop.cycle_scatter), "a steady test repeats itself; intervals are widened",
             "leave out the first cycles, raise drift_order, or let the element warm up");
 }

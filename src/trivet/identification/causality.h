@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <string>
+
+#include "trivet/foundation/problems.h"
+
+namespace trivet::identification {
+
+/// k*(ω) as measured, one direction: angular frequencies [rad/s] > 0, increasing; stiffness k' + ik'' [N/m].
+struct DynamicStiffnessTable {
+  Eigen::VectorXd angular_frequency;
+  Eigen::VectorXcd stiffness;
+};
+
+/// What makes a table unusable (errors): columns of different length, fewer than two rows, entries that are not finite, frequencies not > 0,
+/// not increasing or repeated; and what is doubtful (warning): negative loss.
+[[nodiscard]] foundation::Problems table_problems(const DynamicStiffnessTable& table);
+
+/// Stiffness between the rows, real and imaginary part linear in ln ω.
+/// @throws InvalidInput outside the band of the table, or for a table with errors
+[[nodiscard]] std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, double angular_frequency);
+
+/// A passive, causal stiffness s = iω: static + viscous s + Σ branches_i s times_i/(1 + s times_i) + mass s², every constant ≥ 0.
+struct PassiveStiffness {
+  double static_stiffness = 0;     ///< [N/m]
+  double viscous_coefficient = 0;  ///< [N s/m]
+  double mass = 0;                 ///< [kg], 0 unless asked for
+  Eigen::VectorXd branches;        ///< [N/m]
+  Eigen::VectorXd times;           ///< [s]
+};
+[[nodiscard]] std::complex<double> stiffness_at(const PassiveStiffness& passive, double angular_frequency);
+
+struct CausalityOptions {
+  /// Relative misfit (rms over the band) up to which the table passes; should lie above its noise.
+  double tolerance = 0.05;
+  bool with_mass = false;  ///< driving-point stiffness of an element whose mass shows in the band
+};
+
+/// How far k' and k'' are from belonging together. Causality ties each to the other over all frequencies (Kramers and Kronig); over
+/// a finite band, the nearest sum of relaxations with nonnegative constants takes the place of the integrals: what it cannot
+/// follow is not causal, not passive, or a resonance.
+struct CausalityCheck {
+  PassiveStiffness nearest;
+  Eigen::VectorXcd fitted;       ///< of `nearest` at the frequencies of the table
+  Eigen::VectorXd misfit;        ///< |fitted − k*|/|k*| per frequency
+  double relative_rms = 0;       ///< of the misfit
+  Eigen::Index worst = 0;        ///< row of the largest misfit
+  bool passes = false;
+  std::string verdict;           ///< a sentence with numbers
+  foundation::Problems warnings;
+};
+
+/// @throws InvalidInput if the tolerance is not > 0
+[[nodiscard]] foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table, const CausalityOptions& options = {});
+
+}  // namespace trivet::identification

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/identification/causality.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/matchers.h"
+#include "trivet/elements/viscoelastic.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/identification/nonnegative_least_squares.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::identification;
+using testing::HasSubstr;
+
+using Complex = std::complex<double>;
+
+template <typename Law>
+DynamicStiffnessTable table(const Law& law, int rows = 40, double decades = 3) {
+  DynamicStiffnessTable result{Eigen::VectorXd(rows), Eigen::VectorXcd(rows)};
+  for (int i = 0; i < rows; ++i) {
+    const double w = 6.0 * std::pow(10, decades * i / (rows - 1));
+    result.angular_frequency(i) = w;
+    result.stiffness(i) = 2e5 * law(w);
+  }
+  return result;
+}
+
+CausalityCheck checked(const DynamicStiffnessTable& data, const CausalityOptions& options = {}) { return causality(data, options).value(); }
+
+TEST(NonnegativeLeastSquares, MeetsItsOptimalityConditions) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 50; ++trial) {
+    Eigen::MatrixXd a(30, 12);
+    Eigen::VectorXd b(30);
+    for (double& value : a.reshaped()) value = normal(random);
+    for (double& value : b) value = normal(random);
+    const Eigen::VectorXd x = nonnegative_least_squares(a, b), downhill = a.transpose() * (b - a * x);
+    for (int j = 0; j < 12; ++j) {
+      EXPECT_GE(x(j), 0);
+      EXPECT_LE(downhill(j), 1e-10);
+      EXPECT_LE(std::abs(x(j) * downhill(j)), 1e-10);
+    }
+  }
+}
+
+TEST(Causality, EveryPassiveLawPasses) {
+  const elements::Viscoelastic laws[] = {elements::KelvinVoigt{1e-4}, elements::Zener{0.7, 0.003}, elements::FractionalZener{2, 0.001, 0.4},
+                                         elements::GeneralizedMaxwell{{0.3, 0.4}, {0.1, 0.001}}};
+  for (const auto& law : laws) {
+    const CausalityCheck check = checked(table([&](double w) { return elements::relative_modulus(law, Complex(w)); }));
+    EXPECT_TRUE(check.passes);
+    EXPECT_LE(check.relative_rms, 1e-3) << elements::name(law);  // twelve relaxation times per decade
+  }
+}
+
+TEST(Causality, AConstantLossFactorWithConstantStiffnessDoesNotPass) {
+  // Causality wants k' to grow by 2η/π per factor e: over three decades by 88 % at η = 0.2.
+  const CausalityCheck check = checked(table([](double) { return Complex(1, 0.2); }));
+  EXPECT_FALSE(check.passes);
+  EXPECT_GT(check.relative_rms, 0.08);
+  EXPECT_THAT(check.verdict, HasSubstr("belongs to no passive relaxing material"));
+  const CausalityCheck growing = checked(table([](double w) { return std::pow(Complex(0, w), 2 / 3.14159265 * std::atan(0.2)); }));
+  EXPECT_LE(growing.relative_rms, 2e-3);
+}
+
+TEST(Causality, NoiseIsItsOwnMisfitAndNoMore) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  DynamicStiffnessTable noisy = table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
+  for (Complex& k : noisy.stiffness) k += 0.01 * std::abs(k) * Complex(normal(random), normal(random));
+  EXPECT_NEAR(checked(noisy).relative_rms, 0.01 * std::sqrt(2.0), 0.003);
+}
+
+TEST(Causality, TheMisfitIsWhereTheTableIsWrong) {
+  DynamicStiffnessTable wrong = table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
+  wrong.stiffness(17) *= std::polar(1.0, 0.3);  // a phase error of one row
+  const CausalityCheck check = checked(wrong);
+  EXPECT_EQ(check.worst, 17);
+  EXPECT_NEAR(check.misfit(17), 0.3, 0.1);
+}
+
+TEST(Causality, AMassIsFollowedWhenAsked) {
+  const auto massive = table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)) - 1e-7 * w * w; });
+  CausalityOptions options;
+  EXPECT_FALSE(checked(massive, options).passes);
+  options.with_mass = true;
+  EXPECT_LE(checked(massive, options).relative_rms, 1e-3);
+  EXPECT_THAT(checked(massive, options).nearest.mass, test::RelativelyNear(2e5 * 1e-7, 1e-2));
+}
+
+TEST(Causality, BadTablesAreNamedRowByRow) {
+  DynamicStiffnessTable bad = table([](double) { return Complex(1, 0.1); }, 6);
+  bad.angular_frequency(1) = bad.angular_frequency(0);
+  bad.angular_frequency(2) = 1;
+  bad.stiffness(3) = std::nan("");
+  bad.stiffness(4) = {2e5, -3e3};
+  bad.angular_frequency(5) = -1;
+  const foundation::Problems problems = table_problems(bad);
+  ASSERT_EQ(problems.list().size(), 5u);
+  const char* said[] = {"row 2: 0.95493 Hz stands twice", "row 3: 0.159155 Hz after 0.95493 Hz", "row 4: an entry is missing", "row 5: negative loss", "row 6: -0.159155 Hz"};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_THAT(foundation::message(problems.list()[i]), HasSubstr(said[i]));
+  EXPECT_FALSE(causality(bad).has_value());
+  EXPECT_TRUE(causality({{}, {}}).error().has_errors());
+}
+
+TEST(InterpolatedStiffness, MeetsTheRowsAndStaysInTheBand) {
+  const auto zener = [](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); };
+  const DynamicStiffnessTable data = table(zener, 60);
+  EXPECT_EQ(interpolated_stiffness(data, data.angular_frequency(7)), data.stiffness(7));
+  EXPECT_LE(std::abs(interpolated_stiffness(data, 300) / (2e5 * zener(300)) - 1.0), 1e-3);  // (Δ ln ω)²/8 of the curvature
+  EXPECT_THROW((void)interpolated_stiffness(data, 1), foundation::InvalidInput);
+  EXPECT_THROW((void)interpolated_stiffness(data, 1e5), foundation::InvalidInput);
+}
+
+}  // namespace
