@@ -2,6 +2,7 @@
 #include "trivet/elements/matrix_checks.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,7 +38,17 @@ double entry_round_off(const Matrix12& matrix, double arm, int i, int j) {
 
 }  // namespace
 
-MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid) {
+Eigen::Matrix<double, 12, 6> turned_preload(const Vector12& preload, const Eigen::Matrix3d& n_from_k) {
+  Eigen::Matrix<double, 12, 6> asked = Eigen::Matrix<double, 12, 6>::Zero();
+  for (int j = 0; j < 3; ++j) {
+    const Eigen::Vector3d in_k = Eigen::Vector3d::Unit(j), in_n = n_from_k * in_k;
+    asked.col(3 + j) << in_n.cross(preload.segment<3>(0)), 0.5 * in_n.cross(preload.segment<3>(3)), in_k.cross(preload.segment<3>(6)),
+        0.5 * in_k.cross(preload.segment<3>(9));
+  }
+  return asked;
+}
+
+MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid, const Eigen::Matrix<double, 12, 6>& expected) {
   MatrixVerdict verdict;
   const spatial::Vector12 scale = entry_scale(matrix);
   const double arm = rigid.topRightCorner<3, 3>().norm();
@@ -54,8 +65,8 @@ MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>
       }
     }
 
-  verdict.residual = matrix * rigid;
-  const Eigen::Matrix<double, 12, 6> from_left = matrix.transpose() * rigid;
+  verdict.residual = matrix * rigid - expected;
+  const Eigen::Matrix<double, 12, 6> from_left = matrix.transpose() * rigid - expected;
   for (int j = 0; j < 6; ++j) {
     const double motion_scale = rigid.col(j).cwiseAbs().cwiseProduct(scale).maxCoeff();
     for (int i = 0; i < 12; ++i) {

@@ -16,7 +16,7 @@ struct MatrixVerdict {
   double highest_eigenvalue = 0;
   double rigid_residual = 0;      ///< largest entry of C G and Gᵀ C, scaled
   int residual_row = 0, residual_motion = 0;
-  Eigen::Matrix<double, 12, 6> residual;  ///< C G: wrench per unit rigid motion, unscaled
+  Eigen::Matrix<double, 12, 6> residual;  ///< C G less what is expected: wrench per unit rigid motion, unscaled
 };
 
 /// Violation of the rigid-motion rule that passes in silence, and the one that is refused.
@@ -25,7 +25,13 @@ inline constexpr double refused_residual = 0.05;
 /// Scaled asymmetry and negative eigenvalue that count as rounding of the data.
 inline constexpr double rounding_of_data = 1e-9;
 
-[[nodiscard]] MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid_motions);
+/// `expected`: what a rigid motion may ask for, the turned preload; zero for a stress-free element.
+[[nodiscard]] MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid_motions,
+                                    const Eigen::Matrix<double, 12, 6>& expected = Eigen::Matrix<double, 12, 6>::Zero());
+
+/// What the preload of an element asks for when the element is turned as a whole by ψ (last three columns, axes of K): ψ × force and
+/// ½ ψ × moment at each end. `preload` in the axes of each end.
+[[nodiscard]] Eigen::Matrix<double, 12, 6> turned_preload(const Vector12& preload, const Eigen::Matrix3d& n_from_k);
 
 /// Is the symmetric part positive semidefinite, up to rounding and to what the rigid-motion residual itself explains?
 [[nodiscard]] bool is_semidefinite(const MatrixVerdict& verdict);

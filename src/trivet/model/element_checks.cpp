@@ -63,15 +63,18 @@ void check_matrix(const Subject& subject, const Element& element, const Matrix12
     problems.error(subject.path, "an entry is not finite", "every entry must be a number", "look for overflow or a missing value");
     return;
   }
-  const MatrixVerdict verdict = elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k));
+  const bool preloaded = element.law.preload && subject.quantity == "stiffness";
+  const MatrixVerdict verdict = elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
+                                                  preloaded ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
   if (element.symmetric && verdict.asymmetry > elements::rounding_of_data) check_symmetry(subject, matrix, verdict, problems);
   if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, problems);
   const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
   const bool negative = verdict.lowest_eigenvalue < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
-  if (symmetric_stiffness_or_damping && negative && (element.allow_residual || elements::is_semidefinite(verdict)))
+  if (symmetric_stiffness_or_damping && negative && (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
     problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
                      fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity, subject.bad_energy),
-                     "the residual may explain it; look at the frequencies it touches");
+                     preloaded ? "its preload explains it: turned with the element it does work; look at the frequencies it touches"
+                               : "the residual may explain it; look at the frequencies it touches");
   else if (symmetric_stiffness_or_damping && negative)
     problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
                    fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),

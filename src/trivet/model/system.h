@@ -43,6 +43,21 @@ struct Fact {
   std::string what, value;
 };
 
+/// One reading behind an identified law, for a residual plot.
+struct Residual {
+  std::string what;
+  double measured = 0, fitted = 0;   ///< [N, N m]
+  double standardised = 0;           ///< residual over its own standard deviation
+  bool outlier = false;
+};
+
+/// How sure a law is that was measured or meshed.
+struct Evidence {
+  elements::Matrix12 uncertainty = elements::Matrix12::Zero();  ///< per entry of the nominal stiffness: half width of its interval, or estimated error
+  std::string meaning;               ///< "95 % confidence", "estimated error of the mesh"
+  std::vector<Residual> residuals;
+};
+
 struct Element {
   std::string name;
   std::string type;  ///< the law's name in the project file, for messages and reports
@@ -52,6 +67,7 @@ struct Element {
   bool symmetric = true;
   bool allow_residual = false;
   std::vector<Fact> facts;   ///< for reading: how its law was found
+  std::optional<Evidence> evidence;
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
 };
 

@@ -17,11 +17,15 @@ constexpr std::size_t most_elements = 5000;
 
 /// Laws that find their own 12×12 from dimensions, materials and data.
 constexpr std::pair<const char*, LengthOf (*)(TableReader&, model::Element&)> sized_laws[] = {
-    {"coil_spring", read_coil_spring},
+    {"coil_spring", read_coil_spring}, {"rubber_disc", read_rubber_disc}, {"rubber_block", read_rubber_block}, {"rubber_bush", read_rubber_bush},
+    {"sandwich", read_sandwich},       {"solid_mount", read_solid_mount}, {"beam", read_beam},                 {"link", read_link},
+    {"stay", read_link},
 };
 
+constexpr const char* catalogue_prefix = "catalogue:";
+
 std::vector<std::string> all_types() {
-  std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper"};
+  std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper", "imported", "measured", "table", "air_spring", "wire_rope"};
   for (const auto& law : sized_laws) types.emplace_back(law.first);
   return types;
 }
@@ -122,6 +126,10 @@ class ElementReader {
     else if (element_.type == "bushing") read_bushing(true);
     else if (element_.type == "three_springs") read_bushing(false);
     else if (element_.type == "damper") read_damper();
+    else if (element_.type == "imported") read_imported(reader_, span_, element_);
+    else if (element_.type == "measured") read_measured(reader_, span_, element_);
+    else if (element_.type == "table" || element_.type == "air_spring" || element_.type == "wire_rope") read_tabulated(reader_, span_, element_);
+    else if (element_.type.starts_with(catalogue_prefix)) read_catalogue_mount(reader_, element_.type.substr(std::string(catalogue_prefix).size()), span_, element_);
     else {
       if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types()));
       return false;

@@ -86,6 +86,8 @@ void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
   static constexpr std::array<const char*, 6> words = {"shear x", "shear y", "axial", "tilt x", "tilt y", "torsion"};
   for (int j = 0; j < 6; ++j) errors += fmt::format("{}{} {:.2g} %", j ? ", " : "", words[static_cast<std::size_t>(j)], 100 * s.relative_error(6 + j, 6 + j));
   element.facts.push_back({"estimated error of the mesh", errors});
+  const elements::Vector12 scale = s.stiffness.diagonal().cwiseSqrt();
+  element.evidence = model::Evidence{s.relative_error.cwiseProduct(scale * scale.transpose()), "estimated error of the mesh", {}};
 }
 
 /// Stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the plates in that state.

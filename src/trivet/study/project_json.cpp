@@ -19,7 +19,9 @@ using json::Json;
 
 elements::MatrixVerdict verdict(const Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
-  return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k));
+  const bool of_stiffness = element.law.preload && matrix == elements::stiffness(element.law);
+  return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
+                           of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
 }
 
 void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, bool symmetric,

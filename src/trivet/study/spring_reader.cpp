@@ -6,7 +6,11 @@
 #include <numbers>
 
 #include "trivet/elements/coil_dynamics.h"
+#include "trivet/elements/coil_preload.h"
+#include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/coil_spring.h"
+#include "trivet/elements/wire_stress.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/material_reader.h"
 
@@ -71,18 +75,20 @@ void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
 
 std::string hertz(double omega) { return fmt::format("{:.6g} Hz", omega / (2 * std::numbers::pi)); }
 
-void add_facts(const CoilSpring& spring, model::Element& element) {
+void add_facts(const CoilSpring& spring, double distance, model::Element& element) {
   const elements::Matrix12& k = element.law.nominal_stiffness;
   element.facts.push_back({"spring index D/d", fmt::format("{:.4g}", elements::spring_index(spring))});
-  element.facts.push_back({"distance of its seats", fmt::format("{:.6g} m", elements::seat_distance(spring))});
+  element.facts.push_back({"distance of its seats", fmt::format("{:.6g} m", distance)});
   element.facts.push_back({"axial stiffness", fmt::format("{:.6g} N/m", k(8, 8))});
   element.facts.push_back({"lateral stiffness", fmt::format("{:.6g} and {:.6g} N/m", k(6, 6), k(7, 7))});
-  if (!std::isnan(spring.density)) element.facts.push_back({"first own natural frequency", hertz(element.massless_up_to)});
 }
 
-void read_level(TableReader& reader, const CoilSpring& spring, const std::string& level, model::Element& element) {
-  const bool has_density = !std::isnan(spring.density);
-  if (has_density) element.massless_up_to = elements::natural_frequencies(spring, elements::SeatsHeld::both, 1).front();
+/// Mass and frequency dependence of the spring in the state that `coil` describes; none without a density.
+void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& seated, const std::string& level, model::Element& element) {
+  if (seated) {
+    element.massless_up_to = elements::natural_frequencies(*seated, elements::SeatsHeld::both, 1).front();
+    element.facts.push_back({"first own natural frequency, both seats held", hertz(element.massless_up_to)});
+  }
   const auto modes = reader.number("internal_modes", Quantity::pure);
   if (modes && level == "quasi_static")
     reader.error("internal_modes", "internal_modes without mass", "a quasi_static spring has none", "set level = \"with_mass\" or \"exact\", or remove it");
@@ -90,15 +96,49 @@ void read_level(TableReader& reader, const CoilSpring& spring, const std::string
     reader.error("internal_modes", fmt::format("{:.6g}", *modes), fmt::format("a whole number from 0 to {}", most_internal_modes), "four to ten are usual");
     return;
   }
-  if (level == "quasi_static") return;
-  const elements::CoilInertia own = elements::reduced_mass(spring, modes ? static_cast<int>(*modes) : default_internal_modes);
-  element.law.inertia = elements::Inertia{own.mass, own.coupling, own.angular_frequencies};
-  element.facts.push_back({"own mass", fmt::format("{:.6g} kg", own.mass.block<3, 3>(0, 0).trace() / 3 + own.mass.block<3, 3>(6, 6).trace() / 3 + 2 * own.mass.block<3, 3>(0, 6).trace() / 3)});
+  if (level == "quasi_static" || !seated) return;
+  const elements::SeatedCoil& coil = *seated;
+  const elements::ReducedCoil own = elements::reduced(coil, modes ? static_cast<int>(*modes) : default_internal_modes);
+  element.law.inertia = elements::Inertia{own.mass, own.coupling, own.natural_frequencies};
+  const Eigen::Matrix<double, 12, 1> along = (Eigen::Matrix<double, 12, 1>() << 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0).finished();
+  element.facts.push_back({"own mass", fmt::format("{:.6g} kg", along.dot(own.mass * along))});
   if (level == "exact") {
     element.law.frequency_dependence = elements::FrequencyDependence{};
-    element.law.frequency_dependence->stiffness = [coil = elements::seated_coil(spring)](std::complex<double> omega, double) { return elements::dynamic_stiffness(coil, omega); };
+    element.law.frequency_dependence->stiffness = [coil](std::complex<double> omega, double) { return elements::dynamic_stiffness(coil, omega); };
   }
   element.massless_up_to = std::numeric_limits<double>::infinity();
+}
+
+/// preload = {compression = …} or {force = …}: the state about which the spring vibrates.
+std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, const CoilSpring& spring) {
+  const Node* table = reader.table("preload");
+  if (!table) return std::nullopt;
+  TableReader preload(*table, reader.path() + ".preload", reader.problems());
+  const auto by = preload.number("compression", Quantity::length), with = preload.number("force", Quantity::force);
+  if (preload.has("compression") == preload.has("force"))
+    preload.error("force", preload.has("force") ? "compression and force" : "neither compression nor force", "the preload is one of them, positive in compression", "give one");
+  preload.finish();
+  if (by.has_value() == with.has_value()) return std::nullopt;
+  try {
+    const elements::CompressedCoil state = by ? elements::compressed_by(spring, *by) : elements::compressed_with(spring, *with);
+    foundation::Problems findings = elements::check_compression(spring, state.compression);
+    for (foundation::Problem& problem : findings.list()) problem.subject = by ? "compression" : "force";
+    preload.add(findings);
+    if (findings.has_errors()) return std::nullopt;
+    return state;
+  } catch (const foundation::InvalidInput& reason) {
+    preload.error(by ? "compression" : "force", reason.what(), "the compressed spring must exist", "lower the preload");
+    return std::nullopt;
+  }
+}
+
+void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil& state, model::Element& element) {
+  element.facts.push_back({"preload", fmt::format("{:.6g} N, compressed by {:.6g} m", state.axial_force, state.compression)});
+  const auto limit = elements::buckling(spring, elements::SeatsHeld::both);
+  element.facts.push_back({"buckles between parallel seats", limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression) : "not before its coils touch"});
+  const bool round = std::holds_alternative<elements::RoundWire>(spring.wire);
+  const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force) : elements::nominal_shear_stress(spring, state.axial_force);
+  element.facts.push_back({round ? "shear stress of the wire, Wahl's factor included" : "nominal shear stress of the wire", fmt::format("{:.6g} MPa", 1e-6 * stress)});
 }
 
 }  // namespace
@@ -121,13 +161,25 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     spring.density = metal->density;
   }
   if (reader.problems().list().size() > before) return std::nullopt;
+  const std::size_t quiet = before;
   const foundation::Problems findings = elements::check(spring, level != "quasi_static");
   reader.add(findings);
   if (findings.has_errors()) return std::nullopt;
   element.law.nominal_stiffness = elements::stiffness(spring);
-  read_level(reader, spring, level, element);
-  add_facts(spring, element);
-  return elements::seat_distance(spring);
+  double distance = elements::seat_distance(spring);
+  std::optional<elements::SeatedCoil> seated;
+  if (!std::isnan(spring.density)) seated = elements::seated_coil(spring);
+  if (const auto compressed = read_compressed(reader, spring)) {
+    element.law.nominal_stiffness = compressed->stiffness;
+    element.law.preload = compressed->preload;
+    if (seated) seated = compressed->coil;
+    distance = compressed->seat_distance;
+    add_preload_facts(spring, *compressed, element);
+  }
+  if (reader.problems().list().size() > quiet && reader.problems().has_errors()) return std::nullopt;
+  add_facts(spring, distance, element);
+  read_level(reader, seated, level, element);
+  return distance;
 }
 
 }  // namespace trivet::study
