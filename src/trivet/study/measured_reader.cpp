@@ -69,7 +69,7 @@ void add_facts(const StiffnessFit& fit, std::size_t cases, double confidence, mo
     if (std::isfinite(fit.noise(j))) noise += fmt::format("{}{} {:.3g} {}", noise.empty() ? "" : ", ", identification::channel_words(j), fit.noise(j), j % 6 < 3 ? "N" : "N m");
   element.facts.push_back({"noise (standard deviation)", noise});
   element.facts.push_back({"outliers", fit.outliers.empty() ? "none" : fmt::format("{}", fit.outliers.size())});
-  if (fit.semidefinite) element.facts.push_back({"nearest semidefinite matrix", "taken as asked; distance below"});
+  if (fit.semidefinite) element.facts.push_back({"nearest semidefinite matrix", fmt::format("taken as asked, {:.3g} % away", 100 * fit->semidefinite->distance)});
   element.evidence = model::Evidence{fit.half_width, fmt::format("{:.4g} % confidence", 100 * confidence), {}};
 }
 
@@ -106,7 +106,7 @@ void read_measured(TableReader& reader, const model::Span& span, model::Element&
     return;
   }
   add_problems(reader, fit->warnings, "load_cases");
-  element.law.nominal_stiffness = elements::in_end_axes(options.nearest_semidefinite && fit->semidefinite ? fit->semidefinite->matrix : fit->stiffness, span.n_from_k);
+  element.law.nominal_stiffness = elements::in_end_axes(options.nearest_semidefinite && fit->semidefinite ? fit->semidefinite->stiffness : fit->stiffness, span.n_from_k);
   add_facts(*fit, cases->size(), options.confidence, element);
   for (const identification::Reading& reading : fit->readings) {
     const bool outlier = std::any_of(fit->outliers.begin(), fit->outliers.end(), [&](const identification::Outlier& o) { return o.load_case == reading.load_case && o.channel == reading.channel; });
