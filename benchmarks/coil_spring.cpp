@@ -95,9 +95,11 @@ double difference(const Matrix12& a, const Matrix12& b) {
 void compare_answers() {
   const CoilSpring s = spring();
   const std::vector<Piece> beams = all_pieces(s);
-  const double at_rest = difference(chain(s, beams, 0), stiffness(s)), moving = difference(chain(s, beams, 2 * pi * 100), dynamic_stiffness(s, 2 * pi * 100));
+  const double at_rest = difference(chain(s, beams, 0), stiffness(s));
+  const double moving = difference(chain(s, beams, 2 * pi * 100), dynamic_stiffness(s, 2 * pi * 100));
   const double first = natural_frequencies(s, SeatsHeld::both, 1)[0] / (2 * pi);
-  std::printf("%d straight elements differ by %.1e at rest, %.1e at 100 Hz; first frequency %.6f Hz, published 393.400\n", pieces, at_rest, moving, first);
+  std::printf("%d straight elements differ by %.1e at rest, %.1e at 100 Hz; first frequency %.6f Hz, published 393.400\n", pieces,
+              at_rest, moving, first);
   if (!(at_rest < 2e-3 && moving < 5e-3 && std::abs(first - 393.4) < 1e-3)) std::exit(1);
 }
 
