@@ -24,7 +24,7 @@ struct CompressedCoil {
   spatial::Vector12 preload = spatial::Vector12::Zero();
 };
 
-/// @throws InvalidInput if the spring has errors or its coils would touch
+/// @throws InvalidInput if the spring has errors or its coils would touch, NotComputable if it is stretched beyond all springs
 [[nodiscard]] CompressedCoil compressed_by(const CoilSpring& spring, double compression);
 [[nodiscard]] CompressedCoil compressed_with(const CoilSpring& spring, double axial_force);
 
