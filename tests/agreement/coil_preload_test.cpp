@@ -96,6 +96,8 @@ TEST(CompressedCoil, TouchingCoilsAreRefused) {
   EXPECT_THROW((void)compressed_by(spring, 1.001 * open_length(spring)), foundation::InvalidInput);
   EXPECT_THROW((void)compressed_with(spring, 1e3), foundation::InvalidInput);
   EXPECT_TRUE(check_compression(spring, 1.001 * open_length(spring)).has_errors());
+  EXPECT_THROW((void)compressed_by(spring, std::nan("")), foundation::InvalidInput);
+  EXPECT_THROW((void)compressed_by(spring, -100.0), foundation::NotComputable) << "longer than its wire";
 }
 
 TEST(CompressedCoil, ItsReductionKeepsTheTangentAndTheMass) {

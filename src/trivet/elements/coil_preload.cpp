@@ -110,7 +110,11 @@ CompressedCoil at_compression(const CoilSpring& given, double compression) {
   const double guess = -compression / (rod.length * radius * radius * rod.moment_flexibility(2));
   const double tension = compression == 0 ? 0
                                           : zero_of([&](double t) { return state_under(rod, free, t).rise - rise; }, 0.9 * guess, guess);
-  return compressed(spring, free, state_under(rod, free, tension));
+  const UniformState state = state_under(rod, free, tension);
+  constexpr double found = 1e-9;
+  if (!(std::abs(state.rise - rise) <= found))
+    throw foundation::NotComputable("coil spring: no equilibrium found when compressed by " + millimetres(compression));
+  return compressed(spring, free, state);
 }
 
 }  // namespace

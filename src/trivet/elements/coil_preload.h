@@ -8,7 +8,7 @@
 namespace trivet::elements {
 
 /// A coil spring compressed along its axis (stretched where negative). Its seats stay parallel and do not turn, its wire keeps
-/// its number of turns, takes a new lead and widens uniformly; the ends slide out radially on the seats.
+/// its number of turns, takes a new lead and widens uniformly; the ends slide out and tilt as the helix does.
 struct CompressedCoil {
   double compression = 0;    ///< shortening of the active coils [m]
   double axial_force = 0;    ///< that the seats press with, positive in compression [N]
@@ -24,7 +24,7 @@ struct CompressedCoil {
   spatial::Vector12 preload = spatial::Vector12::Zero();
 };
 
-/// @throws InvalidInput if the spring has errors or its coils would touch
+/// @throws InvalidInput if the spring has errors or its coils would touch, NotComputable if it is stretched beyond all springs
 [[nodiscard]] CompressedCoil compressed_by(const CoilSpring& spring, double compression);
 [[nodiscard]] CompressedCoil compressed_with(const CoilSpring& spring, double axial_force);
 

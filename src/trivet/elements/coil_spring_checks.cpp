@@ -53,9 +53,11 @@ void check_proportions(Problems& problems, const CoilSpring& spring) {
   const double index = spring_index(spring), pitch = spring.active_length / spring.active_coils, height = wire_height(spring);
   const std::string as_index = amount(spring.mean_diameter, "m") + ", " + amount(index) + " times the wire";
   if (index < lowest_index)
-    problems.error("mean_diameter", as_index, "the index D/d must be ≥ 3, below it the wire is no slender rod", "check whether D or d is in the wrong unit");
+    problems.error("mean_diameter", as_index, "the index D/d must be ≥ 3, below it the wire is no slender rod",
+                   "check whether D or d is in the wrong unit");
   else if (index < usual_index || index > highest_index)
-    problems.warning("mean_diameter", as_index, "EN 13906-1 holds for an index of 4 to 20", "check the values; the result is that of a slender curved rod");
+    problems.warning("mean_diameter", as_index, "EN 13906-1 holds for an index of 4 to 20",
+                     "check the values; the result is that of a slender curved rod");
   if (pitch < height)
     problems.error("active_length", amount(spring.active_length, "m") + ", pitch " + amount(pitch, "m"),
                    "coils overlap: the pitch must be ≥ the height of the wire, " + amount(height, "m"), "lengthen the spring or take coils away");
