@@ -32,7 +32,8 @@ constexpr std::array<LindleyRow, 10> lindley = {{{30, 0.30e6},
 
 const std::vector<Metal>& metals() {
   static const std::vector<Metal> list = {
-      {"spring_steel", 206e9, 79.5e9, 7850, "EN 13906-1, patented cold-drawn or oil-hardened wire (EN 10270-1, -2)"},
+      {"spring_steel", 206e9, 81.5e9, 7850, "EN 13906-1, patented cold-drawn wire (EN 10270-1)"},
+      {"oil_tempered_spring_steel", 206e9, 79.5e9, 7850, "EN 13906-1, oil-hardened and tempered wire (EN 10270-2)"},
       {"stainless_spring_steel", 185e9, 70e9, 7900, "EN 13906-1, X10CrNi18-8 (EN 10270-3)"},
       {"structural_steel", 210e9, 81e9, 7850, "EN 1993-1-1, 3.2.6"},
       {"aluminium", 70e9, 27e9, 2700, "EN 1999-1-1, 3.2.5"},
