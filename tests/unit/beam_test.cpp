@@ -43,8 +43,10 @@ TEST(Beam, TheMassMatrixHasTheInertiaOfTheRigidBeam) {
     const Matrix6 inertia = g.transpose() * beam_mass(b) * g;  // about K
     const double line = b.metal.density * b.section.area, mass = line * b.length;
     for (int i = 0; i < 3; ++i) EXPECT_THAT(inertia(i, i), test::RelativelyNear(mass, 1e-13));
-    EXPECT_THAT(inertia(3, 3), test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_1 * b.length, 1e-12));
-    EXPECT_THAT(inertia(4, 4), test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_2 * b.length, 1e-12));
+    EXPECT_THAT(inertia(3, 3),
+                test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_1 * b.length, 1e-12));
+    EXPECT_THAT(inertia(4, 4),
+                test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_2 * b.length, 1e-12));
     EXPECT_THAT(inertia(5, 5), test::RelativelyNear(b.metal.density * (b.section.moment_1 + b.section.moment_2) * b.length, 1e-12));
     EXPECT_THAT(inertia(4, 0), test::RelativelyNear(-mass * b.length / 2, 1e-12));
     EXPECT_TRUE(beam_mass(b).isApprox(beam_mass(b).transpose(), 1e-14));
@@ -59,7 +61,8 @@ TEST(Beam, TwoHalvesInSeriesAreTheWhole) {
     part.length = whole.length / 3;
     Beam rest = whole;
     rest.length = whole.length - part.length;
-    const Matrix12 joined = in_series({{beam_stiffness(part), {0, 0, part.length}}, {beam_stiffness(rest), {0, 0, rest.length}}}, {Eigen::Vector3d::Zero()});
+    const Matrix12 joined =
+        in_series({{beam_stiffness(part), {0, 0, part.length}}, {beam_stiffness(rest), {0, 0, rest.length}}}, {Eigen::Vector3d::Zero()});
     const spatial::Vector12 scale = beam_stiffness(whole).diagonal().cwiseSqrt();
     EXPECT_THAT(joined, test::NearInUnits(beam_stiffness(whole), scale, 1e-11));
   }

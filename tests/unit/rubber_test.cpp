@@ -26,7 +26,9 @@ class Dimensions {
     const double radius = between(0.01, 0.3);
     return {.rubber = rubber(), .radius = radius, .hole_radius = radius * between(0.15, 0.8), .thickness = radius * between(0.02, 2)};
   }
-  RubberBlock block() { return {.rubber = rubber(), .width_1 = between(0.02, 0.5), .width_2 = between(0.02, 0.5), .thickness = between(0.005, 0.1)}; }
+  RubberBlock block() {
+    return {.rubber = rubber(), .width_1 = between(0.02, 0.5), .width_2 = between(0.02, 0.5), .thickness = between(0.005, 0.1)};
+  }
   RubberBush bush() {
     const double inner = between(0.005, 0.1), wall = inner * between(0.15, 4);
     return {.rubber = rubber(), .inner_radius = inner, .outer_radius = inner + wall, .length = wall * between(0.6, 20)};
@@ -92,8 +94,10 @@ TEST(PressureModulus, OfARingTendsToTheIncompressibleOne) {
   constexpr double compressibility = 1e-5;
   const double h = 0.02;
   const Rubber stiff{1e6, 1e13}, rigid{1e6, std::numeric_limits<double>::infinity()};
-  EXPECT_THAT(ring_pressure_modulus(stiff, 0.1, 0.04, h), test::RelativelyNear(ring_pressure_modulus(rigid, 0.1, 0.04, h), compressibility));
-  EXPECT_THAT(ring_pressure_bending_modulus(stiff, 0.1, 0.04, h), test::RelativelyNear(ring_pressure_bending_modulus(rigid, 0.1, 0.04, h), compressibility));
+  EXPECT_THAT(ring_pressure_modulus(stiff, 0.1, 0.04, h),
+              test::RelativelyNear(ring_pressure_modulus(rigid, 0.1, 0.04, h), compressibility));
+  EXPECT_THAT(ring_pressure_bending_modulus(stiff, 0.1, 0.04, h),
+              test::RelativelyNear(ring_pressure_bending_modulus(rigid, 0.1, 0.04, h), compressibility));
 }
 
 TEST(PressureModulus, OfAThinRingAndOfALongBlockIsThatOfAStrip) {

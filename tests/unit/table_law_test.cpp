@@ -15,7 +15,8 @@ using namespace trivet;
 using namespace trivet::elements;
 
 StiffnessTable over_frequencies(std::vector<double> frequencies, const std::vector<double>& storage, Interpolation interpolation) {
-  StiffnessTable table{.angular_frequencies = std::move(frequencies), .amplitudes = {}, .storage = {}, .loss = {}, .interpolation = interpolation};
+  StiffnessTable table{
+      .angular_frequencies = std::move(frequencies), .amplitudes = {}, .storage = {}, .loss = {}, .interpolation = interpolation};
   table.storage = Eigen::Map<const Eigen::VectorXd>(storage.data(), static_cast<Eigen::Index>(storage.size()));
   table.loss = 0.1 * table.storage;
   return table;
@@ -48,7 +49,9 @@ TEST(StiffnessTable, TheMonotoneCubicNeverOvershoots) {
     const StiffnessTable table = over_frequencies(frequencies, storage, Interpolation::monotone_cubic);
     for (std::size_t i = 0; i < 5; ++i)
       for (int j = 0; j <= 20; ++j) {
-        const double value = dynamic_stiffness(table, std::min(frequencies[i] + j / 20.0 * (frequencies[i + 1] - frequencies[i]), frequencies.back()), 0).real();
+        const double value =
+            dynamic_stiffness(table, std::min(frequencies[i] + j / 20.0 * (frequencies[i + 1] - frequencies[i]), frequencies.back()), 0)
+                .real();
         EXPECT_GE(value, std::min(storage[i], storage[i + 1]) - 1e-14);
         EXPECT_LE(value, std::max(storage[i], storage[i + 1]) + 1e-14);
       }
@@ -69,7 +72,8 @@ TEST(StiffnessTable, TheMonotoneCubicConvergesFasterThanTheChord) {
 }
 
 TEST(StiffnessTable, InterpolatesOverAmplitudeAndNeedsNoFrequencies) {
-  StiffnessTable rope{.angular_frequencies = {}, .amplitudes = {1e-4, 1e-3}, .storage = Eigen::MatrixXd(1, 2), .loss = Eigen::MatrixXd(1, 2)};
+  StiffnessTable rope{
+      .angular_frequencies = {}, .amplitudes = {1e-4, 1e-3}, .storage = Eigen::MatrixXd(1, 2), .loss = Eigen::MatrixXd(1, 2)};
   rope.storage << 8e4, 3e4;
   rope.loss << 1e4, 1.5e4;
   EXPECT_TRUE(check(rope, "z").list().empty());
@@ -88,7 +92,8 @@ TEST(StiffnessTable, RefusesToExtrapolate) {
 
 TEST(TableLaw, ResistsNoRigidMotion) {
   TableLaw law;
-  for (std::size_t i = 0; i < 6; ++i) law.directions[i] = over_frequencies({0, 10, 100}, {1e5 * (1.0 + static_cast<double>(i)), 2e5, 3e5}, Interpolation::monotone_cubic);
+  for (std::size_t i = 0; i < 6; ++i)
+    law.directions[i] = over_frequencies({0, 10, 100}, {1e5 * (1.0 + static_cast<double>(i)), 2e5, 3e5}, Interpolation::monotone_cubic);
   law.directions[4] = {};
   law.centre = 0.3;
   const Eigen::Vector3d arm(0.1, -0.2, 0.4);

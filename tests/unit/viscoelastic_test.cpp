@@ -57,7 +57,8 @@ TEST(RationalForm, IsTheLawItselfWhereTheLawIsRational) {
   for (std::size_t i = 0; i < 3; ++i) {
     const RationalForm form = rational_form(laws[i], 1, 1e4);
     EXPECT_EQ(form.worst_error, 0);
-    for (const Complex w : {Complex(3), Complex(100, 20)}) EXPECT_THAT(relative_modulus(form, w), test::RelativelyNear(relative_modulus(laws[i], w), 1e-15));
+    for (const Complex w : {Complex(3), Complex(100, 20)})
+      EXPECT_THAT(relative_modulus(form, w), test::RelativelyNear(relative_modulus(laws[i], w), 1e-15));
   }
 }
 

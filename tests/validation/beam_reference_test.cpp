@@ -19,11 +19,11 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(Section, HasTheTextbookConstants) {
-  const Metal metal{"", 2.6e11, 1e11, 7850, ""};  // ν = 0.3
+  const Metal metal{"", 2.6e11, 1e11, 7850, ""};                                                 // ν = 0.3
   EXPECT_THAT(round_section(0.02, metal).shear_factor_1, RelativelyNear(6 * 1.3 / 8.8, 1e-12));  // Cowper
   EXPECT_THAT(rectangular_section(0.1, 0.02, metal).shear_factor_2, RelativelyNear(13 / 15.3, 1e-12));
   EXPECT_THAT(tube_section(0.02, 0.0199999, metal).shear_factor_1, RelativelyNear(2 * 1.3 / (4 + 3 * 0.3), 1e-4));  // thin tube
-  EXPECT_THAT(rectangular_section(1, 1, metal).torsion_constant, RelativelyNear(0.140577, 1e-5));                    // Timoshenko and Goodier
+  EXPECT_THAT(rectangular_section(1, 1, metal).torsion_constant, RelativelyNear(0.140577, 1e-5));  // Timoshenko and Goodier
   EXPECT_THAT(rectangular_section(1, 2, metal).torsion_constant, RelativelyNear(2 * 0.228682, 1e-5));
   EXPECT_THAT(rectangular_section(10, 1, metal).torsion_constant, RelativelyNear(10 * 0.312, 2e-3));
 }
@@ -82,7 +82,8 @@ Eigen::VectorXd frequencies(const Beam& whole, int count, const Coordinates& at_
 TEST(Beam, APinnedStubbyBeamTendsToTheExactTimoshenkoFrequencies) {
   const Metal metal{"", 210e9, 80e9, 7850, ""};
   const Beam beam{metal, rectangular_section(0.1, 0.04, metal), 0.5};  // stubby
-  const double a = beam.section.area, i = beam.section.moment_2, shear = beam.section.shear_factor_1 * metal.shear_modulus * a, rho = metal.density;
+  const double a = beam.section.area, i = beam.section.moment_2, shear = beam.section.shear_factor_1 * metal.shear_modulus * a,
+               rho = metal.density;
   const auto exact = [&](int mode) {  // lower root of ρ²IA/(κGA) ω⁴ − (ρA + ρI k² + EIρA k²/(κGA)) ω² + EI k⁴ = 0
     const double k2 = std::pow(mode * pi / beam.length, 2), bending = metal.young_modulus * i;
     const double p = rho * rho * i * a / shear, q = rho * a + rho * i * k2 + bending * rho * a * k2 / shear, r = bending * k2 * k2;

@@ -26,17 +26,22 @@ double rectangle_torsion(double a, double b) {
 
 /// Bending in one plane: Φ = 12EI/(κGA L²), the ratio of shear to bending flexibility of a guided beam.
 struct Plane {
-  double bending = 0;    // EI [N m²]
+  double bending = 0;  // EI [N m²]
   double phi = 0;
-  double rotary = 0;     // ρI [kg m]
+  double rotary = 0;  // ρI [kg m]
   int translation = 0, rotation = 0;
-  double sign = 1;       // du/dz = sign · θ
+  double sign = 1;  // du/dz = sign · θ
 };
 
 std::array<Plane, 2> planes(const Beam& b) {
   const auto plane = [&](double moment, double shear_factor, int translation, int rotation, double sign) {
     const double bending = b.metal.young_modulus * moment;
-    return Plane{bending, 12 * bending / (shear_factor * b.metal.shear_modulus * b.section.area * b.length * b.length), b.metal.density * moment, translation, rotation, sign};
+    return Plane{bending,
+                 12 * bending / (shear_factor * b.metal.shear_modulus * b.section.area * b.length * b.length),
+                 b.metal.density * moment,
+                 translation,
+                 rotation,
+                 sign};
   };
   return {plane(b.section.moment_2, b.section.shear_factor_1, 0, 4, 1), plane(b.section.moment_1, b.section.shear_factor_2, 1, 3, -1)};
 }
@@ -63,7 +68,8 @@ Eigen::Matrix4d plane_mass(const Plane& p, double line_mass, double length) {
   Eigen::Matrix4d mass = Eigen::Matrix4d::Zero();
   for (int i = 0; i < 4; ++i) {
     const Shapes s = shapes((1 + points[i]) / 2, p.phi, length);
-    mass += weights[i] * length / 2 * (line_mass * s.deflection * s.deflection.transpose() + p.rotary * s.rotation * s.rotation.transpose());
+    mass +=
+        weights[i] * length / 2 * (line_mass * s.deflection * s.deflection.transpose() + p.rotary * s.rotation * s.rotation.transpose());
   }
   return mass;
 }
@@ -129,20 +135,22 @@ foundation::Problems check(const Beam& b) {
   constexpr double stubby = 3;
   foundation::Problems problems;
   const auto positive = [&](const char* key, double value, const char* unit) {
-    if (!(value > 0) || !std::isfinite(value)) problems.error(key, fmt::format("{} = {:.6g} {}", key, value, unit), "it must be > 0", "check the dimensions of the section");
+    if (!(value > 0) || !std::isfinite(value))
+      problems.error(key, fmt::format("{} = {:.6g} {}", key, value, unit), "it must be > 0", "check the dimensions of the section");
   };
   const bool sized = check_length(problems, "length", b.length);
   positive("young_modulus", b.metal.young_modulus, "Pa"), positive("shear_modulus", b.metal.shear_modulus, "Pa");
   positive("area", b.section.area, "m²"), positive("moment_1", b.section.moment_1, "m⁴"), positive("moment_2", b.section.moment_2, "m⁴");
   positive("torsion_constant", b.section.torsion_constant, "m⁴");
   if (!(b.section.shear_factor_1 > 0 && b.section.shear_factor_2 > 0))
-    problems.error("shear_factor", fmt::format("shear factors {:.6g} and {:.6g}", b.section.shear_factor_1, b.section.shear_factor_2), "they must be > 0", "5/6 suits most solid sections");
+    problems.error("shear_factor", fmt::format("shear factors {:.6g} and {:.6g}", b.section.shear_factor_1, b.section.shear_factor_2),
+                   "they must be > 0", "5/6 suits most solid sections");
   if (!(b.metal.density >= 0) || !std::isfinite(b.metal.density))
     problems.error("density", fmt::format("density = {:.6g} kg/m³", b.metal.density), "it must be ≥ 0", "0 is a massless beam");
   const double depth = std::sqrt(12 * std::max(b.section.moment_1, b.section.moment_2) / b.section.area);  // of a rectangle
   if (sized && !problems.has_errors() && b.length < stubby * depth)
-    problems.warning("length", fmt::format("length = {:.4g} m is {:.3g} of the depth", b.length, b.length / depth), "a beam is at least three times as long as deep",
-                     "use a finite-element solid");
+    problems.warning("length", fmt::format("length = {:.4g} m is {:.3g} of the depth", b.length, b.length / depth),
+                     "a beam is at least three times as long as deep", "use a finite-element solid");
   return problems;
 }
 
@@ -168,11 +176,13 @@ foundation::Problems check(const Link& link) {
   foundation::Problems problems;
   check_length(problems, "length", link.length);
   if (!(link.axial_stiffness >= 0) || !std::isfinite(link.axial_stiffness))
-    problems.error("axial_stiffness", fmt::format("axial_stiffness = {:.6g} N/m", link.axial_stiffness), "it must be ≥ 0", "it is E A/length of a rod");
+    problems.error("axial_stiffness", fmt::format("axial_stiffness = {:.6g} N/m", link.axial_stiffness), "it must be ≥ 0",
+                   "it is E A/length of a rod");
   if (!std::isfinite(link.tension))
     problems.error("tension", fmt::format("tension = {:.6g} N", link.tension), "it must be a finite number", "0 is an unloaded link");
   else if (link.tension < 0)
-    problems.warning("tension", fmt::format("tension = {:.6g} N", link.tension), "a compressed link pushes its joints sideways: negative stiffness", "check that the joints are guided");
+    problems.warning("tension", fmt::format("tension = {:.6g} N", link.tension),
+                     "a compressed link pushes its joints sideways: negative stiffness", "check that the joints are guided");
   return problems;
 }
 

@@ -7,11 +7,12 @@
 
 namespace trivet::elements {
 
-/// Cross-section with principal axes e1, e2 and its shear centre at the centroid. Index 1: bending about e1 (deflection along e2), shear along e1.
+/// Cross-section with principal axes e1, e2 and its shear centre at the centroid. Index 1: bending about e1 (deflection along e2), shear
+/// along e1.
 struct Section {
-  double area = 0;                            ///< [m²]
-  double moment_1 = 0, moment_2 = 0;          ///< ∫ y² dA about e1, ∫ x² dA about e2 [m⁴]
-  double torsion_constant = 0;                ///< Saint-Venant J [m⁴]; rotary inertia about e3 is moment_1 + moment_2
+  double area = 0;                                ///< [m²]
+  double moment_1 = 0, moment_2 = 0;              ///< ∫ y² dA about e1, ∫ x² dA about e2 [m⁴]
+  double torsion_constant = 0;                    ///< Saint-Venant J [m⁴]; rotary inertia about e3 is moment_1 + moment_2
   double shear_factor_1 = 1, shear_factor_2 = 1;  ///< κ in κGA; infinity = Euler–Bernoulli
 };
 

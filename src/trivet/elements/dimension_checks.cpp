@@ -21,7 +21,8 @@ void check_factor(foundation::Problems& problems, double dynamic_factor) {
   if (!(dynamic_factor > 0) || !std::isfinite(dynamic_factor))
     problems.error("dynamic_factor", value, "it must be > 0", "1 is the static stiffness");
   else if (dynamic_factor < usual_from || dynamic_factor > usual_to)
-    problems.warning("dynamic_factor", value, "dynamic over static stiffness of rubber lies between 1 and 4", "check the number against a test");
+    problems.warning("dynamic_factor", value, "dynamic over static stiffness of rubber lies between 1 and 4",
+                     "check the number against a test");
 }
 
 void check_shape_factor(foundation::Problems& problems, double shape_factor) {

@@ -17,14 +17,23 @@ struct LindleyRow {
 };
 // P. B. Lindley, Engineering Design with Natural Rubber, 4th ed. 1974: small-strain shear modulus of natural rubber vulcanizates,
 // carbon black above 48 IRHD.
-constexpr std::array<LindleyRow, 10> lindley = {
-    {{30, 0.30e6}, {35, 0.37e6}, {40, 0.45e6}, {45, 0.54e6}, {50, 0.64e6}, {55, 0.81e6}, {60, 1.06e6}, {65, 1.37e6}, {70, 1.73e6}, {75, 2.22e6}}};
+constexpr std::array<LindleyRow, 10> lindley = {{{30, 0.30e6},
+                                                 {35, 0.37e6},
+                                                 {40, 0.45e6},
+                                                 {45, 0.54e6},
+                                                 {50, 0.64e6},
+                                                 {55, 0.81e6},
+                                                 {60, 1.06e6},
+                                                 {65, 1.37e6},
+                                                 {70, 1.73e6},
+                                                 {75, 2.22e6}}};
 
 }  // namespace
 
 const std::vector<Metal>& metals() {
   static const std::vector<Metal> list = {
-      {"spring_steel", 206e9, 79.5e9, 7850, "EN 13906-1, patented cold-drawn or oil-hardened wire (EN 10270-1, -2)"},
+      {"spring_steel", 206e9, 81.5e9, 7850, "EN 13906-1, patented cold-drawn wire (EN 10270-1)"},
+      {"oil_tempered_spring_steel", 206e9, 79.5e9, 7850, "EN 13906-1, oil-hardened and tempered wire (EN 10270-2)"},
       {"stainless_spring_steel", 185e9, 70e9, 7900, "EN 13906-1, X10CrNi18-8 (EN 10270-3)"},
       {"structural_steel", 210e9, 81e9, 7850, "EN 1993-1-1, 3.2.6"},
       {"aluminium", 70e9, 27e9, 2700, "EN 1999-1-1, 3.2.5"},
@@ -45,13 +54,15 @@ double poisson_ratio(const Rubber& rubber) {
 }
 
 double young_modulus_from_hardness(double hardness) {
-  if (!(hardness > 0 && hardness < 100)) throw foundation::InvalidInput(fmt::format("rubber hardness {:.6g}, must be between 0 and 100", hardness));
+  if (!(hardness > 0 && hardness < 100))
+    throw foundation::InvalidInput(fmt::format("rubber hardness {:.6g}, must be between 0 and 100", hardness));
   return 1e6 * 0.0981 * (56 + 7.62336 * hardness) / (0.137505 * (254 - 2.54 * hardness));
 }
 
 double shear_modulus_from_irhd(double irhd) {
   if (!(irhd >= lindley.front().irhd && irhd <= lindley.back().irhd))
-    throw foundation::InvalidInput(fmt::format("rubber hardness {:.6g} IRHD, the table covers {} … {} IRHD", irhd, lindley.front().irhd, lindley.back().irhd));
+    throw foundation::InvalidInput(
+        fmt::format("rubber hardness {:.6g} IRHD, the table covers {} … {} IRHD", irhd, lindley.front().irhd, lindley.back().irhd));
   std::size_t i = 1;
   while (lindley[i].irhd < irhd) ++i;
   const auto &below = lindley[i - 1], &above = lindley[i];
@@ -73,12 +84,17 @@ foundation::Problems check(const Rubber& rubber) {
   constexpr double lowest_bulk_ratio = 50;
   foundation::Problems problems;
   if (!(rubber.shear_modulus > 0) || !std::isfinite(rubber.shear_modulus))
-    problems.error("shear_modulus", fmt::format("shear_modulus = {:.6g} Pa", rubber.shear_modulus), "it must be > 0", "rubber lies near 0.3 … 3 MPa");
+    problems.error("shear_modulus", fmt::format("shear_modulus = {:.6g} Pa", rubber.shear_modulus), "it must be > 0",
+                   "rubber lies near 0.3 … 3 MPa");
   if (!(rubber.bulk_modulus > 0))
-    problems.error("bulk_modulus", fmt::format("bulk_modulus = {:.6g} Pa", rubber.bulk_modulus), "it must be > 0", "rubber lies near 1 … 3 GPa");
+    problems.error("bulk_modulus", fmt::format("bulk_modulus = {:.6g} Pa", rubber.bulk_modulus), "it must be > 0",
+                   "rubber lies near 1 … 3 GPa");
   else if (rubber.bulk_modulus < lowest_bulk_ratio * rubber.shear_modulus)
-    problems.warning("bulk_modulus", fmt::format("bulk_modulus = {:.4g} Pa is {:.3g} of the shear modulus", rubber.bulk_modulus, rubber.bulk_modulus / rubber.shear_modulus),
-                     "the formulas are for nearly incompressible rubber, a ratio of at least 50", "use a finite-element mount for foams and cork");
+    problems.warning("bulk_modulus",
+                     fmt::format("bulk_modulus = {:.4g} Pa is {:.3g} of the shear modulus", rubber.bulk_modulus,
+                                 rubber.bulk_modulus / rubber.shear_modulus),
+                     "the formulas are for nearly incompressible rubber, a ratio of at least 50",
+                     "use a finite-element mount for foams and cork");
   return problems;
 }
 

@@ -76,7 +76,9 @@ double ring_film(int n, const Rubber& rubber, double outer, double inner, double
 
 double disc_shape_factor(double radius, double hole_radius, double thickness) { return (radius - hole_radius) / (2 * thickness); }
 
-double block_shape_factor(double width_1, double width_2, double thickness) { return width_1 * width_2 / (2 * thickness * (width_1 + width_2)); }
+double block_shape_factor(double width_1, double width_2, double thickness) {
+  return width_1 * width_2 / (2 * thickness * (width_1 + width_2));
+}
 
 double gent_lindley_modulus(const Rubber& rubber, double shape_factor) {
   return in_series(3 * rubber.shear_modulus * (1 + 2 * shape_factor * shape_factor), rubber.bulk_modulus);

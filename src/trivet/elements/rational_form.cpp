@@ -58,7 +58,8 @@ RationalForm fit(const FractionalZener& law, const Band& band, double per_decade
     const double w = frequencies[static_cast<std::size_t>(i)];
     const Complex exact = relative_modulus(Viscoelastic(law), w);
     const auto set = [&](Eigen::Index j, Complex value) { a(2 * i, j) = value.real(), a(2 * i + 1, j) = value.imag(); };
-    for (Eigen::Index j = 0; j + 1 < columns; ++j) set(j, (relative_modulus(Zener{1, times[static_cast<std::size_t>(j)]}, w) - 1.0) / exact);
+    for (Eigen::Index j = 0; j + 1 < columns; ++j)
+      set(j, (relative_modulus(Zener{1, times[static_cast<std::size_t>(j)]}, w) - 1.0) / exact);
     set(columns - 1, Complex(0, w * dashpot) / exact);
     const Complex target = (exact - 1.0) / exact;
     b(2 * i) = target.real(), b(2 * i + 1) = target.imag();

@@ -26,7 +26,8 @@ double slice_tilt(double radius_ratio) {
   const double log_ratio = std::log(radius_ratio), c = 1 / (2 * log_ratio);
   const double a = (1 / radius_ratio - radius_ratio / 2) / (radius_ratio - 1 / radius_ratio), b = -1 - a;
   const auto energy = [&](double r) {
-    const double h = 1 - std::log(r) / log_ratio, slope = c * (std::log(r) + 1) + a - b / (r * r), chord = c * std::log(r) + a + b / (r * r);
+    const double h = 1 - std::log(r) / log_ratio, slope = c * (std::log(r) + 1) + a - b / (r * r),
+                 chord = c * std::log(r) + a + b / (r * r);
     return ((h + slope) * (h + slope) + (h + chord) * (h + chord)) * r;
   };
   const double step = (radius_ratio - 1) / steps;
@@ -48,7 +49,9 @@ double decay_length(const RubberBush& b) {
 
 }  // namespace
 
-double long_bush_axial(const RubberBush& b) { return 2 * pi * b.rubber.shear_modulus * b.length / std::log(b.outer_radius / b.inner_radius); }
+double long_bush_axial(const RubberBush& b) {
+  return 2 * pi * b.rubber.shear_modulus * b.length / std::log(b.outer_radius / b.inner_radius);
+}
 
 double bush_torsion(const RubberBush& b) {
   return 4 * pi * b.rubber.shear_modulus * b.length / (1 / (b.inner_radius * b.inner_radius) - 1 / (b.outer_radius * b.outer_radius));
@@ -83,24 +86,25 @@ Matrix12 rubber_bush(const RubberBush& bush) {
 foundation::Problems check(const RubberBush& b) {
   constexpr double shortest = 0.5, short_length = 1, thinnest = 1.1, thickest = 5;
   foundation::Problems problems = check(b.rubber);
-  const bool sized = check_length(problems, "inner_radius", b.inner_radius) & check_length(problems, "outer_radius", b.outer_radius) & check_length(problems, "length", b.length);
+  const bool sized = check_length(problems, "inner_radius", b.inner_radius) & check_length(problems, "outer_radius", b.outer_radius) &
+                     check_length(problems, "length", b.length);
   check_factor(problems, b.dynamic_factor);
   if (!sized) return problems;
   const double wall = b.outer_radius - b.inner_radius, ratio = b.outer_radius / b.inner_radius;
   if (!(wall > 0)) {
-    problems.error("outer_radius", fmt::format("outer_radius = {:.6g} m", b.outer_radius), fmt::format("it must exceed the inner radius {:.6g} m", b.inner_radius),
-                   "exchange the radii if they were swapped");
+    problems.error("outer_radius", fmt::format("outer_radius = {:.6g} m", b.outer_radius),
+                   fmt::format("it must exceed the inner radius {:.6g} m", b.inner_radius), "exchange the radii if they were swapped");
     return problems;
   }
   if (ratio < thinnest || ratio > thickest)
-    problems.warning("outer_radius", fmt::format("outer over inner radius = {:.4g}", ratio), "the formulas were measured for ratios from 1.1 to 5",
-                     "use a finite-element mount");
+    problems.warning("outer_radius", fmt::format("outer over inner radius = {:.4g}", ratio),
+                     "the formulas were measured for ratios from 1.1 to 5", "use a finite-element mount");
   if (b.length < shortest * wall)
-    problems.error("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall), "the formulas hold for bushes at least half as long as their wall is thick",
-                   "use a finite-element mount");
+    problems.error("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall),
+                   "the formulas hold for bushes at least half as long as their wall is thick", "use a finite-element mount");
   else if (b.length < short_length * wall)
-    problems.warning("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall), "below one wall thickness the formulas are good to 10 % only",
-                     "use a finite-element mount");
+    problems.warning("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall),
+                     "below one wall thickness the formulas are good to 10 % only", "use a finite-element mount");
   return problems;
 }
 

@@ -30,7 +30,8 @@ std::pair<Matrix6, bool> inverse(const Matrix6& matrix) {
 
 Matrix12 in_series(const std::vector<SeriesPart>& parts, const std::vector<Eigen::Vector3d>& spacers) {
   if (parts.empty() || spacers.size() + 1 != parts.size())
-    throw foundation::InvalidInput(fmt::format("elements in series: {} spacers between {} parts, must be one fewer than the parts", spacers.size(), parts.size()));
+    throw foundation::InvalidInput(
+        fmt::format("elements in series: {} spacers between {} parts, must be one fewer than the parts", spacers.size(), parts.size()));
   Matrix6 flexibility = Matrix6::Zero();
   Eigen::Vector3d to_end = Eigen::Vector3d::Zero();  // from K of the part at hand to the last K
   for (std::size_t i = parts.size(); i-- > 0;) {
@@ -48,7 +49,8 @@ double height(const Sandwich& s) { return s.layers * layer_thickness(s) + (s.lay
 
 Matrix12 sandwich(const Sandwich& s) {
   require_sound(check(s));
-  const SeriesPart part{std::holds_alternative<RubberDisc>(s.layer) ? rubber_disc(std::get<RubberDisc>(s.layer)) : rubber_block(std::get<RubberBlock>(s.layer)),
+  const SeriesPart part{std::holds_alternative<RubberDisc>(s.layer) ? rubber_disc(std::get<RubberDisc>(s.layer))
+                                                                    : rubber_block(std::get<RubberBlock>(s.layer)),
                         {0, 0, layer_thickness(s)}};
   const auto count = static_cast<std::size_t>(s.layers);
   return in_series(std::vector(count, part), std::vector(count - 1, Eigen::Vector3d(0, 0, s.plate_thickness)));
@@ -58,9 +60,11 @@ foundation::Problems check(const Sandwich& s) {
   constexpr int most_layers = 1000;
   foundation::Problems problems = std::visit([](const auto& layer) { return check(layer); }, s.layer);
   if (s.layers < 1 || s.layers > most_layers)
-    problems.error("layers", fmt::format("layers = {}", s.layers), fmt::format("a sandwich has 1 … {} rubber layers", most_layers), "give the number of rubber layers");
+    problems.error("layers", fmt::format("layers = {}", s.layers), fmt::format("a sandwich has 1 … {} rubber layers", most_layers),
+                   "give the number of rubber layers");
   if (!(s.plate_thickness >= 0) || !std::isfinite(s.plate_thickness))
-    problems.error("plate_thickness", fmt::format("plate_thickness = {:.6g} m", s.plate_thickness), "it must be ≥ 0", "give a length in metres");
+    problems.error("plate_thickness", fmt::format("plate_thickness = {:.6g} m", s.plate_thickness), "it must be ≥ 0",
+                   "give a length in metres");
   return problems;
 }
 

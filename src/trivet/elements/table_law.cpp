@@ -25,13 +25,15 @@ std::size_t interval(const std::vector<double>& grid, double x) {
 
 void require_inside(const std::vector<double>& grid, double x, const char* quantity, double unit_size, const char* unit) {
   if (!grid.empty() && !(x >= grid.front() && x <= grid.back()))
-    throw foundation::InvalidInput(fmt::format("{} {:.6g} {}: the stiffness table covers {:.6g} … {:.6g} {} and is not extrapolated", quantity, x / unit_size, unit,
-                                               grid.front() / unit_size, grid.back() / unit_size, unit));
+    throw foundation::InvalidInput(fmt::format("{} {:.6g} {}: the stiffness table covers {:.6g} … {:.6g} {} and is not extrapolated",
+                                               quantity, x / unit_size, unit, grid.front() / unit_size, grid.back() / unit_size, unit));
 }
 
 /// Slope at knot i: weighted harmonic mean of the secants, 0 at an extremum (Fritsch and Butland 1984); at an end three-point, limited.
 double slope(const std::vector<double>& x, const Eigen::Ref<const Eigen::VectorXd>& y, std::size_t i) {
-  const auto secant = [&](std::size_t k) { return (y(static_cast<Eigen::Index>(k) + 1) - y(static_cast<Eigen::Index>(k))) / (x[k + 1] - x[k]); };
+  const auto secant = [&](std::size_t k) {
+    return (y(static_cast<Eigen::Index>(k) + 1) - y(static_cast<Eigen::Index>(k))) / (x[k + 1] - x[k]);
+  };
   const auto end_slope = [](double h0, double h1, double d0, double d1) {
     const double three_point = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
     if (three_point * d0 <= 0) return 0.0;
@@ -50,7 +52,8 @@ double over_frequency(const StiffnessTable& t, const Eigen::Ref<const Eigen::Vec
   if (t.angular_frequencies.empty()) return column(0);
   const std::vector<double>& grid = t.angular_frequencies;
   const std::size_t i = interval(grid, x);
-  const double h = grid[i + 1] - grid[i], s = (x - grid[i]) / h, y0 = column(static_cast<Eigen::Index>(i)), y1 = column(static_cast<Eigen::Index>(i) + 1);
+  const double h = grid[i + 1] - grid[i], s = (x - grid[i]) / h, y0 = column(static_cast<Eigen::Index>(i)),
+               y1 = column(static_cast<Eigen::Index>(i) + 1);
   if (t.interpolation == Interpolation::linear) return y0 + s * (y1 - y0);
   const double d0 = slope(grid, column, i), d1 = slope(grid, column, i + 1);
   return y0 + s * s * (3 - 2 * s) * (y1 - y0) + h * s * (1 - s) * ((1 - s) * d0 - s * d1);
@@ -61,15 +64,18 @@ double over_both(const StiffnessTable& t, const Eigen::MatrixXd& values, double 
   const std::size_t i = interval(t.amplitudes, amplitude);
   const double share = (amplitude - t.amplitudes[i]) / (t.amplitudes[i + 1] - t.amplitudes[i]);
   const auto column = static_cast<Eigen::Index>(i);
-  return (1 - share) * over_frequency(t, values.col(column), angular_frequency) + share * over_frequency(t, values.col(column + 1), angular_frequency);
+  return (1 - share) * over_frequency(t, values.col(column), angular_frequency) +
+         share * over_frequency(t, values.col(column + 1), angular_frequency);
 }
 
 void check_grid(foundation::Problems& problems, const std::string& subject, const std::vector<double>& grid, const char* quantity) {
   if (grid.size() == 1)
-    problems.error(subject, fmt::format("a single {}", quantity), "a table needs two or more of them, or none if the stiffness does not depend on it", "add a row or leave them out");
+    problems.error(subject, fmt::format("a single {}", quantity),
+                   "a table needs two or more of them, or none if the stiffness does not depend on it", "add a row or leave them out");
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (!(grid[i] >= 0) || !std::isfinite(grid[i]) || (i > 0 && grid[i] <= grid[i - 1])) {
-      problems.error(subject, fmt::format("{} number {} is {:.6g}", quantity, i + 1, grid[i]), "they must be ≥ 0 and increase", "sort the table and remove repeats");
+      problems.error(subject, fmt::format("{} number {} is {:.6g}", quantity, i + 1, grid[i]), "they must be ≥ 0 and increase",
+                     "sort the table and remove repeats");
       return;
     }
 }
@@ -90,10 +96,13 @@ foundation::Problems check(const StiffnessTable& t, const std::string& subject) 
   const auto columns = static_cast<Eigen::Index>(std::max<std::size_t>(1, t.amplitudes.size()));
   for (const auto& [values, quantity] : {std::pair{&t.storage, "storage"}, std::pair{&t.loss, "loss"}}) {
     if (values->rows() != rows || values->cols() != columns)
-      problems.error(subject, fmt::format("{} × {} {} stiffnesses", values->rows(), values->cols(), quantity),
-                     fmt::format("{} frequencies and {} amplitudes need {} × {}", t.angular_frequencies.size(), t.amplitudes.size(), rows, columns), "fill the table");
+      problems.error(
+          subject, fmt::format("{} × {} {} stiffnesses", values->rows(), values->cols(), quantity),
+          fmt::format("{} frequencies and {} amplitudes need {} × {}", t.angular_frequencies.size(), t.amplitudes.size(), rows, columns),
+          "fill the table");
     else if (!values->allFinite())
-      problems.error(subject, fmt::format("a {} stiffness is not a number", quantity), "every entry must be finite", "look for empty cells");
+      problems.error(subject, fmt::format("a {} stiffness is not a number", quantity), "every entry must be finite",
+                     "look for empty cells");
   }
   Eigen::Index row = 0, column = 0;
   if (!problems.has_errors() && t.loss.minCoeff(&row, &column) < 0)
@@ -133,10 +142,14 @@ foundation::Problems check(const TableLaw& law) {
   bool any = false;
   for (std::size_t i = 0; i < 6; ++i)
     if (!is_empty(law.directions[i])) any = true, problems.add(check(law.directions[i], names[i]));
-  if (!any) problems.error("", "no table", "a table law has at least one direction", "give a table for x, y, z, theta_x, theta_y or theta_z");
-  if (!(law.centre >= 0 && law.centre <= 1)) problems.error("centre", fmt::format("centre = {:.6g}", law.centre), "it must be between 0 (end N) and 1 (end K)", "0.5 is the middle");
+  if (!any)
+    problems.error("", "no table", "a table law has at least one direction", "give a table for x, y, z, theta_x, theta_y or theta_z");
+  if (!(law.centre >= 0 && law.centre <= 1))
+    problems.error("centre", fmt::format("centre = {:.6g}", law.centre), "it must be between 0 (end N) and 1 (end K)", "0.5 is the middle");
   if (const FrequencyRange range = frequency_range(law); range.from > range.to)
-    problems.error("", fmt::format("the tables share no frequency: one starts at {:.6g} Hz, one ends at {:.6g} Hz", range.from / two_pi, range.to / two_pi),
+    problems.error("",
+                   fmt::format("the tables share no frequency: one starts at {:.6g} Hz, one ends at {:.6g} Hz", range.from / two_pi,
+                               range.to / two_pi),
                    "there must be a band that all directions cover", "extend the tables");
   return problems;
 }

@@ -42,7 +42,8 @@ struct TableLaw {
 using ComplexMatrix12 = Eigen::Matrix<std::complex<double>, 12, 12>;
 
 /// The 12×12 at a frequency [rad/s] and at one amplitude per direction [m, rad]. @throws InvalidInput outside a table
-[[nodiscard]] ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm, double angular_frequency, const Vector6& amplitudes);
+[[nodiscard]] ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm, double angular_frequency,
+                                                const Vector6& amplitudes);
 
 /// Frequencies [rad/s] that all tables cover.
 struct FrequencyRange {

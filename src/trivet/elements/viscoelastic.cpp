@@ -40,13 +40,15 @@ class Check {
   }
   void order(double value) {
     if (!(value > 0 && value <= 1))
-      problems_.error("order", fmt::format("order = {:.6g}", value), "the fractional order must be in (0, 1]", "filled rubber lies near 0.3 … 0.7");
+      problems_.error("order", fmt::format("order = {:.6g}", value), "the fractional order must be in (0, 1]",
+                      "filled rubber lies near 0.3 … 0.7");
   }
   void branches(const GeneralizedMaxwell& law) {
-    if (law.ratios.empty()) problems_.error("ratios", "no ratios", "a generalized Maxwell law has at least one branch", "give ratios and times");
+    if (law.ratios.empty())
+      problems_.error("ratios", "no ratios", "a generalized Maxwell law has at least one branch", "give ratios and times");
     if (law.ratios.size() != law.times.size())
-      problems_.error("times", fmt::format("{} times for {} ratios", law.times.size(), law.ratios.size()), "each branch has one ratio and one time",
-                      "make both lists equally long");
+      problems_.error("times", fmt::format("{} times for {} ratios", law.times.size(), law.ratios.size()),
+                      "each branch has one ratio and one time", "make both lists equally long");
     for (std::size_t i = 0; i < law.ratios.size(); ++i) ratio(fmt::format("ratios[{}]", i), law.ratios[i]);
     for (std::size_t i = 0; i < law.times.size(); ++i) time(fmt::format("times[{}]", i), law.times[i]);
   }
@@ -60,13 +62,11 @@ class Check {
 
 Complex relative_modulus(const Viscoelastic& law, Complex angular_frequency) {
   const Complex s = Complex(0, 1) * angular_frequency;
-  return std::visit(Overloaded{[&](const KelvinVoigt& l) { return 1.0 + s * l.time; },
-                               [&](const Zener& l) { return 1.0 + l.ratio * share(s * l.time); },
-                               [&](const GeneralizedMaxwell& l) { return 1.0 + prony(l.ratios, l.times, s); },
-                               [&](const FractionalZener& l) {
-                                 return s == 0.0 ? Complex(1) : 1.0 + l.ratio * share(std::pow(s * l.time, l.order));
-                               }},
-                    law);
+  return std::visit(
+      Overloaded{[&](const KelvinVoigt& l) { return 1.0 + s * l.time; }, [&](const Zener& l) { return 1.0 + l.ratio * share(s * l.time); },
+                 [&](const GeneralizedMaxwell& l) { return 1.0 + prony(l.ratios, l.times, s); },
+                 [&](const FractionalZener& l) { return s == 0.0 ? Complex(1) : 1.0 + l.ratio * share(std::pow(s * l.time, l.order)); }},
+      law);
 }
 
 Complex relative_modulus(const RationalForm& form, Complex angular_frequency) {
@@ -79,9 +79,7 @@ foundation::Problems check(const Viscoelastic& law) {
   std::visit(Overloaded{[&](const KelvinVoigt& l) { check.time("time", l.time); },
                         [&](const Zener& l) { check.ratio("ratio", l.ratio), check.time("time", l.time); },
                         [&](const GeneralizedMaxwell& l) { check.branches(l); },
-                        [&](const FractionalZener& l) {
-                          check.ratio("ratio", l.ratio), check.time("time", l.time), check.order(l.order);
-                        }},
+                        [&](const FractionalZener& l) { check.ratio("ratio", l.ratio), check.time("time", l.time), check.order(l.order); }},
              law);
   return check.take();
 }
@@ -93,10 +91,13 @@ std::string name(const Viscoelastic& law) {
 
 std::string words(const Viscoelastic& law) {
   const std::string numbers = std::visit(
-      Overloaded{[](const KelvinVoigt& l) { return fmt::format("time {:.6g} s", l.time); },
-                 [](const Zener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s", l.ratio, l.time); },
-                 [](const GeneralizedMaxwell& l) { return fmt::format("ratios {:.6g}, times {:.6g} s", fmt::join(l.ratios, " "), fmt::join(l.times, " ")); },
-                 [](const FractionalZener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s, order {:.6g}", l.ratio, l.time, l.order); }},
+      Overloaded{
+          [](const KelvinVoigt& l) { return fmt::format("time {:.6g} s", l.time); },
+          [](const Zener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s", l.ratio, l.time); },
+          [](const GeneralizedMaxwell& l) {
+            return fmt::format("ratios {:.6g}, times {:.6g} s", fmt::join(l.ratios, " "), fmt::join(l.times, " "));
+          },
+          [](const FractionalZener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s, order {:.6g}", l.ratio, l.time, l.order); }},
       law);
   return name(law) + ", " + numbers;
 }
