@@ -52,8 +52,9 @@ int thread_count(const CondensationOptions& options) {
 
 void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options) {
   if (solid.bytes(recoverable) > options.memory_limit)
-    throw foundation::InvalidInput(fmt::format("the mesh with {} unknowns needs about {:.1f} GB, the limit is {:.1f} GB: take a coarser mesh or raise the limit",
-                                               solid.unknowns().count, solid.bytes(recoverable) * 1e-9, options.memory_limit * 1e-9));
+    throw foundation::InvalidInput(
+        fmt::format("the mesh with {} unknowns needs about {:.1f} GB, the limit is {:.1f} GB: take a coarser mesh or raise the limit",
+                    solid.unknowns().count, solid.bytes(recoverable) * 1e-9, options.memory_limit * 1e-9));
 }
 
 SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, const CondensationOptions& options,
