@@ -23,7 +23,7 @@ struct PreloadOptions {
   int most_iterations = 12;      ///< Newton iterations per part
   double tolerance = 1e-9;       ///< of the unbalanced forces, against the forces on the plates
   TetPressure tet_pressure = TetPressure::continuous;
-  CondensationOptions condensation;
+  CondensationOptions condensation = {};
 };
 
 /// Tangent stiffness about the preloaded state.

@@ -40,6 +40,10 @@ int toward_edge(int level, double distance, double thickness) {
   return level + static_cast<int>(std::ceil(0.5 * level * std::log2(std::max(1.0, 0.5 * distance / thickness))));
 }
 
+/// Rubber this thin against its half width works by its pressure, a parabola across and constant over the thickness: elements go
+/// there, and one quadratic element or two over half the thickness carry the parabola of the flow.
+bool is_thin(double half_width, double thickness) { return half_width > 4 * thickness; }
+
 struct Levels {
   std::vector<double> z;       ///< ends of the elements [m]
   std::vector<int> material;   ///< per interval
@@ -49,7 +53,7 @@ Levels along_axis(const std::vector<Layer>& layers, int level, double half_width
   Levels levels{{0.0}, {}};
   for (const Layer& layer : layers) {
     const double start = levels.z.back(), smallest = rim_size(level) * std::min(layer.thickness, half_width) / layer.thickness;
-    const auto places = layer.metal ? std::vector<double>{0, 1} : graded_to_both(2 * level, smallest);
+    const auto places = layer.metal ? std::vector<double>{0, 1} : graded_to_both(2 * (is_thin(half_width, layer.thickness) ? (level + 1) / 2 : level), smallest);
     for (std::size_t i = 1; i < places.size(); ++i) {
       levels.z.push_back(start + places[i] * layer.thickness);
       levels.material.push_back(layer.material);
@@ -93,7 +97,7 @@ Mesh mesh_of(const Disc& shape, int level) {
   require_positive("diameter", shape.diameter);
   const double radius = shape.diameter / 2, thin = thinnest_rubber(shape.layers);
   const int count = toward_edge(level, radius, thin);
-  const Section section = disc(radius, level, graded_to_one(count, 2 * rim_size(level) * std::min(thin / radius, 1.0)));
+  const Section section = disc(radius, is_thin(radius, thin) ? 2 * level : level, graded_to_one(count, 2 * rim_size(level) * std::min(thin / radius, 1.0)));
   Mesh result = extruded(section, along_axis(shape.layers, level, radius));
   bond_ends(result, section);
   return result;

@@ -103,7 +103,7 @@ Solid::Linearised Solid::linearise(const State& state, bool recoverable, int thr
   const auto condensed = substructuring_->condense([&](int e) { return element_matrix(e, state, gathered); }, recoverable, threads, progress);
 
   Linearised result{.tangent = condensed.matrix.topLeftCorner<12, 12>(), .reaction = condensed.matrix.col(12).head<12>(),
-                    .wrench = spatial::Vector12::Zero(), .negative_pivots = condensed.negative_pivots, .singular = condensed.singular};
+                    .wrench = spatial::Vector12::Zero(), .negative_pivots = condensed.negative_pivots - unknowns_.pressure_count, .singular = condensed.singular};
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, mesh_.nodes.cols());
   for (int e = 0; e < mesh_.elements.cols(); ++e) {
     result.inverted = result.inverted || gathered.inverted[static_cast<std::size_t>(e)];

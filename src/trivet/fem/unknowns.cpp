@@ -25,6 +25,7 @@ Unknowns number_unknowns(const Mesh& mesh, TetPressure tet_pressure) {
       corners[static_cast<std::size_t>(c)] = place->second;
     }
   }
+  unknowns.pressure_count = static_cast<int>(numbers.size());
   return unknowns;
 }
 

@@ -13,6 +13,7 @@ namespace trivet::fem {
 struct Unknowns {
   static constexpr int on_plate_n = -1, on_plate_k = -2;
   int count = 0;
+  int pressure_count = 0;
   std::vector<int> displacement;                  ///< per node: number of u_x (u_y, u_z follow), or the plate it is bonded to
   std::vector<std::array<int, 4>> pressure;       ///< per element: numbers of its corner pressures; empty without them
 };
