@@ -40,7 +40,7 @@ std::string numbers(const std::vector<StepFace>& faces) {
   return list;
 }
 
-/// The size grows from the outer rims of the bonded faces of each plate (edges inside one plate are no rims).
+/// Twelve elements around a full turn of any curved surface, or second-order elements turn over there. The size grows from the outer rims of the bonded faces of each plate (edges inside one plate are no rims).
 std::string script(const StepMesh& step, const StepMeshOptions& options) {
   const double unit = millimetre * options.scale;
   const double size = options.size / unit, rim_size = (options.rim_size > 0 ? options.rim_size : options.size / 4) / unit,
@@ -65,7 +65,7 @@ Field[2].DistMax = {:.17g};
 Background Field = 2;
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;
-Mesh.MeshSizeFromCurvature = 0;
+Mesh.MeshSizeFromCurvature = 12;
 Mesh.ElementOrder = 2;
 Mesh.HighOrderOptimize = 1;
 Mesh.MshFileVersion = 2.2;

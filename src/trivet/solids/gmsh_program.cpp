@@ -66,7 +66,7 @@ foundation::Expected<void> run_gmsh(const GmshJob& job, const foundation::Progre
   const foundation::CommandOutcome outcome = run(command, progress);
   if (!outcome.succeeded())
     return refused(fmt::format("{}: gmsh failed ({}): {}", job.step_file.string(), how_it_ended(outcome, command), complaints(outcome.output)),
-                   "gmsh must be able to read and mesh the solids of the file", "open the file in a CAD program, heal the solid and export it again");
+                   "gmsh must be able to read and mesh the solids of the file", "take smaller elements if it was meshing; else heal the solid in the CAD program and export it again");
   return {};
 }
 
