@@ -103,7 +103,8 @@ TEST(Causality, BadTablesAreNamedRowByRow) {
   bad.angular_frequency(5) = -1;
   const foundation::Problems problems = table_problems(bad);
   ASSERT_EQ(problems.list().size(), 5u);
-  const char* said[] = {"row 2: 0.95493 Hz stands twice", "row 3: 0.159155 Hz after 0.95493 Hz", "row 4: an entry is missing", "row 5: negative loss", "row 6: -0.159155 Hz"};
+  const char* said[] = {"row 2: 0.95493 Hz stands twice", "row 3: 0.159155 Hz after 0.95493 Hz", "row 4: an entry is missing",
+                        "row 5: negative loss", "row 6: -0.159155 Hz"};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_THAT(foundation::message(problems.list()[i]), HasSubstr(said[i]));
   EXPECT_FALSE(causality(bad).has_value());
   EXPECT_TRUE(causality({{}, {}}).error().has_errors());

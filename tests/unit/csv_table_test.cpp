@@ -21,7 +21,8 @@ std::string first_message(const std::string& text) {
 }
 
 TEST(CsvTable, ReadsNumbersUnderTheirNames) {
-  const auto table = csv_table("\xEF\xBB\xBF# made on the rig\r\nname, x ,\"F, z\"\r\n\r\nup,1e-3,-2.5\r\n# pause\r\ndown,+4,\r\n", "rig.csv").value();
+  const auto table = csv_table("\xEF\xBB\xBF# made on the rig\r\nname, x ,\"F, z\"\r\n\r\nup,1e-3,-2.5\r\n# pause\r\ndown,+4,\r\n",
+                               "rig.csv").value();
   EXPECT_THAT(table.columns, ElementsAre("x", "F, z"));
   EXPECT_THAT(table.names, ElementsAre("up", "down"));
   EXPECT_THAT(table.lines, ElementsAre(4, 6));

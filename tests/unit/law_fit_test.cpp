@@ -64,9 +64,10 @@ TEST(FittedLaws, CleanDataGiveTheParameters) {
   EXPECT_THAT(best.stiffness, test::RelativelyNear(stiffness, 1e-8));
   EXPECT_THAT(std::get<elements::Zener>(*best.viscoelastic).ratio, test::RelativelyNear(0.8, 1e-8));
   EXPECT_THAT(std::get<elements::Zener>(*best.viscoelastic).time, test::RelativelyNear(0.01, 1e-8));
-  const LawFit fractional = laws(points(modulus_of(elements::FractionalZener{1.5, 0.004, 0.45}), 0))[0];
+  const auto modulus = modulus_of(elements::FractionalZener{1.5, 0.004, 0.45});
+  const LawFit fractional = laws(points(modulus, 0))[0];
   EXPECT_THAT(std::get<elements::FractionalZener>(*fractional.viscoelastic).order, test::RelativelyNear(0.45, 1e-6));
-  EXPECT_THAT(std::abs(stiffness_at(fractional, 50)), test::RelativelyNear(std::abs(stiffness * modulus_of(elements::FractionalZener{1.5, 0.004, 0.45})(50)), 1e-8));
+  EXPECT_THAT(std::abs(stiffness_at(fractional, 50)), test::RelativelyNear(std::abs(stiffness * modulus(50)), 1e-8));
 }
 
 TEST(FittedLaws, IntervalsHoldTheTruthAsOftenAsTheySay) {

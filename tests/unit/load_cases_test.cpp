@@ -73,7 +73,8 @@ TEST(IdentifiedStiffness, NamesTheChannelThatIsMissing) {
 TEST(IdentifiedStiffness, AFullMatrixNeedsBothEndsMoved) {
   StiffnessFitOptions options;
   options.unknowns = Unknowns::full_symmetric;
-  EXPECT_THAT(first_message(identified_stiffness(one_at_a_time({0, 1, 2, 3, 4, 5}, 3), arm, options)), HasSubstr("no load case moves N along x"));
+  EXPECT_THAT(first_message(identified_stiffness(one_at_a_time({0, 1, 2, 3, 4, 5}, 3), arm, options)),
+              HasSubstr("no load case moves N along x"));
 }
 
 TEST(IdentifiedStiffness, TheMeasuringEndDoesNotMatter) {

@@ -86,7 +86,8 @@ double coverage(Unknowns unknowns, bool both_ends, int cases, double noise, int 
   const int first = unknowns == Unknowns::self_balanced ? 6 : 0;
   int held = 0, all = 0;
   for (int rig = 0; rig < rigs; ++rig) {
-    const auto fit = identified_stiffness(SyntheticRig(static_cast<unsigned>(1e5 * noise) + static_cast<unsigned>(rig)).cases(cases, truth, both_ends, noise), arm, options).value();
+    SyntheticRig synthetic(static_cast<unsigned>(1e5 * noise) + static_cast<unsigned>(rig));
+    const auto fit = identified_stiffness(synthetic.cases(cases, truth, both_ends, noise), arm, options).value();
     for (int i = first; i < 12; ++i)
       for (int j = first; j <= i; ++j, ++all) held += std::abs(fit.stiffness(i, j) - truth(i, j)) <= fit.half_width(i, j);
   }
@@ -97,10 +98,14 @@ constexpr double least = 0.93, most = 0.97;  // the goal for 95 % intervals; 200
 
 TEST(IdentifiedStiffness, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const double noise : {0.01, 0.05}) {
-    EXPECT_THAT(coverage(Unknowns::self_balanced, false, 24, noise, 200), testing::AllOf(testing::Ge(least), testing::Le(most))) << "moved end, noise " << noise;
-    EXPECT_THAT(coverage(Unknowns::self_balanced, false, 10, noise, 150), testing::AllOf(testing::Ge(least), testing::Le(most))) << "few cases, noise " << noise;
-    EXPECT_THAT(coverage(Unknowns::self_balanced, true, 30, noise, 60), testing::AllOf(testing::Ge(least), testing::Le(most))) << "both ends, noise " << noise;
-    EXPECT_THAT(coverage(Unknowns::full_symmetric, true, 40, noise, 20), testing::AllOf(testing::Ge(least), testing::Le(most))) << "78 constants, noise " << noise;
+    EXPECT_THAT(coverage(Unknowns::self_balanced, false, 24, noise, 200),
+                testing::AllOf(testing::Ge(least), testing::Le(most))) << "moved end, noise " << noise;
+    EXPECT_THAT(coverage(Unknowns::self_balanced, false, 10, noise, 150),
+                testing::AllOf(testing::Ge(least), testing::Le(most))) << "few cases, noise " << noise;
+    EXPECT_THAT(coverage(Unknowns::self_balanced, true, 30, noise, 60),
+                testing::AllOf(testing::Ge(least), testing::Le(most))) << "both ends, noise " << noise;
+    EXPECT_THAT(coverage(Unknowns::full_symmetric, true, 40, noise, 20),
+                testing::AllOf(testing::Ge(least), testing::Le(most))) << "78 constants, noise " << noise;
   }
 }
 

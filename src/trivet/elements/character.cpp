@@ -57,7 +57,8 @@ Character character(const Matrix12& stiffness) {
 
   // From r the coupling is A[r]× + B; its skew part vanishes where (tr A I − A) r = −v, v the axial vector of B − Bᵀ.
   const Eigen::Vector3d axial(b(2, 1) - b(1, 2), b(0, 2) - b(2, 0), b(1, 0) - b(0, 1));
-  const Eigen::Vector3d resistance = translations.values.sum() - translations.values.array(), wanted = -translations.axes.transpose() * axial;
+  const Eigen::Vector3d resistance = translations.values.sum() - translations.values.array();
+  const Eigen::Vector3d wanted = -translations.axes.transpose() * axial;
   Eigen::Vector3d along = Eigen::Vector3d::Zero();
   constexpr double none = 1e-12;
   for (int i = 0; i < 3; ++i) {

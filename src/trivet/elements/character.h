@@ -7,7 +7,8 @@ namespace trivet::elements {
 
 /// What a symmetric, self-balanced 12×12 does between its ends, N held and K moved: K_KK = [A B; Bᵀ D] at the reference point of K.
 struct Character {
-  /// Where the part of the translation–rotation coupling that a shift can remove is gone: from K [m], in the element's frame. Coupling is symmetric
+  /// Where the part of the translation–rotation coupling that a shift can remove is gone: from K [m], in the element's frame. Coupling is
+  /// symmetric
   /// there; a force through it in a principal direction turns K only by what is left of it.
   Eigen::Vector3d elastic_centre = Eigen::Vector3d::Zero();
   /// False if A resists in one direction at most: the centre is then anywhere on a line; the point of it nearest to K is given.

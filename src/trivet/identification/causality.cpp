@@ -80,17 +80,21 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
     const std::string subject = fmt::format("row {}", i + 1);
     const Complex k = table.stiffness(i);
     if (!std::isfinite(w(i)) || !std::isfinite(k.real()) || !std::isfinite(k.imag()))
-      problems.error(subject, "an entry is missing or not finite", "every row has a frequency and a complex stiffness", "leave the row out");
+      problems.error(subject, "an entry is missing or not finite", "every row has a frequency and a complex stiffness",
+                     "leave the row out");
     else if (!(w(i) > 0))
       problems.error(subject, fmt::format("{:.6g} Hz", w(i) / two_pi), "a frequency is > 0", "leave the static row out");
     else if (i > 0 && w(i) == w(i - 1))
-      problems.error(subject, fmt::format("{:.6g} Hz stands twice", w(i) / two_pi), "frequencies increase", "average the two rows, or leave one out");
+      problems.error(subject, fmt::format("{:.6g} Hz stands twice", w(i) / two_pi), "frequencies increase",
+                     "average the two rows, or leave one out");
     else if (i > 0 && w(i) < w(i - 1))
-      problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w(i) / two_pi, w(i - 1) / two_pi), "frequencies increase", "sort the rows");
+      problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w(i) / two_pi, w(i - 1) / two_pi), "frequencies increase",
+                     "sort the rows");
     else if (k == 0.0)
       problems.error(subject, fmt::format("the stiffness is 0 at {:.6g} Hz", w(i) / two_pi), "a stiffness has a size", "leave the row out");
     else if (constexpr double rounding = 1e-9; k.imag() < -rounding * stiffest)
-      problems.warning(subject, fmt::format("negative loss at {:.6g} Hz: k'' = {:.4g} N/m, k' = {:.4g} N/m", w(i) / two_pi, k.imag(), k.real()),
+      problems.warning(subject, fmt::format("negative loss at {:.6g} Hz: k'' = {:.4g} N/m, k' = {:.4g} N/m", w(i) / two_pi, k.imag(),
+                                            k.real()),
                        "a passive element loses energy (e^{+iωt}: k'' ≥ 0)", "check the sign of the phase, or the noise");
   }
   return problems;
@@ -128,12 +132,15 @@ foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& tabl
   check.relative_rms = std::sqrt(check.misfit.squaredNorm() / static_cast<double>(rows));
   const double worst = check.misfit.maxCoeff(&check.worst), hertz = table.angular_frequency(check.worst) / two_pi;
   check.passes = check.relative_rms <= options.tolerance;
-  check.verdict = check.passes ? fmt::format("k' and k'' belong together within {:.2g} % (worst {:.2g} % at {:.4g} Hz)", 100 * check.relative_rms, 100 * worst, hertz)
-                               : fmt::format("{:.2g} % of k* belongs to no passive relaxing material (worst {:.2g} % at {:.4g} Hz)", 100 * check.relative_rms,
+  check.verdict = check.passes ? fmt::format("k' and k'' belong together within {:.2g} % (worst {:.2g} % at {:.4g} Hz)",
+                                             100 * check.relative_rms, 100 * worst, hertz)
+                               : fmt::format("{:.2g} % of k* belongs to no passive relaxing material (worst {:.2g} % at {:.4g} Hz)",
+                                             100 * check.relative_rms,
                                              100 * worst, hertz);
   if (!check.passes)
     check.warnings.warning("dynamic_stiffness", check.verdict, fmt::format("up to {:.2g} % pass", 100 * options.tolerance),
-                           "look for a wrong phase, mass or resonance in the band (with_mass), another temperature or amplitude within the table");
+                           "look for a wrong phase, mass or resonance in the band (with_mass), "
+                           "another temperature or amplitude within the table");
   return check;
 }
 

@@ -15,7 +15,8 @@ struct DynamicStiffnessTable {
   Eigen::VectorXcd stiffness;
 };
 
-/// What makes a table unusable (errors): columns of different length, fewer than two rows, entries that are not finite, frequencies not > 0,
+/// What makes a table unusable (errors): columns of different length, fewer than two rows, entries that are not finite, frequencies not >
+/// 0,
 /// not increasing or repeated; and what is doubtful (warning): negative loss.
 [[nodiscard]] foundation::Problems table_problems(const DynamicStiffnessTable& table);
 

@@ -33,7 +33,8 @@ struct RegressionFit {
 [[nodiscard]] RegressionFit fit(const Regression& regression);
 
 /// Half-width of the confidence interval of Σ functional_p · parameter_p, Student's with Satterthwaite's degrees of freedom.
-[[nodiscard]] double half_width(const Regression& regression, const RegressionFit& fit, const Eigen::RowVectorXd& functional, double confidence);
+[[nodiscard]] double half_width(const Regression& regression, const RegressionFit& fit, const Eigen::RowVectorXd& functional,
+                                double confidence);
 
 /// Covariance of the parameters.
 [[nodiscard]] Eigen::MatrixXd covariance(const RegressionFit& fit);

@@ -101,7 +101,8 @@ std::optional<double> frequency_of(const Eigen::VectorXd& time, const Eigen::Vec
       }
   }
   const double samples_per_cycle = static_cast<double>(time.size()) * turn / (start * duration);
-  return refined(time, signal, refined(time, signal, start, order, 1), order, std::clamp(static_cast<int>(samples_per_cycle / 4), 1, harmonics));
+  return refined(time, signal, refined(time, signal, start, order, 1), order,
+                 std::clamp(static_cast<int>(samples_per_cycle / 4), 1, harmonics));
 }
 
 }  // namespace trivet::identification

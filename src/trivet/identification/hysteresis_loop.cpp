@@ -20,9 +20,11 @@ constexpr int fewest_samples_per_cycle = 8;
 
 void check(const LoopOptions& options) {
   const auto in_range = [](const char* name, double value, double low, double high) {
-    if (!(value >= low && value <= high)) throw foundation::InvalidInput(fmt::format("{} = {}, must lie between {} and {}", name, value, low, high));
+    if (!(value >= low && value <= high))
+      throw foundation::InvalidInput(fmt::format("{} = {}, must lie between {} and {}", name, value, low, high));
   };
-  if (!(options.confidence > 0 && options.confidence < 1)) throw foundation::InvalidInput(fmt::format("confidence = {}, must lie between 0 and 1", options.confidence));
+  if (!(options.confidence > 0 && options.confidence < 1))
+    throw foundation::InvalidInput(fmt::format("confidence = {}, must lie between 0 and 1", options.confidence));
   in_range("drift_order", options.drift_order, 0, 3);
   in_range("harmonics", options.harmonics, 1, 20);
 }
@@ -37,18 +39,22 @@ foundation::Problems sample_problems(const LoopRecord& record) {
     return problems;
   }
   if (count < 2 * fewest_samples_per_cycle)
-    problems.error(subject, fmt::format("{} samples", count), fmt::format("at least {} are needed", 2 * fewest_samples_per_cycle), "record more");
+    problems.error(subject, fmt::format("{} samples", count), fmt::format("at least {} are needed", 2 * fewest_samples_per_cycle),
+                   "record more");
   const auto report = [&](Eigen::Index sample, const std::string& finding, const char* rule, const char* remedy) {
     problems.error(subject, fmt::format("sample {}: {}", sample + 1, finding), rule, remedy);
   };
   for (Eigen::Index i = 0; i < count && problems.list().size() < 20; ++i) {
-    if (!std::isfinite(record.displacement(i)) || !std::isfinite(record.force(i)) || (record.time.size() > 0 && !std::isfinite(record.time(i))))
+    if (!std::isfinite(record.displacement(i)) || !std::isfinite(record.force(i)) ||
+        (record.time.size() > 0 && !std::isfinite(record.time(i))))
       report(i, "a value is missing or not finite", "a loop has a number in every cell", "cut the record there, or leave the row out");
     else if (i > 0 && record.time.size() > 0 && !(record.time(i) > record.time(i - 1)))
-      report(i, fmt::format("time {} s after {} s", record.time(i), record.time(i - 1)), "time increases", "sort the rows, one loop per record");
+      report(i, fmt::format("time {} s after {} s", record.time(i), record.time(i - 1)), "time increases",
+             "sort the rows, one loop per record");
   }
   if (!std::isnan(record.angular_frequency) && !(record.angular_frequency > 0 && std::isfinite(record.angular_frequency)))
-    problems.error(subject, fmt::format("angular frequency {} rad/s", record.angular_frequency), "it is > 0", "leave it out if it is not known");
+    problems.error(subject, fmt::format("angular frequency {} rad/s", record.angular_frequency), "it is > 0",
+                   "leave it out if it is not known");
   return problems;
 }
 
@@ -62,7 +68,8 @@ std::array<double, 5> quantities(const Eigen::VectorXd& x, const Eigen::VectorXd
 }
 
 /// Standard deviations of the quantities, by their sensitivity to each coefficient.
-std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd& f, const Eigen::MatrixXd& unit_covariance, const Eigen::VectorXd& noise) {
+std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd& f, const Eigen::MatrixXd& unit_covariance,
+                                 const Eigen::VectorXd& noise) {
   std::array<double, 5> variance{};
   for (int signal = 0; signal < 2; ++signal) {
     const Eigen::VectorXd& of = signal == 0 ? x : f;
@@ -137,7 +144,8 @@ void fill(const HarmonicFit& fit, int order, const Eigen::VectorXd& phase, doubl
   loop.loss_energy = estimate(2);
   loop.loss_factor = estimate(3);
   loop.dynamic_stiffness_deviation = widening * deviation[1];
-  if (loop.angular_frequency) loop.viscous_coefficient = Estimate{value[4] / *loop.angular_frequency, factor * deviation[4] / *loop.angular_frequency};
+  if (loop.angular_frequency)
+    loop.viscous_coefficient = Estimate{value[4] / *loop.angular_frequency, factor * deviation[4] / *loop.angular_frequency};
 }
 
 void warn(const LoopRecord& record, LoopFit& loop) {
@@ -153,14 +161,17 @@ void warn(const LoopRecord& record, LoopFit& loop) {
             "turn the sign of the force, exchange the columns, or look for a delay between the channels");
   if (loop.displacement_distortion > far)
     warning(fmt::format("the harmonics of the displacement are {:.0f} % of its fundamental", 100 * loop.displacement_distortion),
-            "amplitude, viscous coefficient and loss factor are meant for a sine", "drive by a sine; without time the samples must be equally spaced");
+            "amplitude, viscous coefficient and loss factor are meant for a sine",
+            "drive by a sine; without time the samples must be equally spaced");
   if (loop.amplitude.half_width > far * loop.amplitude.value)
-    warning(fmt::format("amplitude {:.4g} ± {:.2g} m", loop.amplitude.value, loop.amplitude.half_width), "the motion should stand out of the noise", "record more cycles");
+    warning(fmt::format("amplitude {:.4g} ± {:.2g} m", loop.amplitude.value, loop.amplitude.half_width),
+            "the motion should stand out of the noise", "record more cycles");
   if (record.time.size() > 0 && std::abs(*loop.angular_frequency / record.angular_frequency - 1) > frequency_differs)
     warning(fmt::format("{:.5g} rad/s by the time of the samples, {:.5g} rad/s stated", *loop.angular_frequency, record.angular_frequency),
             "the two should agree; the samples count", "check the units of time and frequency");
   if (loop.cycles >= 4 && loop.cycle_scatter > 1.5)
-    warning(fmt::format("cycles differ {:.1f} times more than noise explains", loop.cycle_scatter), "a steady test repeats itself; intervals are widened",
+    warning(fmt::format("cycles differ {:.1f} times more than noise explains", loop.cycle_scatter),
+            "a steady test repeats itself; intervals are widened",
             "leave out the first cycles, raise drift_order, or let the element warm up");
 }
 
@@ -180,12 +191,14 @@ foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptio
   const auto frequency = frequency_of(time, record.displacement, options.drift_order, options.harmonics);
   if (!frequency) return refuse("the displacement does not change", "a loop needs motion", "check the column");
   const double duration = time(all - 1) - time(0), spacing = duration / static_cast<double>(all - 1);
-  const double cycles_in_record = *frequency * (duration + spacing) / (2 * pi), samples_per_cycle = static_cast<double>(all) / cycles_in_record;
+  const double cycles_in_record = *frequency * (duration + spacing) / (2 * pi);
+  const double samples_per_cycle = static_cast<double>(all) / cycles_in_record;
   constexpr double nearly_whole = 0.02, nearly_one = 0.1;  // of a cycle: scatter of the frequency found, least where there are several
   if (cycles_in_record < 1 - nearly_one)
     return refuse(fmt::format("{:.2f} cycles", cycles_in_record), "a loop has at least one whole cycle", "record longer");
   if (samples_per_cycle < fewest_samples_per_cycle)
-    return refuse(fmt::format("{:.1f} samples per cycle", samples_per_cycle), fmt::format("at least {} are needed", fewest_samples_per_cycle), "sample faster");
+    return refuse(fmt::format("{:.1f} samples per cycle", samples_per_cycle),
+                  fmt::format("at least {} are needed", fewest_samples_per_cycle), "sample faster");
 
   LoopFit loop;
   loop.name = record.name;
@@ -198,7 +211,8 @@ foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptio
   const Eigen::VectorXd whole = time.head(used), phase = *frequency * (whole.array() - whole(0));
   Eigen::MatrixXd signals(used, 2);
   signals << record.displacement.head(used), record.force.head(used);
-  fill(harmonic_fit(harmonic_columns(whole, *frequency, options.drift_order, harmonics), signals), options.drift_order, phase, options.confidence, loop);
+  fill(harmonic_fit(harmonic_columns(whole, *frequency, options.drift_order, harmonics), signals), options.drift_order, phase,
+       options.confidence, loop);
   warn(record, loop);
   return loop;
 }

@@ -49,7 +49,8 @@ struct LoopFit {
   double displacement_distortion = 0, force_distortion = 0;      ///< rms of the higher harmonics over the fundamental
   double displacement_drift = 0, force_drift = 0;                ///< change of the removed trend over the cycles used [m], [N]
   double displacement_noise = 0, force_noise = 0;                ///< standard deviation of what is left [m], [N]
-  double cycle_scatter = 1;  ///< scatter of F̂₁/x̂₁ from cycle to cycle over what white noise explains; widens the intervals where significant
+  /// Scatter of F̂₁/x̂₁ from cycle to cycle over what white noise explains; widens the intervals where significant.
+  double cycle_scatter = 1;
   foundation::Problems warnings;
 };
 

@@ -40,15 +40,18 @@ const std::vector<Family>& families() {
 
 bool is_order(const Family& family, std::size_t i) { return std::string(family.parameters[i]) == "order"; }
 
-double value_of(const Family& family, std::size_t i, double fitted) { return is_order(family, i) ? 1 / (1 + std::exp(-fitted)) : std::exp(fitted); }
+double value_of(const Family& family, std::size_t i, double fitted) { return is_order(family,
+                                                                                      i) ? 1 / (1 + std::exp(-fitted)) : std::exp(fitted); }
 
 std::vector<double> values_of(const Family& family, const Eigen::VectorXd& fitted) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < family.parameters.size(); ++i) values.push_back(value_of(family, i, fitted(static_cast<Eigen::Index>(i) + 1)));
+  for (std::size_t i = 0; i < family.parameters.size(); ++i) values.push_back(value_of(family, i,
+                                                                                       fitted(static_cast<Eigen::Index>(i) + 1)));
   return values;
 }
 
-/// Points with their weights, frequencies over their geometric mean ω₀ and stiffnesses over their mean modulus k₀, so that parameters are near 1.
+/// Points with their weights, frequencies over their geometric mean ω₀ and stiffnesses over their mean modulus k₀, so that parameters are
+/// near 1.
 struct Scaled {
   std::vector<StiffnessPoint> points;
   std::vector<double> weight;
@@ -63,7 +66,8 @@ Scaled scaled(const std::vector<StiffnessPoint>& points) {
     result.stiffness += std::abs(p.stiffness) / count;
   }
   result.frequency = std::exp(result.frequency);
-  const bool weighted = std::none_of(points.begin(), points.end(), [](const StiffnessPoint& p) { return std::isnan(p.standard_deviation); });
+  const bool weighted = std::none_of(points.begin(), points.end(),
+                                     [](const StiffnessPoint& p) { return std::isnan(p.standard_deviation); });
   for (StiffnessPoint& p : result.points) {
     result.weight.push_back(result.stiffness / (weighted ? p.standard_deviation : std::abs(p.stiffness)));
     p.angular_frequency /= result.frequency;
@@ -128,10 +132,12 @@ LeastSquaresMinimum best_minimum(const Scaled& data, const Family& family) {
     tried.emplace_back(of(start).squaredNorm(), start);
   }
   const std::size_t kept = std::min<std::size_t>(5, tried.size());
-  std::partial_sort(tried.begin(), tried.begin() + static_cast<std::ptrdiff_t>(kept), tried.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::partial_sort(tried.begin(), tried.begin() + static_cast<std::ptrdiff_t>(kept), tried.end(),
+                    [](const auto& a, const auto& b) { return a.first < b.first; });
   LeastSquaresMinimum best;
   for (std::size_t i = 0; i < kept; ++i)
-    if (LeastSquaresMinimum one = least_squares_minimum(of, tried[i].second); i == 0 || one.residuals.squaredNorm() < best.residuals.squaredNorm())
+    if (LeastSquaresMinimum one = least_squares_minimum(of, tried[i].second); i == 0 ||
+        one.residuals.squaredNorm() < best.residuals.squaredNorm())
       best = std::move(one);
   return best;
 }
@@ -168,8 +174,9 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
   else law.viscoelastic = elements::FractionalZener{value(1), value(2), value(3)};
   const double estimated = constants + 1;  // the noise is estimated too
   law.akaike = count * std::log(squares / count) + 2 * estimated + 2 * estimated * (estimated + 1) / (count - estimated - 1);
-  for (const StiffnessPoint& p : points) law.relative_rms += std::norm(stiffness_at(law, p.angular_frequency) / p.stiffness - 1.0) / static_cast<double>(points.size());
-  law.relative_rms = std::sqrt(law.relative_rms);
+  double relative = 0;
+  for (const StiffnessPoint& p : points) relative += std::norm(stiffness_at(law, p.angular_frequency) / p.stiffness - 1.0);
+  law.relative_rms = std::sqrt(relative / static_cast<double>(points.size()));
   return law;
 }
 
@@ -177,7 +184,8 @@ foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
   constexpr std::size_t fewest = 3;
   foundation::Problems problems;
   if (points.size() < fewest)
-    problems.error("dynamic_stiffness", fmt::format("{} points", points.size()), "a law over frequency needs at least three", "measure at more frequencies");
+    problems.error("dynamic_stiffness", fmt::format("{} points", points.size()), "a law over frequency needs at least three",
+                   "measure at more frequencies");
   Complex sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StiffnessPoint& p = points[i];
@@ -190,9 +198,11 @@ foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
       problems.error(subject, fmt::format("standard deviation {} N/m", p.standard_deviation), "it is > 0", "leave it out");
     sum += p.stiffness;
   }
-  if (!problems.has_errors() && sum.real() <= 0) problems.error("dynamic_stiffness", "the stiffness is negative", "it is > 0 for every law", "turn the sign of the force");
+  if (!problems.has_errors() && sum.real() <= 0) problems.error("dynamic_stiffness", "the stiffness is negative",
+                                                                "it is > 0 for every law", "turn the sign of the force");
   if (!problems.has_errors() && sum.imag() <= 0)
-    problems.error("dynamic_stiffness", "the loss is not positive on the whole", "a passive element loses energy", "check the phase between the channels");
+    problems.error("dynamic_stiffness", "the loss is not positive on the whole", "a passive element loses energy",
+                   "check the phase between the channels");
   return problems;
 }
 
@@ -204,7 +214,8 @@ std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, 
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const LoopFit& loop = loops[i];
     if (!loop.angular_frequency) {
-      problems.warning(fmt::format("loop '{}'", loop.name), "its frequency is not known", "laws are fitted over frequency", "give its time or its frequency");
+      problems.warning(fmt::format("loop '{}'", loop.name), "its frequency is not known", "laws are fitted over frequency",
+                       "give its time or its frequency");
       continue;
     }
     StiffnessPoint point{*loop.angular_frequency, loop.dynamic_stiffness};
@@ -213,9 +224,11 @@ std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, 
     const auto differs = [](double a, double b, double by) { return std::abs(a - b) > by * std::abs(b); };
     for (std::size_t j = 0; j < i; ++j)
       if (loops[j].angular_frequency && !differs(*loops[j].angular_frequency, *loop.angular_frequency, same_frequency) &&
-          differs(loops[j].amplitude.value, loop.amplitude.value, other_amplitude) && differs(loops[j].stiffness.value, loop.stiffness.value, other_stiffness)) {
+          differs(loops[j].amplitude.value, loop.amplitude.value, other_amplitude) &&
+              differs(loops[j].stiffness.value, loop.stiffness.value, other_stiffness)) {
         problems.warning(fmt::format("loop '{}'", loop.name),
-                         fmt::format("stiffness {:.4g} N/m at amplitude {:.3g} m, but {:.4g} N/m at {:.3g} m in '{}'", loop.stiffness.value, loop.amplitude.value,
+                         fmt::format("stiffness {:.4g} N/m at amplitude {:.3g} m, but {:.4g} N/m at {:.3g} m in '{}'",
+                                     loop.stiffness.value, loop.amplitude.value,
                                      loops[j].stiffness.value, loops[j].amplitude.value, loops[j].name),
                          "a linear law does not depend on amplitude", "fit each amplitude by itself");
         break;
@@ -230,7 +243,8 @@ std::complex<double> stiffness_at(const LawFit& law, double angular_frequency) {
 }
 
 foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& points, double confidence) {
-  if (!(confidence > 0 && confidence < 1)) throw foundation::InvalidInput(fmt::format("confidence = {}, must lie between 0 and 1", confidence));
+  if (!(confidence > 0 && confidence < 1))
+    throw foundation::InvalidInput(fmt::format("confidence = {}, must lie between 0 and 1", confidence));
   foundation::Problems problems = point_problems(points);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   LawRanking ranking;
@@ -240,7 +254,8 @@ foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& 
     if (2 * points.size() > constants + 2) {
       ranking.laws.push_back(fitted(data, points, family, confidence));
     } else {
-      ranking.warnings.warning("dynamic_stiffness", fmt::format("{} points", points.size()), fmt::format("the {} law has {} constants", family.name, constants),
+      ranking.warnings.warning("dynamic_stiffness", fmt::format("{} points", points.size()),
+                               fmt::format("the {} law has {} constants", family.name, constants),
                                "measure at more frequencies to have it compared");
     }
   }
@@ -248,9 +263,11 @@ foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& 
   for (LawFit& law : ranking.laws) law.akaike_difference = law.akaike - ranking.laws.front().akaike;
   for (const Parameter& parameter : ranking.laws.front().parameters)
     if (constexpr double open = 100; !(parameter.high < open * parameter.low) && parameter.name != "order")
-      ranking.warnings.warning("dynamic_stiffness", fmt::format("{} of the {} law between {:.3g} and {:.3g} {}", parameter.name, ranking.laws.front().law,
+      ranking.warnings.warning("dynamic_stiffness", fmt::format("{} of the {} law between {:.3g} and {:.3g} {}", parameter.name,
+                                                                ranking.laws.front().law,
                                                                 parameter.low, parameter.high, parameter.unit),
-                               "the band should reach where the parameter shows itself", "measure over a wider band, or take a simpler law");
+                               "the band should reach where the parameter shows itself",
+                               "measure over a wider band, or take a simpler law");
   return ranking;
 }
 

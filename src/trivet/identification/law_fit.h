@@ -22,7 +22,8 @@ struct StiffnessPoint {
 
 /// The points of loops whose frequency is known. Their standard deviations are left out unless asked for: the differences between laws are
 /// mostly larger than the noise of one loop. Warns where loops at one frequency and different amplitudes differ in stiffness.
-[[nodiscard]] std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, bool with_deviations, foundation::Problems& problems);
+[[nodiscard]] std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, bool with_deviations,
+                                                           foundation::Problems& problems);
 
 /// A parameter and its confidence interval; an end of 0 or infinity where the data leave it open.
 struct Parameter {

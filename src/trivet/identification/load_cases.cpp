@@ -33,10 +33,12 @@ foundation::Problems load_case_problems(const std::vector<LoadCase>& cases) {
     const std::string subject = fmt::format("load case '{}'", one.name);
     for (int i = 0; i < 12; ++i) {
       if (!std::isfinite(one.displacement(i)))
-        problems.error(subject, fmt::format("displacement {} = {}", coordinate_words(i), one.displacement(i)), "every imposed displacement is a number",
+        problems.error(subject, fmt::format("displacement {} = {}", coordinate_words(i), one.displacement(i)),
+                       "every imposed displacement is a number",
                        "give 0 for a coordinate that was held");
       if (std::isinf(one.wrench(i)))
-        problems.error(subject, fmt::format("{} = {}", channel_words(i), one.wrench(i)), "a reading is a number", "leave out a channel that was not measured");
+        problems.error(subject, fmt::format("{} = {}", channel_words(i), one.wrench(i)), "a reading is a number",
+                       "leave out a channel that was not measured");
     }
     if (one.wrench.array().isNaN().all())
       problems.error(subject, "no channel was measured", "a load case has at least one reading", "remove the case, or give its wrench");
@@ -44,7 +46,8 @@ foundation::Problems load_case_problems(const std::vector<LoadCase>& cases) {
     if (!names.insert(one.name).second)
       problems.warning(subject, "the name stands twice", "outliers are reported by name", "give every load case a name of its own");
   }
-  if (!moved) problems.error("load_cases", "every displacement is 0", "a stiffness shows itself only when the element is moved", "check the columns");
+  if (!moved) problems.error("load_cases", "every displacement is 0", "a stiffness shows itself only when the element is moved",
+                             "check the columns");
   return problems;
 }
 

@@ -32,9 +32,11 @@ spatial::Vector12 entry_scale(const Matrix12& stiffness) {
 
 SemidefiniteMatrix nearest_semidefinite(const Matrix12& stiffness, const Eigen::Vector3d& arm) {
   const spatial::Vector12 scale = entry_scale(stiffness);
-  const Matrix12 scaled = scale.cwiseInverse().asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.cwiseInverse().asDiagonal();
+  const Matrix12 symmetric = 0.5 * (stiffness + stiffness.transpose());
+  const Matrix12 scaled = scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
 
-  // The wanted set is {P M P, M ⪰ 0} with P the projector beside the rigid motions: its nearest member is P C P without negative eigenvalues.
+  // The wanted set is {P M P, M ⪰ 0} with P the projector beside the rigid motions: its nearest member is P C P without negative
+  // eigenvalues.
   const Eigen::Matrix<double, 12, 6> rigid = scale.asDiagonal() * elements::rigid_motions(arm, Eigen::Matrix3d::Identity());
   const spatial::Matrix6 gram = rigid.transpose() * rigid;
   const Matrix12 beside = Matrix12::Identity() - rigid * gram.ldlt().solve(rigid.transpose());

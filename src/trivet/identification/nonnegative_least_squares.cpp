@@ -2,7 +2,7 @@
 #include "trivet/identification/nonnegative_least_squares.h"
 
 #include <Eigen/QR>
-#include <limits>
+#include <algorithm>
 #include <vector>
 
 namespace trivet::identification {
@@ -40,7 +40,9 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     const Eigen::VectorXd downhill = a.transpose() * (b - a * x);
     Eigen::Index entering = -1;
     for (Eigen::Index j = 0; j < count; ++j)
-      if (!is_free[static_cast<std::size_t>(j)] && downhill(j) > rounding && (entering < 0 || downhill(j) > downhill(entering))) entering = j;
+      if (!is_free[static_cast<std::size_t>(j)] && downhill(j) > rounding &&
+          (entering < 0 || downhill(j) > downhill(entering)))
+        entering = j;
     if (entering < 0) break;
     is_free[static_cast<std::size_t>(entering)] = true;
     Eigen::VectorXd trial = free_solution(a, b, is_free);

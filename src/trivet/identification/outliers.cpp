@@ -17,7 +17,8 @@ Contradiction worst(const Regression& regression, const RegressionFit& fit, doub
   Contradiction found;
   Eigen::VectorXd limits = Eigen::VectorXd::Zero(regression.groups);
   for (int g = 0; g < regression.groups; ++g)
-    if (fit.group_freedom(g) >= 2) limits(g) = student_quantile(1 - risk / static_cast<double>(fit.residual.size()), fit.group_freedom(g) - 1);
+    if (fit.group_freedom(g) >= 2) limits(g) = student_quantile(1 - risk / static_cast<double>(fit.residual.size()),
+                                                                fit.group_freedom(g) - 1);
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
     const int group = regression.group[static_cast<std::size_t>(r)];
     const double freedom = fit.group_freedom(group) - 1, limit = limits(group);

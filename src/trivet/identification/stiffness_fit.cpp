@@ -10,108 +10,12 @@
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/identification/grouped_regression.h"
 #include "trivet/identification/outliers.h"
+#include "trivet/identification/rig_regression.h"
 #include "trivet/identification/unexcited_motions.h"
 
 namespace trivet::identification {
 namespace {
-
-/// The matrix as a sum of constants: C = Σ constant_p · matrices[p]. Constants are scaled so that they are of one size.
-struct Basis {
-  std::vector<Matrix12> matrices;
-  std::vector<std::array<int, 2>> entry;  ///< the entry of the 12×12 that each constant is
-  Eigen::VectorXd unit;                   ///< value of a constant that is 1 in the regression
-};
-
-/// Regression with what its rows are.
-struct Rig {
-  Basis basis;
-  Regression regression;
-  std::vector<std::array<int, 2>> reading;  ///< load case and channel of each row
-  std::vector<int> offset_channel;          ///< channel of each further column
-};
-
-/// Typical translation and rotation (1 where there is none) of the load cases.
-std::array<double, 2> typical_motion(const std::vector<LoadCase>& cases) {
-  std::array<double, 2> squares{};
-  for (const LoadCase& one : cases)
-    for (int i = 0; i < 12; ++i) squares[i % 6 < 3 ? 0 : 1] += one.displacement(i) * one.displacement(i) / static_cast<double>(cases.size());
-  for (double& square : squares) square = square > 0 ? std::sqrt(square) : 1;
-  return squares;
-}
-
-Basis basis(Unknowns unknowns, const Eigen::Vector3d& arm, const std::array<double, 2>& motion) {
-  const int size = unknowns == Unknowns::self_balanced ? 6 : 12;
-  Basis result;
-  std::vector<double> units;
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j <= i; ++j) {
-      Eigen::MatrixXd one = Eigen::MatrixXd::Zero(size, size);
-      one(i, j) = one(j, i) = 1;
-      result.matrices.push_back(size == 6 ? elements::from_moved_end(one, arm) : Matrix12(one));
-      result.entry.push_back({12 - size + i, 12 - size + j});
-      units.push_back(1 / (motion[i % 6 < 3 ? 0 : 1] * motion[j % 6 < 3 ? 0 : 1]));
-    }
-  result.unit = Eigen::Map<const Eigen::VectorXd>(units.data(), static_cast<Eigen::Index>(units.size()));
-  return result;
-}
-
-/// Readings per channel from which its noise can be told from its own residuals; below, forces share one noise and moments another.
-int readings_for_own_noise(Unknowns unknowns) { return unknowns == Unknowns::self_balanced ? 15 : 27; }
-
-void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
-  std::array<int, 12> count{};
-  for (const auto& [load_case, channel] : rig.reading) ++count[static_cast<std::size_t>(channel)];
-  bool given = true, own = true;
-  for (int c = 0; c < 12; ++c) {
-    const int n = count[static_cast<std::size_t>(c)];
-    if (n == 0) continue;
-    given = given && !std::isnan(options.standard_deviation(c));
-    own = own && n >= readings_for_own_noise(options.unknowns);
-  }
-  Regression& regression = rig.regression;
-  regression.groups = given ? 1 : own ? 12 : 2;
-  for (Eigen::Index r = 0; r < regression.measured.size(); ++r) {
-    const int channel = rig.reading[static_cast<std::size_t>(r)][1];
-    regression.relative_deviation(r) = given ? options.standard_deviation(channel) : 1;
-    regression.group.push_back(given ? 0 : own ? channel : channel % 6 < 3 ? 0 : 1);
-  }
-}
-
-Rig rig(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, const StiffnessFitOptions& options) {
-  Rig rig;
-  const auto motion = typical_motion(cases);
-  rig.basis = basis(options.unknowns, arm, motion);
-  std::array<double, 12> largest{};
-  for (std::size_t k = 0; k < cases.size(); ++k)
-    for (int c = 0; c < 12; ++c)
-      if (!std::isnan(cases[k].wrench(c))) {
-        rig.reading.push_back({static_cast<int>(k), c});
-        auto& most = largest[static_cast<std::size_t>(c)];
-        most = std::max(most, std::abs(cases[k].wrench(c)));
-      }
-  if (options.zero_offsets)
-    for (int c = 0; c < 12; ++c)
-      if (std::any_of(rig.reading.begin(), rig.reading.end(), [&](const auto& r) { return r[1] == c; })) rig.offset_channel.push_back(c);
-
-  const auto rows = static_cast<Eigen::Index>(rig.reading.size()), constants = rig.basis.unit.size();
-  Regression& regression = rig.regression;
-  regression.design = Eigen::MatrixXd::Zero(rows, constants + static_cast<Eigen::Index>(rig.offset_channel.size()));
-  regression.measured.resize(rows);
-  regression.relative_deviation.resize(rows);
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    const auto [k, c] = rig.reading[static_cast<std::size_t>(r)];
-    const LoadCase& one = cases[static_cast<std::size_t>(k)];
-    regression.measured(r) = one.wrench(c);
-    for (Eigen::Index p = 0; p < constants; ++p)
-      regression.design(r, p) = rig.basis.unit(p) * rig.basis.matrices[static_cast<std::size_t>(p)].row(c).dot(one.displacement);
-    for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
-      if (rig.offset_channel[o] == c) regression.design(r, constants + static_cast<Eigen::Index>(o)) = 1 / motion[c % 6 < 3 ? 0 : 1];
-  }
-  group_by_noise(options, rig);
-  return rig;
-}
 
 Eigen::MatrixXd motions(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, Unknowns unknowns) {
   Eigen::MatrixXd all(12, static_cast<Eigen::Index>(cases.size()));
@@ -152,10 +56,12 @@ foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eig
     if (fit.null_space.row(rig.basis.unit.size() + static_cast<Eigen::Index>(o)).cwiseAbs().maxCoeff() > seen)
       unknown.push_back("the zero offset of " + channel_words(rig.offset_channel[o]));
   problems.error("load_cases", fmt::format("{} readings fix {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
-                                           rig.regression.design.cols(), reasons.empty() ? "the readings depend on each other" : listed(reasons, 12)),
+                                           rig.regression.design.cols(),
+                                           reasons.empty() ? "the readings depend on each other" : listed(reasons, 12)),
                  "every constant must show itself in a reading; not fixed: " + listed(unknown, 12),
                  unknowns == Unknowns::self_balanced ? "add load cases with these motions, or measure these channels"
-                                                     : "add load cases with these motions at both ends, or identify the 21 constants of a self-balanced element");
+                                                     : "add load cases with these motions at both ends, "
+                                                       "or identify the 21 constants of a self-balanced element");
   return problems;
 }
 
@@ -167,7 +73,8 @@ void check(const StiffnessFitOptions& options, const Eigen::Vector3d& arm) {
   fraction("outlier_risk", options.outlier_risk);
   for (int c = 0; c < 12; ++c)
     if (!std::isnan(options.standard_deviation(c)) && !(options.standard_deviation(c) > 0 && std::isfinite(options.standard_deviation(c))))
-      throw foundation::InvalidInput(fmt::format("standard deviation of {} = {}, must be > 0", channel_words(c), options.standard_deviation(c)));
+      throw foundation::InvalidInput(fmt::format("standard deviation of {} = {}, must be > 0", channel_words(c),
+                                                 options.standard_deviation(c)));
   if (!arm.allFinite()) throw foundation::InvalidInput("arm from N to K, must be finite");
 }
 
@@ -182,7 +89,8 @@ double width(const Rig& rig, const RegressionFit& fit, double confidence, const 
   return half_width(rig.regression, fit, functional, confidence);
 }
 
-void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d& arm, const StiffnessFitOptions& options, StiffnessFit& result) {
+void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d& arm, const StiffnessFitOptions& options,
+                 StiffnessFit& result) {
   const Eigen::Index constants = rig.basis.unit.size();
   Eigen::VectorXd values = fit.parameters.head(constants).cwiseProduct(rig.basis.unit);
   result.stiffness.setZero();
@@ -201,7 +109,8 @@ void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d
   if (options.unknowns == Unknowns::full_symmetric)
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j < 6; ++j)
-        result.rigid_residual_half_width(i, j) = width(rig, fit, options.confidence, [&](const Matrix12& m) { return m.row(i).dot(rigid.col(j)); });
+        result.rigid_residual_half_width(i, j) = width(rig, fit, options.confidence,
+                                                       [&](const Matrix12& m) { return m.row(i).dot(rigid.col(j)); });
 }
 
 void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<double, 2>& motion, StiffnessFit& result) {
@@ -226,24 +135,29 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
 void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options, StiffnessFit& result) {
   for (const Outlier& outlier : result.outliers)
     result.warnings.warning(fmt::format("load case '{}'", cases[static_cast<std::size_t>(outlier.load_case)].name),
-                            fmt::format("{} is {:.4g} {} off what the other readings foretell ({:.1f} standard deviations)", channel_words(outlier.channel),
+                            fmt::format("{} is {:.4g} {} off what the other readings foretell ({:.1f} standard deviations)",
+                                        channel_words(outlier.channel),
                                         outlier.deviation, outlier.channel % 6 < 3 ? "N" : "N m", outlier.studentised),
-                            fmt::format("a good data set of {} readings stays below {:.1f} with {:.3g} % probability", result.readings.size(), outlier.limit,
+                            fmt::format("a good data set of {} readings stays below {:.1f} with {:.3g} % probability",
+                                        result.readings.size(), outlier.limit,
                                         100 * (1 - options.outlier_risk)),
                             "look at the raw data; the reading still takes part in the fit");
   for (int i = 0; i < 12; ++i)
     if (result.stiffness(i, i) < -result.half_width(i, i))
       result.warnings.warning("load_cases", fmt::format("the stiffness of {} is {:.4g}", coordinate_words(i), result.stiffness(i, i)),
-                              "without preload a diagonal stiffness is > 0", "check the sign: a wrench is what the rig exerts on the element");
+                              "without preload a diagonal stiffness is > 0",
+                              "check the sign: a wrench is what the rig exerts on the element");
   std::vector<std::string> vague;
   for (int i = 0; i < 12; ++i)
     if (result.half_width(i, i) > std::abs(result.stiffness(i, i))) vague.push_back(coordinate_words(i));
   if (!vague.empty())
     result.warnings.warning("load_cases", "the stiffness of " + listed(vague, 12) + " is less certain than it is large",
-                            fmt::format("its {:.3g} % interval holds 0", 100 * options.confidence), "move these coordinates more, or measure with less noise");
+                            fmt::format("its {:.3g} % interval holds 0",
+                                        100 * options.confidence), "move these coordinates more, or measure with less noise");
   if (result.lowest_eigenvalue < -elements::rounding_of_data - 2 * std::min(result.scaled_rigid_residual, elements::refused_residual))
     result.warnings.warning("load_cases", fmt::format("the scaled matrix has the eigenvalue {:.4g}", result.lowest_eigenvalue),
-                            "a passive element has no negative one", "less noise or more load cases; nearest_semidefinite gives the nearest passive matrix");
+                            "a passive element has no negative one",
+                            "less noise or more load cases; nearest_semidefinite gives the nearest passive matrix");
 }
 
 }  // namespace
@@ -253,7 +167,7 @@ foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCa
   check(options, arm);
   foundation::Problems problems = load_case_problems(cases);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
-  const Rig rig = identification::rig(cases, arm, options);
+  const Rig rig = rig_regression(cases, arm, options);
   const RegressionFit fitted = fit(rig.regression);
   if (fitted.null_space.cols() > 0) return tl::make_unexpected(rank_problems(cases, arm, rig, fitted, options.unknowns));
   if (rig.regression.measured.size() == rig.regression.design.cols()) {
@@ -271,7 +185,8 @@ foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCa
     result.outliers.push_back({k, c, one.deviation, one.studentised, one.limit});
   }
   const Vector12 diagonal = result.stiffness.diagonal();
-  const bool resists = diagonal.head<3>().sum() + diagonal.segment<3>(6).sum() > 0 && diagonal.segment<3>(3).sum() + diagonal.tail<3>().sum() > 0;
+  const bool resists = diagonal.head<3>().sum() + diagonal.segment<3>(6).sum() > 0 &&
+      diagonal.segment<3>(3).sum() + diagonal.tail<3>().sum() > 0;
   if (options.nearest_semidefinite && resists) result.semidefinite = nearest_semidefinite(result.stiffness, arm);
   warn(cases, options, result);
   return result;

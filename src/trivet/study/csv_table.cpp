@@ -103,8 +103,10 @@ class Reader {
       return problem(number_of_line, "the first row holds numbers", "the first row names the columns", "add a header row");
     width_ = names->size();
     for (const std::string& name : *names) {
-      if (name.empty()) problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1), "every column has a name", "name it");
-      if (std::count(names->begin(), names->end(), name) > 1 && std::find(table_.columns.begin(), table_.columns.end(), name) == table_.columns.end())
+      if (name.empty()) problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1), "every column has a name",
+                                "name it");
+      if (std::count(names->begin(), names->end(), name) > 1 &&
+          std::find(table_.columns.begin(), table_.columns.end(), name) == table_.columns.end())
         problem(number_of_line, "the column " + name.substr(0, 60) + " stands twice", "every column has a name of its own", "rename one");
       if (name == name_column) texts_at_ = &name - names->data();
       else table_.columns.push_back(name);
@@ -127,8 +129,10 @@ class Reader {
       }
       const auto value = number((*row)[i]);
       if (!value && wrong_cells_++ < most_listed)
-        problem(number_of_line, fmt::format("{} = \"{}\"", table_.columns[values_.size() % table_.columns.size()].substr(0, 60), (*row)[i].substr(0, 60)),
-                "a cell is a finite number with a decimal point, or empty where nothing was measured", "mend the cell, or begin a comment line with #");
+        problem(number_of_line, fmt::format("{} = \"{}\"", table_.columns[values_.size() % table_.columns.size()].substr(0, 60),
+                                            (*row)[i].substr(0, 60)),
+                "a cell is a finite number with a decimal point, or empty where nothing was measured",
+                "mend the cell, or begin a comment line with #");
       values_.push_back(value.value_or(0));
     }
   }
@@ -164,7 +168,8 @@ foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path)
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
   if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size) return refused(path, "reading failed", "check the disk");
-  if (text.find('\0') != std::string::npos) return refused(path, "the file holds zero bytes", "it is no text file, or in UTF-16: save it as UTF-8");
+  if (text.find('\0') != std::string::npos) return refused(path, "the file holds zero bytes",
+                                                           "it is no text file, or in UTF-16: save it as UTF-8");
   return csv_table(text, path.string());
 }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "trivet/identification/grouped_regression.h"
+#include "trivet/identification/stiffness_fit.h"
+
+namespace trivet::identification {
+
+/// The matrix as a sum of constants: C = Σ constant_p · matrices[p]. Constants are scaled so that they are of one size.
+struct Basis {
+  std::vector<Matrix12> matrices;
+  std::vector<std::array<int, 2>> entry;  ///< the entry of the 12×12 that each constant is
+  Eigen::VectorXd unit;                   ///< value of a constant that is 1 in the regression
+};
+
+/// Regression with what its rows are.
+struct Rig {
+  Basis basis;
+  Regression regression;
+  std::vector<std::array<int, 2>> reading;  ///< load case and channel of each row
+  std::vector<int> offset_channel;          ///< channel of each further column
+};
+
+/// Typical translation and rotation (1 where there is none) of the load cases.
+[[nodiscard]] std::array<double, 2> typical_motion(const std::vector<LoadCase>& cases);
+
+/// The load cases as a regression for the constants, and for zero offsets if they are asked for.
+[[nodiscard]] Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, const StiffnessFitOptions& options);
+
+}  // namespace trivet::identification
