@@ -43,16 +43,21 @@ struct BrickBar {
           if (z == 2 * elements) k.nodes.push_back({number, position({x, y, z})});
         }
   }
-  static Eigen::Vector3d position(const std::array<int, 3>& at) { return {width * (at[0] - 1) / 2, height * (at[1] - 1) / 2, length * at[2] / (2 * elements)}; }
+  static Eigen::Vector3d position(const std::array<int, 3>& at) {
+    return {width * (at[0] - 1) / 2, height * (at[1] - 1) / 2, length * at[2] / (2 * elements)};
+  }
 
   /// Mesh, material and the sets PN and PK; nodes 901 … 904 are for rigid bodies.
   [[nodiscard]] std::string deck() const {
     std::ostringstream text;
     text << "*NODE\n";
-    for (const auto& [at, number] : nodes) text << number << ", " << position(at).x() << ", " << position(at).y() << ", " << position(at).z() << "\n";
-    text << "901, 0., 0., 0.\n902, 0., 0., 0.\n903, 0., 0., " << length << "\n904, 0., 0., " << length << "\n*ELEMENT, TYPE=C3D20, ELSET=BAR\n";
-    const int corners[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}, {2, 1, 0},
-                                {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2}, {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+    for (const auto& [at, number] : nodes)
+      text << number << ", " << position(at).x() << ", " << position(at).y() << ", " << position(at).z() << "\n";
+    text << "901, 0., 0., 0.\n902, 0., 0., 0.\n903, 0., 0., " << length << "\n904, 0., 0., " << length
+         << "\n*ELEMENT, TYPE=C3D20, ELSET=BAR\n";
+    const int corners[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
+                                {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
+                                {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
     for (int e = 0; e < elements; ++e) {
       text << e + 1;
       for (int i = 0; i < 20; ++i) text << (i == 10 ? ",\n" : ", ") << nodes.at({corners[i][0], corners[i][1], corners[i][2] + 2 * e});
@@ -73,7 +78,8 @@ Matrix12 timoshenko() {
   constexpr double a = BrickBar::width, b = BrickBar::height, l = BrickBar::length, e = BrickBar::modulus, g = e / 2;
   const double about_x = a * b * b * b / 12, about_y = b * a * a * a / 12;
   const double torsion = b * a * a * a * (1.0 / 3 - 0.21 * a / b * (1 - std::pow(a / b, 4) / 12));
-  Matrix12 k = bernoulli({.length = l, .axial = e * a * b, .torsion = g * torsion, .bending_about_x = e * about_x, .bending_about_y = e * about_y});
+  Matrix12 k =
+      bernoulli({.length = l, .axial = e * a * b, .torsion = g * torsion, .bending_about_x = e * about_x, .bending_about_y = e * about_y});
   const auto soften = [&](int u, int turn, double inertia) {
     const double stiffness = e * inertia, phi = 12 * stiffness / (g * a * b * l * l);
     for (const int i : {0, 6})
@@ -118,7 +124,8 @@ class CalculiX : public testing::Test {
       deck += "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n";
       for (int i = 0; i < 12; ++i) {
         const auto [node, component] = coordinate(i);
-        deck += std::to_string(node) + ", " + std::to_string(component) + ", " + std::to_string(component) + (i == moved ? ", 0.001\n" : ", 0.\n");
+        deck += std::to_string(node) + ", " + std::to_string(component) + ", " + std::to_string(component) +
+                (i == moved ? ", 0.001\n" : ", 0.\n");
       }
       deck += "*NODE PRINT, NSET=ENDS\nRF\n*END STEP\n";
     }
@@ -147,7 +154,8 @@ const std::string storage_step = "*STEP\n*FREQUENCY, SOLVER=MATRIXSTORAGE\n1\n*E
 
 /// CalculiX prints reactions with seven digits.
 constexpr double printed_reaction = 2e-6;
-/// Eight quadratic bricks follow the cubic bending line to 0.3 %. In torsion one brick across and ends that cannot warp are stiffer than free torsion.
+/// Eight quadratic bricks follow the cubic bending line to 0.3 %. In torsion one brick across and ends that cannot warp are stiffer than
+/// free torsion.
 constexpr double bending_of_bricks = 4e-3, torsion_of_bricks = 0.25;
 
 Matrix12 condensed(const foundation::Expected<exchange::NamedMatrix>& matrix, const BrickBar& bar) {
@@ -183,7 +191,8 @@ TEST_F(CalculiX, BricksAreATimoshenkoBeam) {
 
 TEST_F(CalculiX, SubstructureIsWrongInSilenceAndTheRigidMotionTestSeesIt) {
   const std::string output = "*SUBSTRUCTURE MATRIX OUTPUT, STIFFNESS=YES, OUTPUT FILE=USER DEFINED, FILE NAME=reduced\n*END STEP\n";
-  run("rigid", bar_.deck() + rigid_ends + "*STEP\n*SUBSTRUCTURE GENERATE\n*RETAINED NODAL DOFS, SORTED=NO\n901,1,3\n902,1,3\n903,1,3\n904,1,3\n" + output);
+  run("rigid", bar_.deck() + rigid_ends +
+                   "*STEP\n*SUBSTRUCTURE GENERATE\n*RETAINED NODAL DOFS, SORTED=NO\n901,1,3\n902,1,3\n903,1,3\n904,1,3\n" + output);
   const auto matrix = exchange::read_matrix_file(folder_ / "reduced.mtx");
   ASSERT_TRUE(matrix) << complaint(matrix);
   const auto ends = exchange::reduce_to_ends(*matrix, NodeEnd{901, 902}, NodeEnd{903, 904});

@@ -18,7 +18,8 @@ void use(const trivet::foundation::Expected<trivet::exchange::NamedMatrix>& matr
   if (!matrix || matrix->values.rows() > 60) return;
   static_cast<void>(trivet::exchange::reduce_to_rows(*matrix, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
   if (!matrix->labels.empty())
-    static_cast<void>(trivet::exchange::reduce_to_ends(*matrix, trivet::exchange::NodeEnd{matrix->labels.front().node}, trivet::exchange::NodeEnd{matrix->labels.back().node}));
+    static_cast<void>(trivet::exchange::reduce_to_ends(*matrix, trivet::exchange::NodeEnd{matrix->labels.front().node},
+                                                       trivet::exchange::NodeEnd{matrix->labels.back().node}));
 }
 
 }  // namespace

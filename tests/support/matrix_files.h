@@ -10,7 +10,8 @@ namespace trivet::test {
 
 /// A straight bar along z, Bernoulli bending, order (u_N, θ_N, u_K, θ_K), in any consistent units.
 struct Bar {
-  double length = 120, axial = 210e3 * 200, torsion = 80e3 * 4577, bending_about_x = 210e3 * 1666.6666666666667, bending_about_y = 210e3 * 6666.6666666666667;
+  double length = 120, axial = 210e3 * 200, torsion = 80e3 * 4577, bending_about_x = 210e3 * 1666.6666666666667,
+         bending_about_y = 210e3 * 6666.6666666666667;
 };
 /// The bar of tests/data/matrices/make_numpy_files.py, in mm and N.
 [[nodiscard]] inline Eigen::Matrix<double, 12, 12> bernoulli(const Bar& bar = {}) {
@@ -26,7 +27,8 @@ struct Bar {
     two(u, 12 * stiffness / (l * l * l));
     for (const int end : {0, 6}) {
       k(turn + end, turn + end) = 4 * stiffness / l;
-      for (const int other : {0, 6}) k(u + other, turn + end) = k(turn + end, u + other) = (other == 0 ? 1 : -1) * sign * 6 * stiffness / (l * l);
+      for (const int other : {0, 6})
+        k(u + other, turn + end) = k(turn + end, u + other) = (other == 0 ? 1 : -1) * sign * 6 * stiffness / (l * l);
     }
     k(turn, turn + 6) = k(turn + 6, turn) = 2 * stiffness / l;
   };

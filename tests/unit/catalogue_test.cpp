@@ -18,10 +18,12 @@ using testing::HasSubstr;
 const std::string head = "catalogue = 1\n[mounts.\"M 20\"]\nmaker = \"Acme\"\n";
 
 TEST(Catalogue, IsReadWithUnits) {
-  const auto read = catalogue_from_text(head +
-                                            "translation = [\"60 N/mm\", \"60 N/mm\", 350e3]\nrotation = [10, 10, \"8 N m/rad\"]\nloss_factor = \"8 %\"\n"
-                                            "static_load = [\"0 N\", \"0.8 kN\"]\nstatic_deflection_limit = \"2.5 mm\"\nmass = \"120 g\"\nprice = \"12.50 EUR\"\nsource = \"sheet 7\"\n",
-                                        "c.toml");
+  const auto read =
+      catalogue_from_text(head +
+                              "translation = [\"60 N/mm\", \"60 N/mm\", 350e3]\nrotation = [10, 10, \"8 N m/rad\"]\nloss_factor = \"8 %\"\n"
+                              "static_load = [\"0 N\", \"0.8 kN\"]\nstatic_deflection_limit = \"2.5 mm\"\nmass = \"120 g\"\nprice = "
+                              "\"12.50 EUR\"\nsource = \"sheet 7\"\n",
+                          "c.toml");
   ASSERT_TRUE(read) << complaint(read);
   const study::Mount* mount = read->find("M 20");
   ASSERT_NE(mount, nullptr);
@@ -64,11 +66,13 @@ TEST(Catalogue, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said(head + good + "static_load = [5]\n"), HasSubstr("static_load: 1 numbers"));
   EXPECT_THAT(said(head + good + "static_deflection_limit = 0\n"), HasSubstr("it must be > 0"));
   EXPECT_THAT(said(head + good + "mass = -1\n"), HasSubstr("mass: -1 kg"));
-  EXPECT_THAT(complaint(study::read_catalogue("/no/such/catalogue.toml")), HasSubstr("o such file or directory; the catalogue must be a readable text file"));
+  EXPECT_THAT(complaint(study::read_catalogue("/no/such/catalogue.toml")),
+              HasSubstr("o such file or directory; the catalogue must be a readable text file"));
 }
 
 TEST(Catalogue, WarnsOfWhatDoesNotFitTogether) {
-  const auto read = catalogue_from_text(head + "translation = [1, 1, 1000]\nloss_factor = 8\nstatic_load = [0, 100]\nstatic_deflection_limit = \"2 mm\"\n", "c.toml");
+  const auto read = catalogue_from_text(
+      head + "translation = [1, 1, 1000]\nloss_factor = 8\nstatic_load = [0, 100]\nstatic_deflection_limit = \"2 mm\"\n", "c.toml");
   ASSERT_TRUE(read) << complaint(read);
   ASSERT_EQ(read->warnings.list().size(), 2u);
   EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("c.toml:5: warning: mounts.M 20.loss_factor: 8;"));
@@ -76,7 +80,8 @@ TEST(Catalogue, WarnsOfWhatDoesNotFitTogether) {
 }
 
 TEST(Catalogue, ProposesTheNearestName) {
-  const std::vector<study::Catalogue> catalogues{study::generic_catalogue(), *catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml")};
+  const std::vector<study::Catalogue> catalogues{study::generic_catalogue(),
+                                                 *catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml")};
   EXPECT_EQ(study::mount_named("M 20", catalogues)->maker, "Acme");
   EXPECT_THAT(complaint(study::mount_named("disc 50x25 55 Sha", catalogues)), HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
   EXPECT_THAT(complaint(study::mount_named("air spring", catalogues)), HasSubstr("look into the catalogue"));

@@ -65,7 +65,11 @@ TEST(EndStiffness, ByRowsIsThatByLabels) {
 TEST(EndStiffness, InSiPassesTheChecksOfAnElement) {
   const auto ends = exchange::reduce_to_ends(chain(), exchange::NodeEnd{11}, exchange::NodeEnd{15});
   const auto si = exchange::in_si(ends->values, 0.001, 1);
-  Bar bar{.length = 0.12, .axial = 210e9 * 200e-6, .torsion = 80e9 * 4577e-12, .bending_about_x = 210e9 * 1666.6666666666667e-12, .bending_about_y = 210e9 * 6666.6666666666667e-12};
+  Bar bar{.length = 0.12,
+          .axial = 210e9 * 200e-6,
+          .torsion = 80e9 * 4577e-12,
+          .bending_about_x = 210e9 * 1666.6666666666667e-12,
+          .bending_about_y = 210e9 * 6666.6666666666667e-12};
   EXPECT_THAT(si, NearInUnits(bernoulli(bar), entry_scale(bernoulli(bar)), condensed_round_off));
   const auto verdict = elements::examine(si, elements::rigid_motions({0, 0, 0.12}, Eigen::Matrix3d::Identity()));
   EXPECT_LT(verdict.rigid_residual, elements::silent_residual);
@@ -134,8 +138,10 @@ TEST(EndStiffness, SaysWhichEndIsMissing) {
   EXPECT_THAT(complaint(exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15})),
               HasSubstr("end N: node 11: components 1, 2, 3, 5, 6; component 4 of it is needed"));
   matrix.labels.clear();
-  EXPECT_THAT(complaint(exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15})), HasSubstr("the file names no nodes"));
-  EXPECT_THAT(complaint(exchange::reduce_to_ends(chain(), exchange::RigidEnd{}, exchange::RigidEnd{{0, 0, 0}, {{15, {0, 0, 0}}}})), HasSubstr("end N: no nodes"));
+  EXPECT_THAT(complaint(exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15})),
+              HasSubstr("the file names no nodes"));
+  EXPECT_THAT(complaint(exchange::reduce_to_ends(chain(), exchange::RigidEnd{}, exchange::RigidEnd{{0, 0, 0}, {{15, {0, 0, 0}}}})),
+              HasSubstr("end N: no nodes"));
 }
 
 TEST(EndStiffness, RefusesRowsOutsideTheMatrix) {

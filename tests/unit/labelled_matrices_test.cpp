@@ -55,7 +55,8 @@ TEST(NastranDmig, KeepsTheImaginaryPart) {
 TEST(NastranDmig, IsTheSameInFreeFieldLargeFieldWithContinuationsAndTabs) {
   const char* texts[] = {
       // free field, an entry of each triangle, other cards and comments around it
-      "SOL 103\nBEGIN BULK\nGRID,7,,0.,0.,0.\n$ comment\nDMIG,K,0,6,2\nDMIG,K,7,1,,7,1,3.0,,+A\n+A,9,1,-2.0\nDMIG,K,9,1,,9,1,5.+0\nENDDATA\nDMIG,K,9,1,,9,1,5.\n",
+      "SOL 103\nBEGIN BULK\nGRID,7,,0.,0.,0.\n$ "
+      "comment\nDMIG,K,0,6,2\nDMIG,K,7,1,,7,1,3.0,,+A\n+A,9,1,-2.0\nDMIG,K,9,1,,9,1,5.+0\nENDDATA\nDMIG,K,9,1,,9,1,5.\n",
       // small field with two entries behind a continuation, lower case name
       "DMIG    k              0       6       1\n"
       "DMIG    k              7       1               7       1     3.0        +A\n"
@@ -90,7 +91,9 @@ TEST(NastranDmig, TakesAmplitudeAndPhaseInDegrees) {
 }
 
 TEST(NastranDmig, SaysWhatIsWrongAndWhere) {
-  const auto said = [](const std::string& text, const std::string& name = "") { return complaint(exchange::read_nastran_dmig(text, "f", name)); };
+  const auto said = [](const std::string& text, const std::string& name = "") {
+    return complaint(exchange::read_nastran_dmig(text, "f", name));
+  };
   const std::string head = "DMIG,K,0,6,2\n";
   EXPECT_THAT(said(""), HasSubstr("DMIG: no such card"));
   EXPECT_THAT(said("DMIG,K,0,9,2,,,,4\n"), HasSubstr("f:1: error: IFO: \"9\""));
@@ -126,7 +129,9 @@ TEST(Substructure, OfCalculixIsReadWithItsNodes) {
 const RigidEnd bottom{{0, 0, 0}, {{1, {-5, -5, 0}}, {2, {5, -5, 0}}, {3, {-5, 5, 0}}, {4, {5, 5, 0}}}};
 const RigidEnd top{{0, 0, 60}, {{17, {-5, -5, 60}}, {18, {5, -5, 60}}, {19, {-5, 5, 60}}, {20, {5, 5, 60}}}};
 
-elements::MatrixVerdict verdict(const exchange::Matrix12& matrix) { return elements::examine(matrix, elements::rigid_motions({0, 0, 60}, Eigen::Matrix3d::Identity())); }
+elements::MatrixVerdict verdict(const exchange::Matrix12& matrix) {
+  return elements::examine(matrix, elements::rigid_motions({0, 0, 60}, Eigen::Matrix3d::Identity()));
+}
 
 TEST(MatrixStorage, OfCalculixCondensedOntoItsPlatesResistsNoRigidMotion) {
   const auto matrix = exchange::read_matrix_file(folder + "block_storage.sti");
@@ -172,7 +177,8 @@ TEST(Substructure, ListsComponentsOnceForAllNodesThatFollow) {
 }
 
 TEST(Substructure, IsReadUnsymmetricAndWithoutNamesOfNodes) {
-  const auto matrix = exchange::read_abaqus_matrix("*USER ELEMENT, NODES=2, LINEAR, UNSYMM\n3\n*MATRIX,TYPE=STIFFNESS\n1., 2.\n3., 4.\n", "f");
+  const auto matrix =
+      exchange::read_abaqus_matrix("*USER ELEMENT, NODES=2, LINEAR, UNSYMM\n3\n*MATRIX,TYPE=STIFFNESS\n1., 2.\n3., 4.\n", "f");
   ASSERT_TRUE(matrix) << complaint(matrix);
   EXPECT_EQ(matrix->values, (Eigen::MatrixXd(2, 2) << 1, 2, 3, 4).finished());
   EXPECT_EQ(matrix->labels, (std::vector<Label>{{1, 3}, {2, 3}}));
@@ -189,7 +195,9 @@ TEST(MatrixInput, OfAbaqusIsReadFromOneTriangleOrBoth) {
 }
 
 TEST(AbaqusMatrix, SaysWhatIsWrongAndWhere) {
-  const auto said = [](const std::string& text, const std::string& type = "stiffness") { return complaint(exchange::read_abaqus_matrix(text, "f", type)); };
+  const auto said = [](const std::string& text, const std::string& type = "stiffness") {
+    return complaint(exchange::read_abaqus_matrix(text, "f", type));
+  };
   EXPECT_THAT(said(""), HasSubstr("size: 0 × 0"));
   EXPECT_THAT(said("1 1 5.0\n"), HasSubstr("f:1: error: entry: \"1 1 5.0\""));
   EXPECT_THAT(said("1,11,1,11,5.0\n"), HasSubstr("f:1: error: component: 11"));
@@ -211,19 +219,23 @@ TEST(AbaqusMatrix, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(MatrixStorage, SaysWhatIsWrongAndWhere) {
-  const auto said = [](const char* entries, const char* rows) { return complaint(exchange::read_matrix_storage(entries, "k.sti", rows, "k.dof")); };
+  const auto said = [](const char* entries, const char* rows) {
+    return complaint(exchange::read_matrix_storage(entries, "k.sti", rows, "k.dof"));
+  };
   EXPECT_EQ(said("1 1 2.\n1 2 -2.\n2 2 2.\n", "1.1\n2.1\n"), "none");
   EXPECT_THAT(said("1 1 2.\n", ""), HasSubstr("k.dof: error: size: 0 × 0"));
   EXPECT_THAT(said("1 1 2.\n", "1.7\n"), HasSubstr("k.dof:1: error: row: \"1.7\""));
   EXPECT_THAT(said("1 1 2.\n", "one\n"), HasSubstr("k.dof:1: error: row: \"one\""));
   EXPECT_THAT(said("1 1 2.\n", "1.1\n1.1\n"), HasSubstr("named twice"));
-  EXPECT_THAT(said("1 3 2.\n", "1.1\n2.1\n"), HasSubstr("k.sti:1: error: entry: row 1, column 3; k.dof has 2 rows; do the two files belong together?"));
+  EXPECT_THAT(said("1 3 2.\n", "1.1\n2.1\n"),
+              HasSubstr("k.sti:1: error: entry: row 1, column 3; k.dof has 2 rows; do the two files belong together?"));
   EXPECT_THAT(said("1 1\n", "1.1\n"), HasSubstr("k.sti:1: error: entry"));
   EXPECT_THAT(said("", "1.1\n"), HasSubstr("k.sti: error: entries: none"));
 }
 
 TEST(MatrixFile, NeedsAFormatThatIsKnown) {
-  EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "README.md")), HasSubstr("the name of the file does not tell it; these are read: matrix_market, numpy"));
+  EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "README.md")),
+              HasSubstr("the name of the file does not tell it; these are read: matrix_market, numpy"));
   EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "beam.npy", {"ansys", ""})), HasSubstr("format: \"ansys\""));
 }
 

@@ -23,7 +23,8 @@ constexpr double printed = 1e-15;
 
 std::string kept(const std::string& name) { return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name); }
 
-void expect_bar(const foundation::Expected<NamedMatrix>& read, double tolerance, const Eigen::MatrixXd& added = Eigen::MatrixXd::Zero(12, 12)) {
+void expect_bar(const foundation::Expected<NamedMatrix>& read, double tolerance,
+                const Eigen::MatrixXd& added = Eigen::MatrixXd::Zero(12, 12)) {
   ASSERT_TRUE(read) << complaint(read);
   const Eigen::MatrixXd wanted = bernoulli() + added;
   EXPECT_THAT(read->values, NearInUnits(wanted, entry_scale(bernoulli()), tolerance));
@@ -48,14 +49,16 @@ TEST(MatrixMarket, KeepsTheImaginaryPart) {
 }
 
 TEST(MatrixMarket, TakesCommentsBlankLinesAndWindowsLineEnds) {
-  const auto read = exchange::read_matrix_market("%%MatrixMarket Matrix Coordinate Integer General\r\n% by hand\r\n\r\n2 2 2\r\n1 1 3\r\n\r\n2 2 -4\r\n", "f");
+  const auto read = exchange::read_matrix_market(
+      "%%MatrixMarket Matrix Coordinate Integer General\r\n% by hand\r\n\r\n2 2 2\r\n1 1 3\r\n\r\n2 2 -4\r\n", "f");
   ASSERT_TRUE(read) << complaint(read);
   EXPECT_EQ(read->values(0, 0), 3);
   EXPECT_EQ(read->values(1, 1), -4);
 }
 
 TEST(NumpyArray, IsReadInEveryVersionAndOrder) {
-  for (const char* name : {"beam.npy", "beam_version_2.npy", "beam_version_3.npy", "beam_complex.npy"}) expect_bar(exchange::read_numpy_array(kept(name), "f"), round_off);
+  for (const char* name : {"beam.npy", "beam_version_2.npy", "beam_version_3.npy", "beam_complex.npy"})
+    expect_bar(exchange::read_numpy_array(kept(name), "f"), round_off);
   expect_bar(exchange::read_numpy_array(kept("beam_by_columns.npy"), "f"), round_off, upper_ones());
   const auto lossy = exchange::read_numpy_array(kept("beam_complex.npy"), "f");
   const Eigen::MatrixXd wanted = 0.02 * bernoulli();
@@ -111,12 +114,16 @@ TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
     const auto read = exchange::read_matrix_market(headless ? bad.text : head + bad.text, "f");
     EXPECT_THAT(complaint(read), HasSubstr(bad.complaint)) << bad.text;
   }
-  for (const char* kind : {"coordinate pattern general", "coordinate real skew-symmetric", "array complex hermitian", "vector real general"})
-    EXPECT_THAT(complaint(exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + kind + "\n1 1 1\n1 1 1\n", "f")), HasSubstr("f:1: error: header"));
+  for (const char* kind :
+       {"coordinate pattern general", "coordinate real skew-symmetric", "array complex hermitian", "vector real general"})
+    EXPECT_THAT(complaint(exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + kind + "\n1 1 1\n1 1 1\n", "f")),
+                HasSubstr("f:1: error: header"));
   EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n2 1 5\n1 2 6\n", "f")),
               HasSubstr("its mirror image in line 3 is 5"));
-  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n", "f")), HasSubstr("the file ends in column 2 of 2"));
-  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real symmetric\n2 2\n1\n2\n3\n4\n", "f")), HasSubstr("f:6: error: entries: more than"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n", "f")),
+              HasSubstr("the file ends in column 2 of 2"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real symmetric\n2 2\n1\n2\n3\n4\n", "f")),
+              HasSubstr("f:6: error: entries: more than"));
 }
 
 /// A version 1 file with this header text and this many zero bytes behind it.
@@ -145,9 +152,11 @@ TEST(NumpyArray, SaysWhatIsWrong) {
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 2), }", 16)), HasSubstr("size: 1 × 2"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (-1, -1), }", 16)), HasSubstr("size: -1 × -1"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (999999, 999999), }", 16)), HasSubstr("at most 6000"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (5000, 5000), }", 16)), HasSubstr("16 bytes; a 5000 × 5000 matrix of this type has 200000000"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (5000, 5000), }", 16)),
+              HasSubstr("16 bytes; a 5000 × 5000 matrix of this type has 200000000"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 7)), HasSubstr("was the file cut off?"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 0) + std::string("\0\0\0\0\0\0\xf8\x7f", 8)), HasSubstr("entry (1, 1): nan"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 0) + std::string("\0\0\0\0\0\0\xf8\x7f", 8)),
+              HasSubstr("entry (1, 1): nan"));
 }
 
 TEST(CsvMatrix, SaysWhatIsWrongAndWhere) {
@@ -164,7 +173,8 @@ TEST(CsvMatrix, SaysWhatIsWrongAndWhere) {
       {"1,2\n3,1e400\n", "entry (2, 2)"},
   };
   for (const Bad& bad : cases) EXPECT_THAT(complaint(exchange::read_csv_matrix(bad.text, "f")), HasSubstr(bad.complaint)) << bad.text;
-  EXPECT_THAT(complaint(exchange::read_csv_matrix(std::string(20000, ' ') + "1" + std::string(20000, ','), "f")), HasSubstr("at most 6000"));
+  EXPECT_THAT(complaint(exchange::read_csv_matrix(std::string(20000, ' ') + "1" + std::string(20000, ','), "f")),
+              HasSubstr("at most 6000"));
 }
 
 TEST(MatrixFile, MustBeAReadableFile) {

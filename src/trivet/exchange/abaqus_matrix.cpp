@@ -8,7 +8,9 @@ namespace trivet::exchange {
 namespace {
 
 /// Numbers between commas or blanks.
-std::vector<std::string_view> fields(std::string_view line) { return line.find(',') == std::string_view::npos ? words(line) : cells(line, ','); }
+std::vector<std::string_view> fields(std::string_view line) {
+  return line.find(',') == std::string_view::npos ? words(line) : cells(line, ',');
+}
 
 std::optional<LabelledEntry> read_entry(std::string_view line, int number, FileProblems& problems) {
   auto parts = fields(line);
@@ -23,7 +25,8 @@ std::optional<LabelledEntry> read_entry(std::string_view line, int number, FileP
   }
   for (const int i : {1, 3})
     if (*place[i] < 1 || *place[i] > 6) {
-      problems.error(number, "component", std::to_string(*place[i]), "components are 1 to 6 (translations, then rotations)", "leave temperatures, pressures and warping out of the model");
+      problems.error(number, "component", std::to_string(*place[i]), "components are 1 to 6 (translations, then rotations)",
+                     "leave temperatures, pressures and warping out of the model");
       return std::nullopt;
     }
   return LabelledEntry{{*place[0], *place[1]}, {*place[2], *place[3]}, {0, 0, *value, 0, number}};

@@ -13,6 +13,7 @@ namespace trivet::exchange {
 /// – Abaqus matrix output in the form MATRIX INPUT: row node, row component, column node, column component, value.
 /// @param type  of the *MATRIX that is wanted: "stiffness", "mass", …
 /// [Abaqus Keywords Guide, *MATRIX, *MATRIX OUTPUT; CalculiX User's Manual, *SUBSTRUCTURE MATRIX OUTPUT]
-[[nodiscard]] foundation::Expected<NamedMatrix> read_abaqus_matrix(std::string_view text, const std::string& source, const std::string& type = "stiffness");
+[[nodiscard]] foundation::Expected<NamedMatrix> read_abaqus_matrix(std::string_view text, const std::string& source,
+                                                                   const std::string& type = "stiffness");
 
 }  // namespace trivet::exchange

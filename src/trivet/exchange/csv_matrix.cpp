@@ -18,7 +18,9 @@ char separator_of(std::string_view line) {
   return blank;
 }
 
-std::vector<std::string_view> cells_of(std::string_view line, char separator) { return separator == blank ? words(line) : cells(line, separator); }
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  return separator == blank ? words(line) : cells(line, separator);
+}
 
 bool is_heading(const std::vector<std::string_view>& row) {
   return std::none_of(row.begin(), row.end(), [](std::string_view cell) { return number(cell).has_value(); });
@@ -44,11 +46,13 @@ Rows read_rows(std::string_view text, FileProblems& problems) {
     if (first) separator = separator_of(lines.line());
     const auto row = cells_of(lines.line(), separator);
     if (first && is_heading(row)) {
-      problems.warning(lines.number(), "heading", in_quotes(lines.line()), "a line without a number is no row of the matrix", "start it with # to say so");
+      problems.warning(lines.number(), "heading", in_quotes(lines.line()), "a line without a number is no row of the matrix",
+                       "start it with # to say so");
       continue;
     }
     if (!rows.values.empty() && row.size() != rows.values.front().size())
-      problems.error(lines.number(), "row", fmt::format("{} numbers", row.size()), fmt::format("the row in line {} has {}", rows.lines.front(), rows.values.front().size()),
+      problems.error(lines.number(), "row", fmt::format("{} numbers", row.size()),
+                     fmt::format("the row in line {} has {}", rows.lines.front(), rows.values.front().size()),
                      "every row has as many numbers as there are rows");
     if (rows.values.size() == largest_order || row.size() > largest_order) {
       check_size(largest_order + 1, largest_order + 1, lines.number(), problems);
@@ -58,7 +62,8 @@ Rows read_rows(std::string_view text, FileProblems& problems) {
     for (std::size_t j = 0; j < row.size() && !problems.enough(); ++j) {
       const auto value = number(row[j]);
       if (!value)
-        problems.error(lines.number(), fmt::format("entry ({}, {})", rows.values.size() + 1, j + 1), in_quotes(row[j]), "every entry is a finite number", remedy(row[j], separator));
+        problems.error(lines.number(), fmt::format("entry ({}, {})", rows.values.size() + 1, j + 1), in_quotes(row[j]),
+                       "every entry is a finite number", remedy(row[j], separator));
       values.push_back(value.value_or(0));
     }
     rows.values.push_back(std::move(values));
@@ -74,7 +79,8 @@ foundation::Expected<NamedMatrix> read_csv_matrix(std::string_view text, const s
   const Rows rows = read_rows(text, problems);
   if (!problems.any()) {
     const auto columns = rows.values.empty() ? 0 : rows.values.front().size();
-    check_size(static_cast<long long>(rows.values.size()), static_cast<long long>(columns), rows.lines.empty() ? 0 : rows.lines.back(), problems);
+    check_size(static_cast<long long>(rows.values.size()), static_cast<long long>(columns), rows.lines.empty() ? 0 : rows.lines.back(),
+               problems);
   }
   if (problems.any()) return problems.refused();
   NamedMatrix matrix;

@@ -46,8 +46,8 @@ std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int
     }
   }
   if (empty > 0)
-    problems.warning("condensation", fmt::format("{} rows hold only zeros, the first one is {}", empty, row_name(matrix, first_empty)), "nothing is joined to them",
-                     "they are left out");
+    problems.warning("condensation", fmt::format("{} rows hold only zeros, the first one is {}", empty, row_name(matrix, first_empty)),
+                     "nothing is joined to them", "they are left out");
   return rows;
 }
 
@@ -57,7 +57,8 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   const Dense boundary = full(parts.retained, parts.retained);
   if (parts.condensed.empty()) return boundary;
   Dense interior = full(parts.condensed, parts.condensed);
-  const Eigen::VectorXd scale = interior.rowwise().template lpNorm<Eigen::Infinity>().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 1.0; });
+  const Eigen::VectorXd scale =
+      interior.rowwise().template lpNorm<Eigen::Infinity>().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 1.0; });
   interior = (scale.asDiagonal() * interior * scale.asDiagonal()).eval();
   const Eigen::PartialPivLU<Dense> factors(interior);
   Eigen::Index smallest_pivot = 0;
@@ -65,8 +66,8 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   const double condition = pivot > singular_below ? factors.rcond() : 0;
   const std::string weakest = row_name(matrix, parts.condensed[static_cast<std::size_t>(smallest_pivot)]);
   if (!(condition > singular_below)) {
-    problems.error("condensation", fmt::format("{} moves without any force", weakest),
-                   "what is condensed must be held by the ends", "hold or remove what hangs loose in the model, or name the ends that hold it");
+    problems.error("condensation", fmt::format("{} moves without any force", weakest), "what is condensed must be held by the ends",
+                   "hold or remove what hangs loose in the model, or name the ends that hold it");
     return std::nullopt;
   }
   if (condition < doubtful_below)
@@ -127,14 +128,16 @@ void add_end(const Rows& rows, const NodeEnd& end, const std::string& subject, s
       retained.push_back(found->second);
       continue;
     }
-    problems.error(subject, fmt::format("node {}: {}", wanted.node, components_of(rows, wanted.node)), fmt::format("component {} of it is needed", wanted.component),
+    problems.error(subject, fmt::format("node {}: {}", wanted.node, components_of(rows, wanted.node)),
+                   fmt::format("component {} of it is needed", wanted.component),
                    "retain all six components of the end, or name all nodes of its plate with their coordinates");
     return;
   }
 }
 
 /// Rows of the nodes of a plate, and their motion u = u_P + θ × r as 6 columns.
-void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject, int first_column, Partition& parts, foundation::Problems& problems) {
+void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject, int first_column, Partition& parts,
+               foundation::Problems& problems) {
   if (end.nodes.empty()) problems.error(subject, "no nodes", "a plate has at least one", "name its nodes");
   for (const RigidEnd::At& at : end.nodes) {
     const Eigen::Vector3d r = at.position - end.point;
@@ -151,8 +154,11 @@ void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject
       parts.motion.row(index).setZero();
       parts.motion.row(index).segment<6>(first_column) = motion.row(i);
     }
-    if (!found) problems.error(subject, fmt::format("node {}: no such node", at.node), "the nodes of a plate are nodes of the file", "correct its number");
-    if (!at.position.allFinite()) problems.error(subject, fmt::format("position of node {}", at.node), "it must be finite", "correct the coordinates");
+    if (!found)
+      problems.error(subject, fmt::format("node {}: no such node", at.node), "the nodes of a plate are nodes of the file",
+                     "correct its number");
+    if (!at.position.allFinite())
+      problems.error(subject, fmt::format("position of node {}", at.node), "it must be finite", "correct the coordinates");
   }
 }
 
@@ -160,7 +166,8 @@ void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject
 void check_distinct(const NamedMatrix& matrix, std::vector<int> rows, foundation::Problems& problems) {
   std::sort(rows.begin(), rows.end());
   const auto twice = std::adjacent_find(rows.begin(), rows.end());
-  if (twice != rows.end()) problems.error("ends", row_name(matrix, *twice) + " is named twice", "a component belongs to one end", "name it once");
+  if (twice != rows.end())
+    problems.error("ends", row_name(matrix, *twice) + " is named twice", "a component belongs to one end", "name it once");
 }
 
 }  // namespace
@@ -196,7 +203,8 @@ foundation::Expected<EndMatrix> reduce_to_rows(const NamedMatrix& matrix, const 
   for (const int row : wanted) {
     parts.retained.push_back(row - 1);
     if (row < 1 || row > matrix.values.rows())
-      problems.error("rows", fmt::format("row {}", row), fmt::format("rows count from 1 to {}", matrix.values.rows()), "name twelve rows: (u_N, θ_N, u_K, θ_K)");
+      problems.error("rows", fmt::format("row {}", row), fmt::format("rows count from 1 to {}", matrix.values.rows()),
+                     "name twelve rows: (u_N, θ_N, u_K, θ_K)");
   }
   if (problems.has_errors()) return tl::make_unexpected(problems);
   check_distinct(matrix, parts.retained, problems);
@@ -206,7 +214,8 @@ foundation::Expected<EndMatrix> reduce_to_rows(const NamedMatrix& matrix, const 
 
 Matrix12 in_si(const Matrix12& matrix, double length_unit, double force_unit) {
   if (!(length_unit > 0) || !std::isfinite(length_unit) || !(force_unit > 0) || !std::isfinite(force_unit))
-    throw foundation::InvalidInput(fmt::format("length unit {:.6g} m, force unit {:.6g} N: both must be > 0 and finite", length_unit, force_unit));
+    throw foundation::InvalidInput(
+        fmt::format("length unit {:.6g} m, force unit {:.6g} N: both must be > 0 and finite", length_unit, force_unit));
   Eigen::Matrix<double, 12, 1> lever = Eigen::Matrix<double, 12, 1>::Ones();
   lever.segment<3>(3).setConstant(length_unit);
   lever.segment<3>(9).setConstant(length_unit);

@@ -12,7 +12,8 @@ namespace {
 
 tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding, std::string remedy) {
   foundation::Problems problems;
-  problems.error("matrix file", std::move(finding), "it must be a readable file with a matrix in it", std::move(remedy)).origin = {path.string(), 0, 0};
+  problems.error("matrix file", std::move(finding), "it must be a readable file with a matrix in it", std::move(remedy)).origin = {
+      path.string(), 0, 0};
   return tl::make_unexpected(std::move(problems));
 }
 
@@ -21,7 +22,8 @@ tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, 
 foundation::Expected<std::string> file_bytes(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return refused(path, "no such file", "check the path; it counts from the folder of the project file");
+  if (!std::filesystem::exists(status))
+    return refused(path, "no such file", "check the path; it counts from the folder of the project file");
   if (std::filesystem::is_directory(status)) return refused(path, "this is a directory", "name the file inside it");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);

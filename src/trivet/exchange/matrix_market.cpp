@@ -17,7 +17,8 @@ struct Header {
 };
 
 std::optional<Header> read_header(Lines& lines, FileProblems& problems) {
-  const std::string rule = "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general or symmetric";
+  const std::string rule =
+      "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general or symmetric";
   if (!lines.next()) {
     problems.error(0, "header", "the file is empty", rule, "did the program that wrote it finish?");
     return std::nullopt;
@@ -27,9 +28,10 @@ std::optional<Header> read_header(Lines& lines, FileProblems& problems) {
   const auto is = [&](std::size_t i, std::initializer_list<std::string_view> allowed) {
     return i < parts.size() && std::find(allowed.begin(), allowed.end(), parts[i]) != allowed.end();
   };
-  if (parts.size() != 5 || !is(0, {"%%matrixmarket"}) || !is(1, {"matrix"}) || !is(2, {"coordinate", "array"}) || !is(3, {"real", "integer", "complex"}) ||
-      !is(4, {"general", "symmetric"})) {
-    problems.error(lines.number(), "header", in_quotes(lines.line()), rule, "write the matrix again as real or complex, general or symmetric");
+  if (parts.size() != 5 || !is(0, {"%%matrixmarket"}) || !is(1, {"matrix"}) || !is(2, {"coordinate", "array"}) ||
+      !is(3, {"real", "integer", "complex"}) || !is(4, {"general", "symmetric"})) {
+    problems.error(lines.number(), "header", in_quotes(lines.line()), rule,
+                   "write the matrix again as real or complex, general or symmetric");
     return std::nullopt;
   }
   return Header{is(2, {"coordinate"}), is(3, {"complex"}), is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
@@ -47,7 +49,8 @@ void read_coordinates(Lines& lines, const Header& header, int order, long long c
   while (!problems.enough() && next_data(lines)) {
     const auto parts = words(lines.line());
     if (static_cast<long long>(entries.size()) >= count) {
-      problems.error(lines.number(), "entries", fmt::format("more than the {} announced", count), "the size line counts the entries", "correct the size line");
+      problems.error(lines.number(), "entries", fmt::format("more than the {} announced", count), "the size line counts the entries",
+                     "correct the size line");
       return;
     }
     Entry entry{.line = lines.number()};
@@ -57,9 +60,11 @@ void read_coordinates(Lines& lines, const Header& header, int order, long long c
     const auto imaginary = parts.size() < 4 ? std::optional(0.0) : number(parts[3]);
     if (parts.size() != wanted || !row || !column || !real || !imaginary) {
       problems.error(lines.number(), "entry", in_quotes(lines.line()),
-                     header.is_complex ? "an entry is row, column, real and imaginary part" : "an entry is row, column and a finite number", "correct the line");
+                     header.is_complex ? "an entry is row, column, real and imaginary part" : "an entry is row, column and a finite number",
+                     "correct the line");
     } else if (*row < 1 || *row > order || *column < 1 || *column > order) {
-      problems.error(lines.number(), "entry", fmt::format("row {}, column {}", *row, *column), fmt::format("rows and columns count from 1 to {}", order),
+      problems.error(lines.number(), "entry", fmt::format("row {}, column {}", *row, *column),
+                     fmt::format("rows and columns count from 1 to {}", order),
                      *row == 0 || *column == 0 ? "the file seems to count from 0: add 1" : "correct the size line or the entry");
     } else {
       entry.row = *row - 1, entry.column = *column - 1, entry.real = *real, entry.imaginary = *imaginary;
@@ -67,8 +72,8 @@ void read_coordinates(Lines& lines, const Header& header, int order, long long c
     entries.push_back(entry);
   }
   if (!problems.any() && static_cast<long long>(entries.size()) < count)
-    problems.error(lines.number(), "entries", fmt::format("the file ends after {} of {}", entries.size(), count), "the size line counts the entries",
-                   "was the file cut off?");
+    problems.error(lines.number(), "entries", fmt::format("the file ends after {} of {}", entries.size(), count),
+                   "the size line counts the entries", "was the file cut off?");
 }
 
 /// Values column by column; of a symmetric matrix from the diagonal down.
@@ -77,19 +82,22 @@ void read_array(Lines& lines, const Header& header, int order, std::vector<Entry
   const std::size_t wanted = header.is_complex ? 2 : 1;
   while (!problems.enough() && next_data(lines)) {
     if (column == order) {
-      problems.error(lines.number(), "entries", fmt::format("more than a {0} × {0} matrix has", order), "the size line counts rows and columns", "correct the size line");
+      problems.error(lines.number(), "entries", fmt::format("more than a {0} × {0} matrix has", order),
+                     "the size line counts rows and columns", "correct the size line");
       return;
     }
     const auto parts = words(lines.line());
     const auto real = parts.empty() ? std::nullopt : number(parts[0]);
     const auto imaginary = parts.size() < 2 ? std::optional(0.0) : number(parts[1]);
     if (parts.size() != wanted || !real || !imaginary)
-      problems.error(lines.number(), "entry", in_quotes(lines.line()), header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number", "correct the line");
+      problems.error(lines.number(), "entry", in_quotes(lines.line()),
+                     header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number", "correct the line");
     entries.push_back({row, column, real.value_or(0), imaginary.value_or(0), lines.number()});
     if (++row == order) row = header.triangles == Triangles::one ? ++column : (++column, 0);
   }
   if (!problems.any() && column < order)
-    problems.error(lines.number(), "entries", fmt::format("the file ends in column {} of {}", column + 1, order), "every entry of an array is written", "was the file cut off?");
+    problems.error(lines.number(), "entries", fmt::format("the file ends in column {} of {}", column + 1, order),
+                   "every entry of an array is written", "was the file cut off?");
 }
 
 }  // namespace
@@ -107,7 +115,8 @@ foundation::Expected<NamedMatrix> read_matrix_market(std::string_view text, cons
   const auto count = !columns ? std::nullopt : header->coordinate ? whole_number(sizes[2]) : std::optional(0);
   if (!count || *count < 0) {
     problems.error(lines.number(), "size", sizes.empty() ? "missing" : in_quotes(lines.line()),
-                   header->coordinate ? "the size line is rows, columns, number of entries" : "the size line is rows and columns", "correct the size line");
+                   header->coordinate ? "the size line is rows, columns, number of entries" : "the size line is rows and columns",
+                   "correct the size line");
     return problems.refused();
   }
   check_size(*rows, *columns, lines.number(), problems);

@@ -23,9 +23,9 @@ struct Label {
 
 /// A square matrix and what its rows (and columns) are.
 struct NamedMatrix {
-  Eigen::MatrixXd values;          ///< real part
-  Eigen::MatrixXd imaginary;       ///< empty if the file is real
-  std::vector<Label> labels;       ///< one a row; empty if the format has none
+  Eigen::MatrixXd values;     ///< real part
+  Eigen::MatrixXd imaginary;  ///< empty if the file is real
+  std::vector<Label> labels;  ///< one a row; empty if the format has none
   foundation::Problems warnings;
 };
 

@@ -12,6 +12,7 @@ namespace trivet::exchange {
 /// square (IFO 1) and symmetric (6). Rows are sorted by grid point and component; a scalar point has component 0.
 /// @param name  of the matrix, "KAAX" for instance; may be empty if the file has only one
 /// [MSC Nastran Quick Reference Guide, DMIG]
-[[nodiscard]] foundation::Expected<NamedMatrix> read_nastran_dmig(std::string_view text, const std::string& source, const std::string& name = "");
+[[nodiscard]] foundation::Expected<NamedMatrix> read_nastran_dmig(std::string_view text, const std::string& source,
+                                                                  const std::string& name = "");
 
 }  // namespace trivet::exchange

@@ -19,7 +19,8 @@ class UserElement {
     line_ = number;
     const std::string_view text = trimmed(line);
     if (text.empty()) return;
-    if (text.starts_with("**")) take_comment(trimmed(text.substr(text.find_first_not_of('*') == std::string_view::npos ? text.size() : text.find_first_not_of('*'))));
+    if (text.starts_with("**"))
+      take_comment(trimmed(text.substr(text.find_first_not_of('*') == std::string_view::npos ? text.size() : text.find_first_not_of('*'))));
     else if (text.starts_with('*')) take_keyword(lower(text));
     else if (section_ == Section::components) take_components(text);
     else if (section_ == Section::values) take_values(text);
@@ -35,7 +36,8 @@ class UserElement {
     if (static_cast<long long>(values_.size()) != wanted) {
       std::string others;
       for (const std::string& type : types_) others += (others.empty() ? "the file has " : ", ") + type;
-      problems_.error(line_, "*MATRIX, TYPE=" + wanted_, fmt::format("{} numbers", values_.size()), fmt::format("{} components ask for {}", order, wanted),
+      problems_.error(line_, "*MATRIX, TYPE=" + wanted_, fmt::format("{} numbers", values_.size()),
+                      fmt::format("{} components ask for {}", order, wanted),
                       values_.empty() ? (others.empty() ? "ask for the matrix in the output request" : others) : "was the file cut off?");
       return std::nullopt;
     }
@@ -49,7 +51,8 @@ class UserElement {
       }
     result.labels = labels;
     if (nodes_.empty())
-      problems_.warning(0, "nodes", "the file does not list them", "a comment ** ELEMENT NODES names them", "they are called 1, 2, … in their order");
+      problems_.warning(0, "nodes", "the file does not list them", "a comment ** ELEMENT NODES names them",
+                        "they are called 1, 2, … in their order");
     result.warnings = problems_.all();
     return result;
   }
@@ -59,7 +62,8 @@ class UserElement {
 
   void take_comment(std::string_view text) {
     const auto parts = cells(text, ',');
-    const bool all_numbers = !parts.empty() && std::all_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty() || whole_number(p); });
+    const bool all_numbers =
+        !parts.empty() && std::all_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty() || whole_number(p); });
     if (listing_nodes_ && all_numbers) {
       for (const std::string_view part : parts)
         if (!part.empty()) nodes_.push_back(*whole_number(part));
@@ -78,7 +82,8 @@ class UserElement {
         if (part.starts_with("nodes")) count_ = whole_number(trimmed(part.substr(std::min(part.size(), part.find('=') + 1)))).value_or(0);
         if (part == "unsymm") unsymmetric_ = true;
       }
-      if (elements_++ > 0) problems_.error(line_, "*USER ELEMENT", "a second one", "one element is read from a file", "put each into a file of its own");
+      if (elements_++ > 0)
+        problems_.error(line_, "*USER ELEMENT", "a second one", "one element is read from a file", "put each into a file of its own");
     } else if (parts.front() == "*matrix") {
       for (const std::string_view part : parts) {
         if (!part.starts_with("type")) continue;
@@ -101,9 +106,9 @@ class UserElement {
     const bool known = std::all_of(numbers.begin(), numbers.end(), [](int c) { return c >= 1 && c <= 6; });
     const bool rises = lists_.empty() || place > lists_.back().place;
     if (numbers.empty() || numbers.size() > 6 || !known || !rises)
-      problems_.error(line_, "components", in_quotes(text), "a line lists components 1 to 6, behind the place of a node that rises from line to line", "correct the line");
-    else
-      lists_.push_back({place, numbers});
+      problems_.error(line_, "components", in_quotes(text),
+                      "a line lists components 1 to 6, behind the place of a node that rises from line to line", "correct the line");
+    else lists_.push_back({place, numbers});
   }
 
   void take_values(std::string_view text) {
@@ -118,15 +123,17 @@ class UserElement {
   std::vector<Label> rows() {
     std::vector<Label> labels;
     if (count_ < 1 || count_ > largest_order || lists_.empty()) {
-      problems_.error(line_, "*USER ELEMENT", fmt::format("NODES={}, {} lists of components", count_, lists_.size()), fmt::format("it has 1 to {} nodes and a list of components", largest_order),
-                      "was the file cut off?");
+      problems_.error(line_, "*USER ELEMENT", fmt::format("NODES={}, {} lists of components", count_, lists_.size()),
+                      fmt::format("it has 1 to {} nodes and a list of components", largest_order), "was the file cut off?");
     } else if (!nodes_.empty() && static_cast<int>(nodes_.size()) != count_) {
-      problems_.error(line_, "nodes", fmt::format("{} in the comment", nodes_.size()), fmt::format("NODES={}", count_), "correct the list of nodes");
+      problems_.error(line_, "nodes", fmt::format("{} in the comment", nodes_.size()), fmt::format("NODES={}", count_),
+                      "correct the list of nodes");
     } else {
       std::size_t list = 0;
       for (int place = 1; place <= count_; ++place) {
         if (list + 1 < lists_.size() && lists_[list + 1].place == place) ++list;
-        for (const int component : lists_[list].components) labels.push_back({nodes_.empty() ? place : nodes_[static_cast<std::size_t>(place - 1)], component});
+        for (const int component : lists_[list].components)
+          labels.push_back({nodes_.empty() ? place : nodes_[static_cast<std::size_t>(place - 1)], component});
       }
     }
     return labels;

@@ -45,15 +45,18 @@ std::optional<Eigen::Vector2d> load_range(TableReader& reader) {
 /// What is possible, but does not fit together.
 void warn_of_slips(const Mount& mount, TableReader& reader) {
   const auto warn = [&](const std::string& key, std::string finding, std::string rule, std::string remedy) {
-    reader.problems().warning(reader.path() + "." + key, std::move(finding), std::move(rule), std::move(remedy)).origin = reader.node(key)->origin;
+    reader.problems().warning(reader.path() + "." + key, std::move(finding), std::move(rule), std::move(remedy)).origin =
+        reader.node(key)->origin;
   };
   if (mount.loss_factor.value_or(0) > 1)
-    warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal lie below 1", fmt::format("write \"{:.6g} %\" if percent are meant", *mount.loss_factor));
+    warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal lie below 1",
+         fmt::format("write \"{:.6g} %\" if percent are meant", *mount.loss_factor));
   if (!mount.static_load || !mount.static_deflection_limit || mount.translation.z() == 0) return;
   const double deflection = mount.static_load->y() / mount.translation.z();
   if (deflection > (1 + data_sheet_rounding) * *mount.static_deflection_limit)
     warn("static_load", fmt::format("the highest load deflects the mount by {:.4g} m", deflection),
-         fmt::format("its limit is {:.4g} m", *mount.static_deflection_limit), "check the units; a mount that stiffens is stiffer at this load than given here");
+         fmt::format("its limit is {:.4g} m", *mount.static_deflection_limit),
+         "check the units; a mount that stiffens is stiffer at this load than given here");
 }
 
 Mount read_mount(const Node& table, const std::string& name, const std::string& source, foundation::Problems& problems) {
@@ -62,14 +65,16 @@ Mount read_mount(const Node& table, const std::string& name, const std::string& 
   mount.name = name;
   mount.origin = table.origin;
   mount.maker = reader.required_text("maker");
-  if (!reader.has("translation")) reader.missing("translation", "give three constants along x, y, z: translation = [\"60 N/mm\", \"60 N/mm\", \"350 N/mm\"]");
+  if (!reader.has("translation"))
+    reader.missing("translation", "give three constants along x, y, z: translation = [\"60 N/mm\", \"60 N/mm\", \"350 N/mm\"]");
   mount.translation = stiffness(reader, "translation", Quantity::force_per_length);
   mount.rotation = stiffness(reader, "rotation", Quantity::moment_per_angle);
   mount.loss_factor = at_least_zero(reader, "loss_factor", Quantity::pure);
   mount.static_load = load_range(reader);
   mount.static_deflection_limit = reader.number("static_deflection_limit", Quantity::length);
   if (mount.static_deflection_limit && !(*mount.static_deflection_limit > 0))
-    reader.error("static_deflection_limit", fmt::format("{:.6g} m", *mount.static_deflection_limit), "it must be > 0", "leave it out if there is none");
+    reader.error("static_deflection_limit", fmt::format("{:.6g} m", *mount.static_deflection_limit), "it must be > 0",
+                 "leave it out if there is none");
   mount.mass = at_least_zero(reader, "mass", Quantity::mass);
   mount.price = reader.text("price").value_or("");
   mount.source = reader.text("source").value_or(source);
@@ -83,16 +88,20 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
   const Node* table = root.table("mounts");
   if (!table) return;
   if (table->keys.empty()) root.error("mounts", "no mount", "a catalogue has at least one", "write [mounts.\"NAME\"] and its data below");
-  if (table->keys.size() > most_mounts) root.error("mounts", fmt::format("{} mounts", table->keys.size()), fmt::format("a catalogue holds at most {}", most_mounts), "split it");
+  if (table->keys.size() > most_mounts)
+    root.error("mounts", fmt::format("{} mounts", table->keys.size()), fmt::format("a catalogue holds at most {}", most_mounts),
+               "split it");
   for (std::size_t i = 0; i < table->keys.size() && i < most_mounts; ++i) {
     const std::string& name = table->keys[i];
-    const bool good_name = !name.empty() && name.size() <= longest_name && std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    const bool good_name = !name.empty() && name.size() <= longest_name &&
+                           std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (!good_name || table->items[i].kind != Node::Kind::table)
-      root.problems().error("mounts." + name.substr(0, longest_name), good_name ? words(table->items[i].kind) : "not a name",
-                            fmt::format("a mount is a table with a name of at most {} signs on one line", longest_name), "write [mounts.\"NAME\"] and its data below")
+      root.problems()
+          .error("mounts." + name.substr(0, longest_name), good_name ? words(table->items[i].kind) : "not a name",
+                 fmt::format("a mount is a table with a name of at most {} signs on one line", longest_name),
+                 "write [mounts.\"NAME\"] and its data below")
           .origin = table->items[i].origin;
-    else
-      catalogue.mounts.push_back(read_mount(table->items[i], name, source, root.problems()));
+    else catalogue.mounts.push_back(read_mount(table->items[i], name, source, root.problems()));
   }
 }
 
@@ -112,7 +121,8 @@ foundation::Expected<Catalogue> catalogue_from_text(const std::string& text, con
   if (!root.has("catalogue")) root.missing("catalogue", "start the file with catalogue = 1");
   const auto version = root.number("catalogue", Quantity::pure);
   if (version && *version != 1)
-    root.error("catalogue", fmt::format("format {:.6g}", *version), "this program reads format 1", "write catalogue = 1, or use a newer program");
+    root.error("catalogue", fmt::format("format {:.6g}", *version), "this program reads format 1",
+               "write catalogue = 1, or use a newer program");
   catalogue.title = root.text("title").value_or("");
   read_mounts(root, root.text("source").value_or(""), catalogue);
   root.finish();

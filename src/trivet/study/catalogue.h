@@ -18,12 +18,12 @@ struct Mount {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< static stiffness [N/m] between the ends, at the middle
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();     ///< [N m/rad], about the middle
   std::optional<double> loss_factor;
-  std::optional<Eigen::Vector2d> static_load;      ///< lowest and highest compression along e3 [N]
-  std::optional<double> static_deflection_limit;   ///< along e3 [m]
-  std::optional<double> mass;                      ///< [kg]
-  std::string price;                               ///< as the maker words it
-  std::string source;                              ///< where the numbers come from
-  foundation::Origin origin;                       ///< its place in the catalogue
+  std::optional<Eigen::Vector2d> static_load;     ///< lowest and highest compression along e3 [N]
+  std::optional<double> static_deflection_limit;  ///< along e3 [m]
+  std::optional<double> mass;                     ///< [kg]
+  std::string price;                              ///< as the maker words it
+  std::string source;                             ///< where the numbers come from
+  foundation::Origin origin;                      ///< its place in the catalogue
 };
 
 /// A TOML file of mounts, read and checked.
