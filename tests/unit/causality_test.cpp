@@ -9,7 +9,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/viscoelastic.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/identification/nonnegative_least_squares.h"
+#include "trivet/numerics/nonnegative_least_squares.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ TEST(NonnegativeLeastSquares, MeetsItsOptimalityConditions) {
     Eigen::VectorXd b(30);
     for (double& value : a.reshaped()) value = normal(random);
     for (double& value : b) value = normal(random);
-    const Eigen::VectorXd x = nonnegative_least_squares(a, b), downhill = a.transpose() * (b - a * x);
+    const Eigen::VectorXd x = numerics::nonnegative_least_squares(a, b), downhill = a.transpose() * (b - a * x);
     for (int j = 0; j < 12; ++j) {
       EXPECT_GE(x(j), 0);
       EXPECT_LE(downhill(j), 1e-10);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/massless.h"
@@ -102,6 +103,7 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
     scatter(map, map.matrices.stiffness, map.matrices.loss_factor, m.K_loss);
     lossy = lossy || map.matrices.loss_factor > 0;
   }
+  m.K += geometric_stiffness(system, assembled.layout).topLeftCorner(n, n);
   if (m.symmetric)
     for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K, &m.K_loss}) make_exactly_symmetric(*matrix);
   if (!lossy) m.K_loss.resize(0, 0);

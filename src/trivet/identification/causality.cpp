@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/identification/nonnegative_least_squares.h"
+#include "trivet/numerics/nonnegative_least_squares.h"
 
 namespace trivet::identification {
 namespace {
@@ -49,7 +49,7 @@ PassiveStiffness nearest_passive(const DynamicStiffnessTable& table, bool with_m
   Eigen::VectorXd b(2 * rows);
   b << wanted.real(), wanted.imag();
   const Eigen::VectorXd size = a.colwise().norm();
-  const Eigen::VectorXd constants = nonnegative_least_squares(a * size.cwiseInverse().asDiagonal(), b).cwiseQuotient(size);
+  const Eigen::VectorXd constants = numerics::nonnegative_least_squares(a * size.cwiseInverse().asDiagonal(), b).cwiseQuotient(size);
 
   PassiveStiffness passive{constants(0), constants(1), with_mass ? constants(constants.size() - 1) : 0, {}, {}};
   std::vector<Eigen::Index> kept;

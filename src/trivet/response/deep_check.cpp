@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
 #include "trivet/numerics/frequency_sweep.h"
 #include "trivet/numerics/refined_solution.h"
@@ -83,6 +84,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
       for (int j = 0; j < 6; ++j)
         if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
   }
+  stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<Complex>();
   const Eigen::MatrixXcd fast = fast_solutions(assembled, load, angular_frequency);
   const ExtendedMatrix scale = d.cast<Complex>().asDiagonal();
   const ExtendedVector h = scale * load.head(n).cast<Complex>();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/study/part_readers.h"
+#include "trivet/study/solids_reader.h"
 
 namespace trivet::study {
 namespace {
@@ -56,14 +57,22 @@ model::Body read_body(const Node& node, const std::string& name, Mentioned& ment
   model::Body body;
   body.name = name;
   body.allow_unphysical = reader.boolean("allow_unphysical").value_or(false);
-  body.mass.mass = reader.required_number("mass", Quantity::mass);
-  body.mass.centre = reader.vector("center_of_mass", Quantity::length).value_or(Eigen::Vector3d::Zero());
-  body.has_inertia = read_inertia(reader, body.mass);
+  if (reader.has("solids")) {
+    for (const char* key : {"mass", "center_of_mass", "inertia"}) {
+      if (reader.has(key)) reader.error(key, std::string(key) + " beside solids", "the solids give mass, centre and inertia", "remove it, or remove solids");
+      static_cast<void>(reader.node(key));
+    }
+    static_cast<void>(read_solids(reader, body));
+  } else {
+    body.mass.mass = reader.required_number("mass", Quantity::mass);
+    body.mass.centre = reader.vector("center_of_mass", Quantity::length).value_or(Eigen::Vector3d::Zero());
+    body.has_inertia = read_inertia(reader, body.mass);
+  }
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
   read_points(reader, body, mentioned);
   read_free(reader, body);
-  if (!reader.has("inertia") && (body.free[3] || body.free[4] || body.free[5]))
+  if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia", "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
   for (std::size_t j = 0; j < 6; ++j)
     if (!body.free[j]) mentioned.guided.push_back(name + "." + model::coordinate_names[j]);

@@ -69,7 +69,7 @@ void add_facts(const StiffnessFit& fit, std::size_t cases, double confidence, mo
     if (std::isfinite(fit.noise(j))) noise += fmt::format("{}{} {:.3g} {}", noise.empty() ? "" : ", ", identification::channel_words(j), fit.noise(j), j % 6 < 3 ? "N" : "N m");
   element.facts.push_back({"noise (standard deviation)", noise});
   element.facts.push_back({"outliers", fit.outliers.empty() ? "none" : fmt::format("{}", fit.outliers.size())});
-  if (fit.semidefinite) element.facts.push_back({"nearest semidefinite matrix", fmt::format("taken as asked, {:.3g} % away", 100 * fit->semidefinite->distance)});
+  if (fit.semidefinite) element.facts.push_back({"nearest semidefinite matrix", fmt::format("taken as asked, {:.3g} % away", 100 * fit.semidefinite->distance)});
   element.evidence = model::Evidence{fit.half_width, fmt::format("{:.4g} % confidence", 100 * confidence), {}};
 }
 

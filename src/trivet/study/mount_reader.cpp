@@ -7,6 +7,8 @@
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/preload.h"
 #include "trivet/fem/step_mesh.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/element_cache.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/material_reader.h"

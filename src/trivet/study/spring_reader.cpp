@@ -9,7 +9,7 @@
 #include "trivet/elements/coil_preload.h"
 #include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/coil_spring.h"
-#include "trivet/elements/wire_stress.h"
+#include "trivet/elements/coil_stress.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/material_reader.h"

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/solids_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/solids/rigid_solid.h"
+#include "trivet/study/element_parts.h"
+
+namespace trivet::study {
+namespace {
+
+using solids::Part;
+
+constexpr const char* shapes_known =
+    "a solid is one of {box = [x, y, z]}, {cylinder = [diameter, length]}, {tube = [outer, inner, length]}, {sphere = diameter}, {cone = [start, end, length]}, "
+    "{file = \"….step\"}, {file = \"….stl\", unit = \"1 mm\"}";
+
+/// Lengths behind a key, exactly so many.
+std::optional<std::vector<double>> lengths(TableReader& reader, const char* key, std::size_t count) {
+  auto numbers = reader.numbers(key, Quantity::length);
+  if (numbers && numbers->size() != count) {
+    reader.error(key, fmt::format("{} lengths", numbers->size()), fmt::format("{} are wanted", count), shapes_known);
+    return std::nullopt;
+  }
+  return numbers;
+}
+
+void read_file(TableReader& reader, Part& part) {
+  const auto file = read_file_name(reader, "file");
+  std::string ending = file ? file->extension().string() : "";
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".stl") {
+    if (!reader.has("unit")) reader.missing("unit", "an STL file does not say its unit: unit = \"1 mm\"");
+    part.shape = solids::StlSolid{*file, reader.number("unit", Quantity::length).value_or(1)};
+  } else if (file) {
+    solids::StepSolid step{*file, {}};
+    if (const auto chosen = reader.numbers("solids", Quantity::pure))
+      for (const double number : *chosen) step.solids.push_back(static_cast<int>(number));
+    part.shape = step;
+  }
+  static_cast<void>(reader.node("solids"));
+}
+
+Part read_part(TableReader& reader, const std::string& name) {
+  Part part;
+  part.name = name;
+  part.density = reader.required_number("density", Quantity::density);
+  part.pose.position = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
+  part.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
+  int shapes = 0;
+  for (const char* key : {"box", "cylinder", "tube", "sphere", "cone", "file"}) shapes += reader.has(key) ? 1 : 0;
+  if (shapes != 1) reader.error("density", shapes == 0 ? "no shape" : fmt::format("{} shapes", shapes), shapes_known, "give exactly one").subject = reader.path();
+  if (const auto l = lengths(reader, "box", 3)) part.shape = solids::Box{(*l)[0], (*l)[1], (*l)[2]};
+  if (const auto l = lengths(reader, "cylinder", 2)) part.shape = solids::Cylinder{(*l)[0], (*l)[1]};
+  if (const auto l = lengths(reader, "tube", 3)) part.shape = solids::Tube{(*l)[0], (*l)[1], (*l)[2]};
+  if (const auto d = reader.number("sphere", Quantity::length)) part.shape = solids::Sphere{*d};
+  if (const auto l = lengths(reader, "cone", 3)) part.shape = solids::Cone{(*l)[0], (*l)[1], (*l)[2]};
+  if (reader.has("file")) read_file(reader, part);
+  reader.finish();
+  return part;
+}
+
+}  // namespace
+
+bool read_solids(TableReader& body, model::Body& result) {
+  const Node* list = body.node("solids");
+  if (list->kind != Node::Kind::array || list->items.empty()) {
+    body.error("solids", words(list->kind), "it is a list of solids", "write solids = [{box = [1, 0.5, 0.2], density = 7850}]");
+    return false;
+  }
+  const std::size_t before = body.problems().list().size();
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < list->items.size(); ++i) {
+    const std::string name = fmt::format("solids[{}]", i);
+    if (list->items[i].kind != Node::Kind::table) {
+      body.error("solids", words(list->items[i].kind), "a solid is a table", shapes_known);
+      continue;
+    }
+    TableReader reader(list->items[i], body.path() + "." + name, body.problems());
+    parts.push_back(read_part(reader, name));
+  }
+  if (body.problems().list().size() > before) return false;
+  const auto solid = solids::rigid_solid(parts);
+  const foundation::Problems& findings = solid ? solid->remarks : solid.error();
+  for (foundation::Problem problem : findings.list()) {
+    problem.origin = list->origin;
+    problem.subject = body.path() + "." + problem.subject;
+    body.problems().add(std::move(problem));
+  }
+  if (!solid) return false;
+  result.mass = solid->properties;
+  return true;
+}
+
+}  // namespace trivet::study
