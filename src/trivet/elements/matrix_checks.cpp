@@ -89,6 +89,13 @@ MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>
   return verdict;
 }
 
+double lowest_of_held_end(const Matrix12& matrix) {
+  const Matrix6 end = matrix.bottomRightCorner<6, 6>();
+  const Vector6 scale = end.diagonal().unaryExpr([](double k) { return k == 0 ? 1.0 : 1 / std::sqrt(std::abs(k)); });
+  const Matrix6 scaled = scale.asDiagonal() * (0.5 * (end + end.transpose())) * scale.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Matrix6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()(0);
+}
+
 bool is_semidefinite(const MatrixVerdict& verdict) {
   const double explained = rounding_of_data + 2 * std::min(verdict.rigid_residual, refused_residual);
   return verdict.lowest_eigenvalue >= -explained * std::max(1.0, std::abs(verdict.highest_eigenvalue));

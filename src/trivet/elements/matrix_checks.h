@@ -33,6 +33,9 @@ inline constexpr double rounding_of_data = 1e-9;
 /// ½ ψ × moment at each end. `preload` in the axes of each end.
 [[nodiscard]] Eigen::Matrix<double, 12, 6> turned_preload(const Vector12& preload, const Eigen::Matrix3d& n_from_k);
 
+/// Lowest eigenvalue of the scaled 6×6 of the K end, N held: what a preloaded element may not have negative while its body is held.
+[[nodiscard]] double lowest_of_held_end(const Matrix12& matrix);
+
 /// Is the symmetric part positive semidefinite, up to rounding and to what the rigid-motion residual itself explains?
 [[nodiscard]] bool is_semidefinite(const MatrixVerdict& verdict);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double along_axis = 0.985;        // cosine of 10°: a direction is called by its axis
 constexpr double pure = 0.98;               // share of the energy from which "mostly" is left out
 constexpr double translation_dominates = 0.9;
-constexpr double inside_an_element = 0.6;   // share of the energy in internal coordinates of one element
+constexpr double inside_elements = 0.5;     // share of the kinetic energy in internal coordinates of elements
 
 /// A coordinate for reading: three decimals, never "-0.000".
 std::string coordinate(double value) { return fmt::format("{:.3f}", std::abs(value) < 5e-4 ? 0.0 : value); }
@@ -53,9 +53,12 @@ std::string motion_words(const spatial::Screw& screw, double size) {
 }
 
 std::string mode_name(const model::System& system, const Mode& mode) {
-  Eigen::Index element = 0;
-  if (mode.element_kinetic_energy_share.size() > 0 && mode.element_kinetic_energy_share.maxCoeff(&element) > inside_an_element)
-    return "inside element " + system.elements()[static_cast<std::size_t>(element)].name;
+  if (mode.element_kinetic_energy_share.sum() > inside_elements) {
+    std::string names;
+    for (std::size_t e = 0; e < system.elements().size(); ++e)
+      if (mode.element_kinetic_energy_share(static_cast<Eigen::Index>(e)) > 0.2 * mode.element_kinetic_energy_share.sum()) names += (names.empty() ? "" : ", ") + system.elements()[e].name;
+    return "surging inside " + names;
+  }
   const auto bodies = static_cast<Eigen::Index>(system.bodies().size());
   Eigen::Index leader = 0;
   double best = -1;

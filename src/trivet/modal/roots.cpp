@@ -102,12 +102,14 @@ void make_exact(const assembly::Assembled& assembled, numerics::QuadraticRoots& 
   int settled = 0, left = 0;
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     const Complex start = roots.lambda(k);
+    if (std::abs(start.imag()) <= critical_split * std::abs(start) && assembled.matrices.lossy()) continue;
     if (std::abs(start.imag()) <= critical_split * std::abs(start)) {
       inexact[static_cast<std::size_t>(k)] = std::abs(start) > 0;
       left += std::abs(start) > 0 ? 1 : 0;
       continue;
     }
     const bool lower = start.imag() < 0;
+    if (lower && assembled.matrices.lossy()) continue;  // has no meaning with a loss factor, and is not listed
     const Eigen::VectorXcd shape = lower ? Eigen::VectorXcd(roots.vectors.col(k).conjugate()) : Eigen::VectorXcd(roots.vectors.col(k));
     const ExactRoot root = exact_root(assembled, lower ? std::conj(start) : start, shape);
     // Two starts that differ and end on one root: the second has lost its own.

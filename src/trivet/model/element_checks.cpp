@@ -69,12 +69,13 @@ void check_matrix(const Subject& subject, const Element& element, const Matrix12
   if (element.symmetric && verdict.asymmetry > elements::rounding_of_data) check_symmetry(subject, matrix, verdict, problems);
   if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, problems);
   const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
-  const bool negative = verdict.lowest_eigenvalue < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
+  // Turned as a whole, a preloaded element does work: only what it does with N held tells of its soundness.
+  const double lowest = preloaded ? elements::lowest_of_held_end(matrix) : verdict.lowest_eigenvalue;
+  const bool negative = lowest < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
   if (symmetric_stiffness_or_damping && negative && (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
-    problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
+    problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
                      fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity, subject.bad_energy),
-                     preloaded ? "its preload explains it: turned with the element it does work; look at the frequencies it touches"
-                               : "the residual may explain it; look at the frequencies it touches");
+                     preloaded ? "with N held the element gives way: its bodies must be held by others, or it buckles" : "the residual may explain it; look at the frequencies it touches");
   else if (symmetric_stiffness_or_damping && negative)
     problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
                    fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),
@@ -104,8 +105,13 @@ void check_element(const Description& description, const Element& element, found
                    "an element joins two bodies, or a body and the ground", "change `on` or `from`");
     return;
   }
+  if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && !element.symmetric)
+    problems.error(subject + ".damping", "a viscoelastic law on an unsymmetric stiffness", "its strains follow from a symmetric stiffness", "use proportional damping or a loss factor");
   if (!(element.law.scale > 0))
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0", "remove the element to switch it off");
+
+  if (element.law.preload && element.law.scale != 1)
+    problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale), "its stiffness and its preload belong together", "change the element itself");
 
   const Span ends = span(description.bodies, element.n, element.k);
   const std::string path = element.type == "matrix" ? subject + ".stiffness" : subject;

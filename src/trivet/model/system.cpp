@@ -47,6 +47,8 @@ void check_damping(const Description& description, foundation::Problems& problem
     std::size_t coordinates = 0;
     for (const auto& body : description.bodies)
       for (const bool free : body.free) coordinates += free;
+    for (const auto& element : description.elements)
+      if (element.law.inertia) coordinates += static_cast<std::size_t>(element.law.inertia->angular_frequencies.size());
     if (modal->ratios.size() != 1 && modal->ratios.size() != coordinates)
       problems.error("damping.modal", fmt::format("{} ratios", modal->ratios.size()),
                      fmt::format("one for all modes, or one for each of the {} modes", coordinates), "complete or shorten the list");
@@ -86,6 +88,7 @@ foundation::Expected<System> System::checked(Description description) {
   }
   for (const auto& element : description.elements) check_element(description, element, problems);
   check_damping(description, problems);
+  if (!problems.has_errors()) check_preloads(description, problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
   for (Element& element : description.elements) {

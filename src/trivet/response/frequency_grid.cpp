@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "trivet/response/frequency_response.h"
@@ -69,12 +70,14 @@ std::vector<Sample> sampled(const assembly::Assembled& assembled, const std::vec
   return samples;
 }
 
-/// Largest finite amplitude of each curve.
-Eigen::VectorXd largest(const std::vector<Sample>& samples) {
+/// Largest finite amplitude of each curve; infinite for one that is zero but for round-off, whose shape nobody wants to see.
+Eigen::VectorXd largest(const std::vector<Sample>& samples, const Peaks& peaks) {
   Eigen::VectorXd top = Eigen::VectorXd::Zero(samples.front().values.size());
   for (const Sample& sample : samples)
     for (Eigen::Index c = 0; c < top.size(); ++c)
       if (const double amplitude = std::abs(sample.values(c)); std::isfinite(amplitude)) top(c) = std::max(top(c), amplitude);
+  for (std::size_t c = 0; c < peaks.curves.size() && c < static_cast<std::size_t>(top.size()); ++c)
+    if (peaks.curves[c].vanishes) top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
   return top;
 }
 
@@ -134,7 +137,7 @@ std::vector<double> automatic_grid(const assembly::Assembled& assembled, const s
     std::vector<double> middles;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
       if (!samples[i].settled) middles.push_back(0.5 * (samples[i].omega + samples[i + 1].omega));
-    if (middles.empty() || !refined(samples, sampled(assembled, channels, load, middles), largest(samples))) break;
+    if (middles.empty() || !refined(samples, sampled(assembled, channels, load, middles), largest(samples, peaks))) break;
   }
   grid.clear();
   for (const Sample& sample : samples) grid.push_back(sample.omega);

@@ -60,7 +60,7 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
   constexpr double well_above = 2;
   double highest = 0;
   for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
-  double end = options.search_to > 0 ? options.search_to : well_above * highest;
+  double end = std::max(options.search_to, well_above * highest);
   for (const assembly::ElementMap& map : assembled.elements) end = std::min(end, map.defined_to);
   return end;
 }

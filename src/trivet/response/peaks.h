@@ -48,7 +48,7 @@ struct Peaks {
 
 struct PeakOptions {
   double min_prominence = 1e-6;  ///< of the curve's largest finite amplitude
-  double search_to = 0;          ///< [rad/s] with frequency-dependent elements; 0: twice the highest natural frequency
+  double search_to = 0;          ///< [rad/s] with frequency-dependent elements, at least; twice the highest natural frequency where that is more
 };
 
 /// Every peak of every channel, wherever it lies. The axis is covered by discs free of poles; on each |y|² is a Taylor series

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numbers>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
@@ -30,10 +31,19 @@ Loaded loaded(const model::System& system, const assembly::Assembled& assembled,
   return {assembly::channels(system, assembled, wanted.of, wanted.quantity), assembly::harmonic_load(system, assembled.layout, wanted.excitations)};
 }
 
-response::Band default_band(const modal::Modes& modes) {
+/// Up to well above the natural frequencies, but not beyond the tables of elements.
+response::Band default_band(const modal::Modes& modes, const assembly::Assembled& assembled) {
   double highest = 0;
   for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
-  return {0, highest > 0 ? default_band_factor * highest : 1.0};
+  response::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
+  for (const assembly::ElementMap& map : assembled.elements) band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
+  return band;
+}
+
+double lowest_defined(const assembly::Assembled& assembled) {
+  double lowest = 0;
+  for (const assembly::ElementMap& map : assembled.elements) lowest = std::max(lowest, map.defined_from);
+  return lowest;
 }
 
 std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const Loaded& asked, const response::FrequencyResponse& response,
@@ -46,7 +56,7 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   // Counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
-  std::vector<double> grid = response::automatic_grid(assembled, asked.channels, asked.load, roots.poles, peaks, {0, top});
+  std::vector<double> grid = response::automatic_grid(assembled, asked.channels, asked.load, roots.poles, peaks, {lowest_defined(assembled), top});
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
@@ -68,6 +78,7 @@ class CaseStudy {
         roots_(modal::roots(system_, assembled_, modes_)) {}
 
   Answers answer(const Case& variant, const Analyses& analyses) {
+    if (analyses.response && analyses.response->band) search_to_ = analyses.response->band->to;
     Answers result;
     result.case_name = variant.name;
     result.changes = variant.changes;
@@ -78,6 +89,7 @@ class CaseStudy {
     result.warnings.add(modes_.warnings);
     result.warnings.add(roots_.warnings);
     note_guides(analyses, result.warnings);
+    note_missing_mass(result.warnings);
     const auto attempt = [&](const auto& compute) {
       try {
         compute();
@@ -110,12 +122,22 @@ class CaseStudy {
                          "add it where it matters");
   }
 
+  /// A massless spring is right only well below its own first natural frequency.
+  void note_missing_mass(foundation::Problems& warnings) const {
+    constexpr double safe = 0.3;
+    const double top = default_band(modes_, assembled_).to / default_band_factor;
+    for (const model::Element& element : system_.elements())
+      if (top > safe * element.massless_up_to)
+        warnings.warning("elements." + element.name, fmt::format("its own first natural frequency is {:.4g} Hz, the model's highest {:.4g} Hz", element.massless_up_to / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
+                         "without its mass a spring is right only well below its own natural frequencies", "set level = \"with_mass\" or \"exact\"");
+  }
+
   /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.
   const response::Peaks& peaks_of(const Wanted& wanted, double min_prominence = response::PeakOptions{}.min_prominence) {
     for (const auto& earlier : searched_)
       if (earlier.wanted == wanted && earlier.min_prominence == min_prominence) return earlier.peaks;
     const Loaded asked = loaded(system_, assembled_, wanted);
-    searched_.push_back({wanted, min_prominence, response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {min_prominence}, progress_)});
+    searched_.push_back({wanted, min_prominence, response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {min_prominence, search_to_}, progress_)});
     return searched_.back().peaks;
   }
 
@@ -127,7 +149,7 @@ class CaseStudy {
     const response::Peaks peaks = needs_peaks ? peaks_of(request.wanted) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
-      result.band = request.band ? *request.band : default_band(modes_);
+      result.band = request.band ? *request.band : default_band(modes_, assembled_);
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic)
         grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, progress_);
@@ -199,6 +221,7 @@ class CaseStudy {
     double min_prominence;
     response::Peaks peaks;
   };
+  double search_to_ = 0;          // peaks of frequency-dependent systems are sought over the band of the response at least
   std::deque<Searched> searched_;  // references to its elements stay valid
 };
 
@@ -213,7 +236,7 @@ response::DeepCheck deep_check(const Case& variant) {
   const modal::Modes modes = modal::modes(variant.system, assembled);
   const modal::Roots roots = modal::roots(variant.system, assembled, modes);
   const auto& request = variant.analyses.response;
-  const response::Band band = request && request->band ? *request->band : default_band(modes);
+  const response::Band band = request && request->band ? *request->band : default_band(modes, assembled);
   Eigen::VectorXcd load = assembly::harmonic_load(variant.system, assembled.layout);
   if (load.cwiseAbs().maxCoeff() == 0) load.head(assembled.layout.of_bodies()) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(assembled.layout.of_bodies()).cast<std::complex<double>>();
   return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));

@@ -106,7 +106,7 @@ Json response(const Answers& answers) {
 
 Json peaks(const Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
-  Json result{{"peaks", Json::array()}, {"curves", Json::array()}, {"searched", {found.searched_from, nullptr}}, {"min_prominence", answers.peaks->min_prominence},
+  Json result{{"peaks", Json::array()}, {"curves", Json::array()}, {"searched", {found.searched_from, json::number(found.searched_to)}}, {"min_prominence", answers.peaks->min_prominence},
               {"peak_tolerance", answers.peaks->peak_tolerance}, {"warnings", warnings(answers.warnings)}};
   for (const response::Peak& peak : found.list) {
     result["peaks"].push_back({{"name", found.curves[peak.curve].name},

@@ -24,14 +24,15 @@ elements::MatrixVerdict verdict(const Case& variant, const model::Element& eleme
                            of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
 }
 
-void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, bool symmetric,
+/// `lowest`: the scaled eigenvalue that tells whether it gives energy.
+void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, double lowest, bool symmetric,
                       std::vector<CheckLine>& lines) {
   if (v.highest_eigenvalue == 0) return;
   lines.push_back({subject, quantity + " resists no rigid motion", fmt::format("{:.1e} of its scale", v.rigid_residual),
                    v.rigid_residual <= elements::silent_residual});
   if (symmetric) {
     lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
-    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(v.lowest_eigenvalue) < 1e-13 ? 0.0 : v.lowest_eigenvalue), v.lowest_eigenvalue >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
+    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest), lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
   }
 }
 
@@ -47,6 +48,7 @@ std::string damping_words(const elements::Damping& damping) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
     return fmt::format("B = {:.6g} s × {} K", p->factor, p->of_nominal ? "nominal" : "scaled");
   if (const auto* l = std::get_if<elements::LossFactor>(&damping)) return fmt::format("loss factor {:.6g}", l->value);
+  if (const auto* v = std::get_if<elements::Viscoelastic>(&damping)) return elements::words(*v);
   return std::holds_alternative<elements::DampingMatrix>(damping) ? "viscous matrix" : "none";
 }
 
@@ -126,8 +128,11 @@ std::vector<CheckLine> check_lines(const Case& variant) {
   }
   for (const auto& element : variant.system.elements()) {
     const std::string subject = "element " + element.name;
-    add_matrix_lines(subject, "stiffness", verdict(variant, element, elements::stiffness(element.law)), element.symmetric, lines);
-    add_matrix_lines(subject, "damping", verdict(variant, element, elements::viscous_damping(element.law)), element.symmetric, lines);
+    const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
+    const elements::MatrixVerdict of_k = verdict(variant, element, k), of_b = verdict(variant, element, b);
+    // Turned as a whole, a preloaded element does work: N is held.
+    add_matrix_lines(subject, "stiffness", of_k, element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric, lines);
+    add_matrix_lines(subject, "damping", of_b, of_b.lowest_eigenvalue, element.symmetric, lines);
   }
   return lines;
 }
@@ -140,7 +145,8 @@ std::string element_json(const Case& variant, std::size_t index) {
     if (problem.subject.find("elements." + element.name) != std::string::npos) mine.add(problem);
   const Json result{{"name", element.name}, {"type", element.type}, {"n", end_json(variant, element.n)}, {"k", end_json(variant, element.k)},
                     {"stiffness", json::rows(stiffness)}, {"damping", json::rows(elements::viscous_damping(element.law))},
-                    {"loss_factor", elements::loss_factor(element.law)}, {"mass", nullptr}, {"preload", nullptr},
+                    {"loss_factor", elements::loss_factor(element.law)}, {"mass", element.law.inertia ? json::rows(element.law.inertia->mass) : Json(nullptr)},
+                    {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)},
                     {"rigid_motion_residual", json::rows(verdict(variant, element, stiffness).residual)}, {"warnings", json::warnings(mine)}};
   return result.dump(1) + "\n";
 }

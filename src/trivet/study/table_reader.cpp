@@ -110,7 +110,7 @@ std::optional<double> TableReader::number(const std::string& key, Quantity quant
 }
 
 double TableReader::required_number(const std::string& key, Quantity quantity) {
-  if (!node(key)) missing(key, fmt::format("give {} in {}", key, si_unit(quantity)));
+  if (!node(key)) missing(key, quantity == Quantity::pure ? "give " + key + " as a number" : fmt::format("give {} in {}", key, si_unit(quantity)));
   return number(key, quantity).value_or(0);
 }
 
