@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -16,6 +17,7 @@ using namespace trivet;
 class BadProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadProject, IsRefusedWithTheExpectedMessages) {
+  setenv("TRIVET_CACHE", "", 1);  // nothing out of an earlier run
   const auto refused = study::read_project(GetParam());
   ASSERT_FALSE(refused.has_value()) << "it was accepted";
   std::vector<std::string> messages;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every file of tests/samples, at least one per element type, is read without an error and keeps its element.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "trivet/study/project.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace trivet;
+
+class SampleProject : public testing::TestWithParam<fs::path> {};
+
+TEST_P(SampleProject, IsReadWithItsElement) {
+  setenv("TRIVET_CACHE", "", 1);  // nothing out of an earlier run
+  const auto project = study::read_project(GetParam());
+  std::string all;
+  if (!project)
+    for (const auto& problem : project.error().list()) all += foundation::message(problem) + "\n";
+  ASSERT_TRUE(project.has_value()) << all;
+  EXPECT_EQ(project->base().system.elements().size(), 1u);
+}
+
+std::vector<fs::path> files() {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(std::string(TRIVET_SOURCE_DIR) + "/tests/samples"))
+    if (entry.path().extension() == ".toml") all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, SampleProject, testing::ValuesIn(files()), [](const auto& info) { return info.param.stem().string(); });
+
+}  // namespace
