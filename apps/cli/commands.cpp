@@ -18,10 +18,6 @@
 namespace trivet::cli {
 namespace {
 
-struct BadArgument : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// "1,2.7,15.6" in rad/s, or each with a unit.
 std::vector<double> frequencies(const std::string& option, const std::string& text) {
   std::vector<double> result;
@@ -42,18 +38,6 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
     from = comma + 1;
   }
   return result;
-}
-
-const study::Case& chosen_case(const study::Project& project, const std::string& name) {
-  const study::Case* found = project.find(name);
-  if (found) return *found;
-  std::vector<std::string> names;
-  for (const auto& c : project.cases) names.push_back(c.name);
-  const std::string guess = foundation::nearest_name(name, names);
-  std::string known;
-  for (const auto& n : names)
-    if (!n.empty()) known += (known.empty() ? "" : ", ") + n;
-  throw BadArgument(fmt::format("--case \"{}\": no such case; {}", name, guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
 }
 
 study::Analyses wanted(const std::string& which, const study::Case& variant, const Options& options) {
@@ -92,6 +76,18 @@ std::string rendered(const std::string& which, const study::Case& variant, const
 }
 
 }  // namespace
+
+const study::Case& chosen_case(const study::Project& project, const std::string& name) {
+  const study::Case* found = project.find(name);
+  if (found) return *found;
+  std::vector<std::string> names;
+  for (const auto& c : project.cases) names.push_back(c.name);
+  const std::string guess = foundation::nearest_name(name, names);
+  std::string known;
+  for (const auto& n : names)
+    if (!n.empty()) known += (known.empty() ? "" : ", ") + n;
+  throw BadArgument(fmt::format("--case \"{}\": no such case; {}", name, guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
+}
 
 std::optional<study::Project> read_or_complain(const Options& options) {
   auto project = study::read_project(options.project, options.settings);
@@ -152,27 +148,6 @@ int answer_command(const std::string& which, const Options& options) {
     const bool plain = !options.csv && !options.json;
     write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));
     return done;
-  } catch (const BadArgument& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
-    return wrong_input;
-  }
-}
-
-int element_command(const Options& options) {
-  const auto project = read_or_complain(options);
-  if (!project) return wrong_input;
-  try {
-    const study::Case& variant = chosen_case(*project, options.case_name);
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < variant.system.elements().size(); ++i) {
-      names.push_back(variant.system.elements()[i].name);
-      if (names.back() == options.element) {
-        write_output(study::element_json(variant, i));
-        return done;
-      }
-    }
-    const std::string guess = foundation::nearest_name(options.element, names);
-    throw BadArgument(fmt::format("\"{}\": no element has this name{}", options.element, guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
   } catch (const BadArgument& bad) {
     fmt::print(stderr, "error: {}\n", bad.what());
     return wrong_input;

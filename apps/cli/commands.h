@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Options {
   std::string at;
   std::string band;
   std::string element;
+  bool all = false;
+  std::string picture;
   std::string output = "trivet-results";
 };
 
@@ -28,6 +31,14 @@ int check_command(const Options& options);
 int answer_command(const std::string& which, const Options& options);
 int element_command(const Options& options);
 int run_command(const Options& options);
+
+/// The command line asks for what the project does not have.
+struct BadArgument : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The base model, or the case of this name. @throws BadArgument if there is none
+[[nodiscard]] const study::Case& chosen_case(const study::Project& project, const std::string& name);
 
 /// The project, or nothing after its problems were printed.
 [[nodiscard]] std::optional<study::Project> read_or_complain(const Options& options);

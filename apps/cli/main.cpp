@@ -60,9 +60,12 @@ int main(int argc, char** argv) {
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->excludes(at);
   add_answer(app, "peaks", "exact resonance peaks", options);
   add_answer(app, "static", "static displacements and forces", options);
-  CLI::App* element = add_command(app, "element", "the 12x12 of one element and its checks (JSON)", options);
+  CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");
+  element->add_flag("--json", options.json, "JSON, SI");
+  element->add_flag("--all", options.all, "compare with every element taken for three springs, not this one alone");
+  element->add_option("--picture", options.picture, "draw the element to this SVG file");
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");
   try {

@@ -37,6 +37,8 @@ Json rows(const Matrix& matrix) {
 }
 
 [[nodiscard]] Json warnings(const foundation::Problems& problems);
+/// Where an end of an element sits: "on", "at", "in_ground", "axes_in_ground".
+[[nodiscard]] Json end(const Case& variant, const model::End& end);
 [[nodiscard]] Json modes(const Case& variant, const Answers& answers);
 [[nodiscard]] Json roots(const Case& variant, const Answers& answers);
 [[nodiscard]] Json response(const Answers& answers);

@@ -9,6 +9,7 @@
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/numerics/generalized_modes.h"
+#include "trivet/study/element_summary.h"
 #include "trivet/study/json_parts.h"
 #include "trivet/study/version.h"
 
@@ -16,13 +17,6 @@ namespace trivet::study {
 namespace {
 
 using json::Json;
-
-elements::MatrixVerdict verdict(const Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
-  const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
-  const bool of_stiffness = element.law.preload && matrix == elements::stiffness(element.law);
-  return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
-                           of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
-}
 
 /// `lowest`: the scaled eigenvalue that tells whether it gives energy.
 void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, double lowest, bool symmetric,
@@ -34,14 +28,6 @@ void add_matrix_lines(const std::string& subject, const std::string& quantity, c
     lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
     lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest), lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
   }
-}
-
-Json end_json(const Case& variant, const model::End& end) {
-  const spatial::Pose in_ground = model::end_in_ground(variant.system.bodies(), end);
-  return {{"on", end.body ? Json(variant.system.bodies()[*end.body].name) : Json("ground")},
-          {"at", json::list(end.at)},
-          {"in_ground", json::list(in_ground.position)},
-          {"axes_in_ground", json::rows(in_ground.rotation)}};
 }
 
 std::string damping_words(const elements::Damping& damping) {
@@ -80,8 +66,8 @@ Json model_json(const Case& variant) {
   }
   for (const auto& element : d.elements)
     result["elements"].push_back({{"name", element.name}, {"type", element.type}, {"scale", element.law.scale},
-                                  {"damping", damping_words(element.law.damping)}, {"n", end_json(variant, element.n)},
-                                  {"k", end_json(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
+                                  {"damping", damping_words(element.law.damping)}, {"n", json::end(variant, element.n)},
+                                  {"k", json::end(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
                                   {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
   for (const auto& force : d.harmonic_forces)
     result["excitations"].push_back({{"name", force.name}, {"type", "harmonic"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
@@ -129,26 +115,12 @@ std::vector<CheckLine> check_lines(const Case& variant) {
   for (const auto& element : variant.system.elements()) {
     const std::string subject = "element " + element.name;
     const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
-    const elements::MatrixVerdict of_k = verdict(variant, element, k), of_b = verdict(variant, element, b);
+    const elements::MatrixVerdict of_k = matrix_verdict(variant, element, k), of_b = matrix_verdict(variant, element, b);
     // Turned as a whole, a preloaded element does work: N is held.
     add_matrix_lines(subject, "stiffness", of_k, element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric, lines);
     add_matrix_lines(subject, "damping", of_b, of_b.lowest_eigenvalue, element.symmetric, lines);
   }
   return lines;
-}
-
-std::string element_json(const Case& variant, std::size_t index) {
-  const model::Element& element = variant.system.elements()[index];
-  const elements::Matrix12 stiffness = elements::stiffness(element.law);
-  foundation::Problems mine;
-  for (const auto& problem : variant.warnings.list())
-    if (problem.subject.find("elements." + element.name) != std::string::npos) mine.add(problem);
-  const Json result{{"name", element.name}, {"type", element.type}, {"n", end_json(variant, element.n)}, {"k", end_json(variant, element.k)},
-                    {"stiffness", json::rows(stiffness)}, {"damping", json::rows(elements::viscous_damping(element.law))},
-                    {"loss_factor", elements::loss_factor(element.law)}, {"mass", element.law.inertia ? json::rows(element.law.inertia->mass) : Json(nullptr)},
-                    {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)},
-                    {"rigid_motion_residual", json::rows(verdict(variant, element, stiffness).residual)}, {"warnings", json::warnings(mine)}};
-  return result.dump(1) + "\n";
 }
 
 std::string results_json(const Project& project, const std::vector<Answers>& answers) {

@@ -20,10 +20,6 @@ struct CheckLine {
 /// Checks of every body and element of a case, with their figures.
 [[nodiscard]] std::vector<CheckLine> check_lines(const Case& variant);
 
-/// {"name", "type", "stiffness": 12×12, "damping", "mass", "preload", "rigid_motion_residual": 12×6, "warnings"}: what an
-/// element is in its local frame, order N, K, scale included.
-[[nodiscard]] std::string element_json(const Case& variant, std::size_t element);
-
 /// The whole result file of `trivet run`: program, input, model, checks, and all answers of all cases (docs/json.md).
 [[nodiscard]] std::string results_json(const Project& project, const std::vector<Answers>& answers);
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/element_text.h"
+#include "trivet/study/element_json.h"
+
+namespace trivet::cli {
+namespace {
+
+std::size_t chosen_element(const study::Case& variant, const std::string& name) {
+  std::vector<std::string> names;
+  for (const model::Element& element : variant.system.elements()) {
+    if (element.name == name) return names.size();
+    names.push_back(element.name);
+  }
+  const std::string guess = foundation::nearest_name(name, names);
+  throw BadArgument(fmt::format("\"{}\": no element has this name{}", name, guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+}
+
+std::vector<std::size_t> replaced(const study::Case& variant, std::size_t element, bool all) {
+  if (!all) return {element};
+  std::vector<std::size_t> every(variant.system.elements().size());
+  std::iota(every.begin(), every.end(), std::size_t{0});
+  return every;
+}
+
+}  // namespace
+
+int element_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  try {
+    const study::Case& variant = chosen_case(*project, options.case_name);
+    const std::size_t element = chosen_element(variant, options.element);
+    const study::ElementSummary summary = study::element_summary(variant, element);
+    const study::Simplification simple = study::simplification(variant, replaced(variant, element, options.all), progress());
+    write_output(options.json ? study::element_json(variant, element, summary, simple)
+                              : element_text(variant, element, summary) + "\n" + simplification_text(simple));
+    return done;
+  } catch (const BadArgument& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace trivet::cli

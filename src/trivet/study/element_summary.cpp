@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/element_summary.h"
+
+#include "trivet/modal/modes.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::study {
+namespace {
+
+using spatial::Vector6;
+
+/// Displacement of an end in its local axes while the bodies move as in a mode.
+Vector6 end_displacement(const model::End& end, const modal::Mode& mode) {
+  if (!end.body) return Vector6::Zero();
+  const Vector6 body = mode.shape.segment<6>(6 * static_cast<Eigen::Index>(*end.body));
+  return spatial::both_blocks(end.axes).transpose() * spatial::rigid_motion(end.at) * body;
+}
+
+/// Motion of K beyond what it would do if the element moved rigidly with N.
+Vector6 deformation(const model::Element& element, const model::Span& span, const modal::Mode& mode) {
+  const Vector6 n_in_axes_of_k = spatial::both_blocks(span.n_from_k).transpose() * end_displacement(element.n, mode);
+  return end_displacement(element.k, mode) - spatial::rigid_motion(span.arm) * n_in_axes_of_k;
+}
+
+}  // namespace
+
+elements::MatrixVerdict matrix_verdict(const Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
+  const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
+  const bool of_stiffness = element.law.preload && matrix == elements::stiffness(element.law);
+  return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
+                           of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
+}
+
+ElementSummary element_summary(const Case& variant, std::size_t index) {
+  const model::Element& element = variant.system.elements()[index];
+  const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
+  ElementSummary summary;
+  summary.stiffness = elements::stiffness(element.law);
+  summary.verdict = matrix_verdict(variant, element, summary.stiffness);
+  summary.character = elements::character(summary.stiffness);
+  for (const modal::Mode& mode : modal::modes(variant.system).list)
+    if (mode.strain_energy_share)
+      summary.modes.push_back({mode.number, mode.name, mode.angular_frequency, (*mode.strain_energy_share)(static_cast<Eigen::Index>(index)),
+                               elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
+  const std::string path = "elements." + element.name;
+  for (const auto& problem : variant.warnings.list())
+    if (problem.subject == path || problem.subject.starts_with(path + ".")) summary.warnings.add(problem);
+  return summary;
+}
+
+std::string component_name(int component) {
+  static constexpr const char* names[] = {"u_x", "u_y", "u_z", "θ_x", "θ_y", "θ_z"};
+  return names[component % 6];
+}
+
+}  // namespace trivet::study

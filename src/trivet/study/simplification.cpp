@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/simplification.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/elements/character.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/answers.h"
+
+namespace trivet::study {
+namespace {
+
+using modal::Mode;
+
+elements::Matrix12 springs_only(const elements::Matrix12& matrix, const model::Span& span) {
+  return elements::in_end_axes(elements::three_springs(matrix, span.arm), span.n_from_k);
+}
+
+elements::Law simplified_law(const elements::Law& full, const model::Span& span) {
+  elements::Law law;
+  law.nominal_stiffness = springs_only(full.nominal_stiffness, span);
+  law.scale = full.scale;
+  law.damping = full.damping;
+  if (const auto* given = std::get_if<elements::DampingMatrix>(&full.damping)) law.damping = elements::DampingMatrix{springs_only(given->matrix, span)};
+  return law;
+}
+
+std::vector<std::string> left_out(const model::Element& element) {
+  std::vector<std::string> words;
+  if (element.law.inertia) words.push_back("the mass of \"" + element.name + "\"");
+  if (element.law.preload) words.push_back("the preload of \"" + element.name + "\"");
+  if (const auto& given = element.law.frequency_dependence)
+    words.push_back(std::string(given->elastic ? "the frequency dependence" : "the frequency dependence and the losses") + " of \"" + element.name + "\"");
+  return words;
+}
+
+bool is_inner(const Mode& mode) { return mode.element_kinetic_energy_share.sum() > 0.5; }
+
+/// Σ φᵀAψ over the bodies, at their centres of mass; negative principal moments of an unphysical body count by their size.
+double mass_product(const model::System& system, const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
+  double sum = 0;
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const auto first = 6 * static_cast<Eigen::Index>(b);
+    const spatial::MassProperties& mass = system.bodies()[b].mass;
+    const spatial::PrincipalInertia principal = spatial::principal_inertia(mass);
+    const Eigen::Vector3d turn_phi = principal.axes.transpose() * phi.segment<3>(first + 3), turn_psi = principal.axes.transpose() * psi.segment<3>(first + 3);
+    sum += std::abs(mass.mass) * phi.segment<3>(first).dot(psi.segment<3>(first)) + turn_phi.dot(principal.moments.cwiseAbs().asDiagonal() * turn_psi);
+  }
+  return sum;
+}
+
+/// Modes of one natural frequency: their shapes are any basis of what they span, so that a shape is compared with all of them.
+struct Group {
+  std::vector<const Mode*> modes;
+  std::size_t taken = 0;
+};
+
+std::vector<Group> groups(const modal::Modes& modes) {
+  std::vector<Group> result;
+  for (const Mode& mode : modes.list) {
+    if (is_inner(mode)) continue;
+    const bool same = !result.empty() && ((mode.repeated && result.back().modes.back()->repeated &&
+                                           std::abs(mode.eigenvalue_squared - result.back().modes.back()->eigenvalue_squared) <= 1e-9 * std::abs(mode.eigenvalue_squared)) ||
+                                          (mode.eigenvalue_squared == 0 && result.back().modes.back()->eigenvalue_squared == 0));
+    if (!same) result.emplace_back();
+    result.back().modes.push_back(&mode);
+  }
+  return result;
+}
+
+double likeness(const model::System& system, const Mode& mode, const Group& group) {
+  double sum = 0;
+  const double own = mass_product(system, mode.shape_at_centre, mode.shape_at_centre);
+  for (const Mode* other : group.modes) {
+    const double product = mass_product(system, mode.shape_at_centre, other->shape_at_centre);
+    const double norms = own * mass_product(system, other->shape_at_centre, other->shape_at_centre);
+    if (norms > 0) sum += product * product / norms;
+  }
+  return sum;
+}
+
+/// Every mode finds its partner, the most alike first.
+std::vector<ModeComparison> paired(const model::System& system, const modal::Modes& full, const modal::Modes& simplified) {
+  std::vector<ModeComparison> result;
+  std::vector<Group> partners = groups(simplified);
+  struct Candidate {
+    std::size_t row, partner;
+    double likeness;
+  };
+  std::vector<Candidate> candidates;
+  for (const Mode& mode : full.list) {
+    if (is_inner(mode)) continue;
+    for (std::size_t g = 0; g < partners.size(); ++g) candidates.push_back({result.size(), g, likeness(system, mode, partners[g])});
+    result.push_back({mode.number, mode.name, mode.angular_frequency, std::nullopt, 0});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.likeness > b.likeness; });
+  std::vector<bool> done(result.size(), false);
+  for (const Candidate& candidate : candidates) {
+    Group& partner = partners[candidate.partner];
+    if (done[candidate.row] || partner.taken == partner.modes.size()) continue;
+    done[candidate.row] = true;
+    result[candidate.row].simplified = partner.modes[partner.taken++]->angular_frequency;
+    result[candidate.row].likeness = candidate.likeness;
+  }
+  return result;
+}
+
+std::optional<HighestPeak> highest(const response::Peaks& peaks, std::size_t curve) {
+  std::optional<HighestPeak> result;
+  for (const response::Peak& peak : peaks.list)
+    if (peak.curve == curve && (!result || peak.amplitude > result->amplitude)) result = HighestPeak{peak.angular_frequency, peak.amplitude};
+  return result;
+}
+
+std::vector<PeakComparison> compared(const response::Peaks& full, const response::Peaks& simplified) {
+  std::vector<PeakComparison> result;
+  for (std::size_t c = 0; c < full.curves.size(); ++c)
+    if (!full.curves[c].vanishes)
+      result.push_back({full.curves[c].name, full.curves[c].unit, highest(full, c), highest(simplified, c), simplified.curves[c].vanishes});
+  return result;
+}
+
+Analyses peaks_of(const Case& variant) {
+  Analyses wanted;
+  wanted.modes = true;
+  if (!variant.system.description().harmonic_forces.empty())
+    wanted.peaks = variant.analyses.peaks.value_or(PeaksRequest{variant.analyses.response ? variant.analyses.response->wanted : Wanted{}});
+  return wanted;
+}
+
+}  // namespace
+
+std::optional<double> relative_difference(std::optional<double> full, std::optional<double> simplified) {
+  if (!full || !simplified || !(*full > 0) || !std::isfinite(*full) || !std::isfinite(*simplified)) return std::nullopt;
+  return *simplified / *full - 1;
+}
+
+model::System with_three_springs(const model::System& system, const std::vector<std::size_t>& replaced) {
+  model::Description description = system.description();
+  for (const std::size_t index : replaced) {
+    const model::Element& full = system.elements().at(index);
+    model::Element element;
+    element.name = full.name;
+    element.type = "three_springs";
+    element.n = full.n;
+    element.k = full.k;
+    element.law = simplified_law(full.law, model::span(system.bodies(), full.n, full.k));
+    description.elements[index] = std::move(element);
+  }
+  auto checked = model::System::checked(std::move(description));
+  if (!checked) throw foundation::NotComputable("three springs instead of the element: " + foundation::message(checked.error().list().front()));
+  return std::move(*checked);
+}
+
+Simplification simplification(const Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress) {
+  Case simple = variant;
+  simple.system = with_three_springs(variant.system, replaced);
+  const Analyses wanted = peaks_of(variant);
+  const Answers full = answers(variant, wanted, progress), simplified = answers(simple, wanted, progress);
+
+  Simplification result;
+  for (const std::size_t index : replaced) {
+    const model::Element& element = variant.system.elements()[index];
+    result.replaced.push_back(element.name);
+    for (std::string& words : left_out(element)) result.left_out.push_back(std::move(words));
+  }
+  result.modes = paired(variant.system, full.modes, simplified.modes);
+  for (const Mode& mode : full.modes.list)
+    if (is_inner(mode) && result.inner_modes++ == 0) result.first_inner_mode = mode.angular_frequency;
+  for (const std::string& motion : simplified.free_motions)
+    if (std::find(full.free_motions.begin(), full.free_motions.end(), motion) == full.free_motions.end()) result.free_motions.push_back(motion);
+  if (full.peaks && simplified.peaks) result.peaks = compared(full.peaks->peaks, simplified.peaks->peaks);
+  else if (!wanted.peaks) result.no_peaks = "the model has no harmonic excitation";
+  else result.no_peaks = full.failures.empty() ? "with three springs: " + simplified.failures.front() : full.failures.front();
+  return result;
+}
+
+}  // namespace trivet::study
