@@ -112,6 +112,14 @@ TEST(CoilSpring, LeftAndRightHandsAreMirrorImages) {
   EXPECT_LE((mirrored - stiffness(left)).cwiseAbs().maxCoeff(), 1e-9 * mirrored.cwiseAbs().maxCoeff());
 }
 
+TEST(RubberElement, IsPartOfTheModelAlthoughItWarns) {
+  // Hardness 25 lies outside the range of its formula: a warning, and still a mount.
+  const Named soft{"", "type = \"rubber_disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\nmaterial = {hardness = 25}\n"};
+  const auto project = test::project(model(soft, 1, Eigen::Isometry3d::Identity()));
+  EXPECT_FALSE(project.base().warnings.list().empty());
+  ASSERT_EQ(project.base().system.elements().size(), 1u);
+}
+
 TEST(SolidMount, IsTakenFromTheCacheTheSecondTime) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / fmt::format("trivet-cache-test-{}", ::getpid());

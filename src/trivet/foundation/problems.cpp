@@ -67,8 +67,8 @@ Problem& Problems::warning(std::string subject, std::string finding, std::string
 
 void Problems::add(const Problems& others) { list_.insert(list_.end(), others.list_.begin(), others.list_.end()); }
 
-bool Problems::has_errors() const {
-  return std::any_of(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; });
+std::size_t Problems::errors() const {
+  return static_cast<std::size_t>(std::count_if(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; }));
 }
 
 void Problems::sort_by_origin() {

@@ -38,7 +38,9 @@ class Problems {
   void add(Problem problem) { list_.push_back(std::move(problem)); }
   void add(const Problems& others);
 
-  [[nodiscard]] bool has_errors() const;
+  [[nodiscard]] bool has_errors() const { return errors() > 0; }
+  /// Number of errors, warnings not counted.
+  [[nodiscard]] std::size_t errors() const;
   [[nodiscard]] const std::vector<Problem>& list() const { return list_; }
   [[nodiscard]] std::vector<Problem>& list() { return list_; }
   /// Orders by source line, unknown lines last, and drops repeats.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/axis_walk.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/response_series.h"
 #include "trivet/numerics/sign_changes.h"
 #include "trivet/response/curve_series.h"
@@ -66,14 +69,26 @@ constexpr int samples = 64;
 constexpr double spread = 1.25;
 constexpr int betraying = 8;
 constexpr double pole_free = 1e-11;
+/// Round-off of a curve, as a share of what its terms could make of it: a few units times the condition of Z, and never so much that a
+/// pole could hide in it.
+double round_off(double condition) {
+  constexpr double count = 16, most = 1e-6;
+  return std::min(count * std::numeric_limits<double>::epsilon() * condition, most);
+}
+/// So many gaps without a panel between them are no undamped poles: the laws cannot be continued here.
+constexpr int most_gaps_in_a_row = 200;
 
 /// Taylor coefficients of every curve (rows) in τ, ω = centre + radius τ; empty if a pole is too near.
-Eigen::MatrixXcd contour_series(const ExactResponse& exact, const Panel& panel, Eigen::VectorXd& level) {
+Eigen::MatrixXcd contour_series(const ExactResponse& exact, const Panel& panel, Eigen::VectorXd& level, Eigen::VectorXd& possible) {
   std::vector<Eigen::VectorXcd> values;
+  possible.resize(0);
+  double condition = 0;
   for (int k = 0; k < samples; ++k) {
     const ExactSample sample = exact.at(panel.centre + spread * panel.radius * std::polar(1.0, 2 * std::numbers::pi * k / samples), panel.centre);
     if (!sample.values.allFinite()) return {};
     values.push_back(sample.values);
+    condition = std::max(condition, sample.condition);
+    possible = k == 0 ? sample.possible : Eigen::VectorXd(possible.cwiseMax(sample.possible));
   }
   const Eigen::Index curves = values[0].size();
   Eigen::MatrixXcd series = Eigen::MatrixXcd::Zero(curves, samples);
@@ -83,7 +98,7 @@ Eigen::MatrixXcd contour_series(const ExactResponse& exact, const Panel& panel, 
   for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
   // Coefficients of the last powers are those of the first negative ones: the principal part of a pole inside.
   for (Eigen::Index c = 0; c < curves; ++c)
-    if (series.row(c).tail(betraying).cwiseAbs().maxCoeff() > pole_free * level(c)) return {};
+    if (series.row(c).tail(betraying).cwiseAbs().maxCoeff() > std::max(pole_free * level(c), round_off(condition) * possible(c))) return {};
   double power = 1;
   for (int j = 0; j < samples; ++j, power /= spread) series.col(j) *= power;
   return series.leftCols(samples - betraying);
@@ -137,6 +152,7 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
   std::vector<double> seams = {highest};
   for (const assembly::ElementMap& map : assembled.elements) seams.insert(seams.end(), map.knots.begin(), map.knots.end());
   std::sort(seams.begin(), seams.end());
+  int gaps = 0;
   double from = result.lowest, radius = first_guess(near_poles, from);
   while (from < highest * (1 - 1e-9)) {
     foundation::report_progress(progress, "peaks", 0.5 * from / highest);
@@ -144,20 +160,23 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
     const double seam = *std::upper_bound(seams.begin(), seams.end(), from * (1 + 1e-9));
     radius = std::min({radius, 0.5 * (std::min(seam, highest) - from), from / (spread - 1) * 0.9});
     const Panel panel{from + radius, radius, false};
-    Eigen::VectorXd level;
-    const Eigen::MatrixXcd series = contour_series(exact, panel, level);
+    Eigen::VectorXd level, possible;
+    const Eigen::MatrixXcd series = contour_series(exact, panel, level, possible);
     if (series.size() == 0) {
       radius *= 0.5;
       if (radius > gap_at_pole * from) continue;
+      if (++gaps > most_gaps_in_a_row) throw foundation::NotComputable(fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));
       result.poles_on_axis.push_back(from * (1 + gap_at_pole));
       from *= 1 + 4 * gap_at_pole;
+      radius = 4 * gap_at_pole * from;
       continue;
     }
     ++result.panels;
+    gaps = 0;
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const auto row = static_cast<Eigen::Index>(c);
-      if (level(row) == 0) continue;
-      result.curves[c].largest_share = 1;
+      if (!(level(row) > vanishing_share * possible(row))) continue;  // its ups and downs are round-off
+      result.curves[c].largest_share = std::max(result.curves[c].largest_share, level(row) / possible(row));
       note_turnings(squared(series.row(row)), panel, result.curves[c]);
     }
     from += 2 * radius;

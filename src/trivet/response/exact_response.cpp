@@ -3,26 +3,36 @@
 
 #include <Eigen/LU>
 #include <limits>
+#include <tuple>
 
 namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
 
-Complex value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q, Complex omega, double near) {
+/// A channel, and the sum of the magnitudes of its terms.
+std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q, Complex omega, double near) {
   const Complex i(0, 1);
   const Eigen::Index n = q.size();
   Complex y = channel.on_displacement.head(n).cwiseProduct(q).sum() + i * omega * channel.on_velocity.head(n).cast<Complex>().cwiseProduct(q).sum() -
               omega * omega * channel.on_acceleration.head(n).cast<Complex>().cwiseProduct(q).sum();
+  const Eigen::VectorXd size = q.cwiseAbs();
+  double possible = channel.on_displacement.head(n).cwiseAbs().dot(size) + std::abs(omega) * channel.on_velocity.head(n).cwiseAbs().dot(size) +
+                    std::norm(omega) * channel.on_acceleration.head(n).cwiseAbs().dot(size);
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
     for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[static_cast<std::size_t>(j)]);
-    const Eigen::Matrix<Complex, 12, 1> wrenches = map.dynamic_stiffness(omega, near) * ends;
+    const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
+    const Eigen::Matrix<Complex, 12, 1> wrenches = stiffness * ends;
+    possible += force.row.cwiseAbs() * (stiffness.cwiseAbs() * ends.cwiseAbs());
     y += force.row.transpose().cast<Complex>().cwiseProduct(wrenches).sum();
   }
-  for (int d = 0; d < channel.derivative; ++d) y *= i * omega;
-  return y;
+  for (int d = 0; d < channel.derivative; ++d) {
+    y *= i * omega;
+    possible *= std::abs(omega);
+  }
+  return {y, possible};
 }
 
 }  // namespace
@@ -39,15 +49,18 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   q += lu.solve(load_ - z * q);
   const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
   const double negligible = 4 * static_cast<double>(z.rows()) * std::numeric_limits<double>::epsilon();
-  ExactSample sample{q, Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(channels_.size()), Complex(nan, nan)), nan};
+  ExactSample sample{q, Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(channels_.size()), Complex(nan, nan)),
+                     Eigen::VectorXd::Constant(static_cast<Eigen::Index>(channels_.size()), nan), std::numeric_limits<double>::infinity(), nan};
   if (!q.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= negligible * norm) {
     sample.coordinates.setConstant(nan);
     return sample;
   }
   const double size = norm * q.cwiseAbs().maxCoeff() + load_.cwiseAbs().maxCoeff();
   sample.backward_error = size > 0 ? (load_ - z * q).cwiseAbs().maxCoeff() / size : 0;
+  sample.condition = 1 / lu.rcond();
   sample.coordinates = scale_.asDiagonal() * q;
-  for (std::size_t c = 0; c < channels_.size(); ++c) sample.values(static_cast<Eigen::Index>(c)) = value(assembled_, channels_[c], sample.coordinates, omega, near);
+  for (std::size_t c = 0; c < channels_.size(); ++c)
+    std::tie(sample.values(static_cast<Eigen::Index>(c)), sample.possible(static_cast<Eigen::Index>(c))) = value(assembled_, channels_[c], sample.coordinates, omega, near);
   return sample;
 }
 

@@ -13,6 +13,8 @@ namespace trivet::response {
 struct ExactSample {
   Eigen::VectorXcd coordinates;   ///< first rows of the layout
   Eigen::VectorXcd values;        ///< one per channel
+  Eigen::VectorXd possible;       ///< the same if all terms worked together: what is far below is round-off
+  double condition = 0;           ///< of the scaled Z, estimated
   double backward_error = 0;      ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
 };
 

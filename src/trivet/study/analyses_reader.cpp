@@ -174,9 +174,9 @@ Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
       }
     if (const Node* node = reader.table("response")) {
       check_driven(reader, "response", mentioned);
-      const std::size_t before = root.problems().list().size();
+      const std::size_t before = root.problems().errors();
       analyses.response = read_response(*node, names, mentioned, root.problems());
-      quantity_is_clear = root.problems().list().size() == before || !node->find("quantity");
+      quantity_is_clear = root.problems().errors() == before || !node->find("quantity");
     }
     if (const Node* node = reader.table("peaks")) {
       if (!analyses.response) check_driven(reader, "peaks", mentioned);

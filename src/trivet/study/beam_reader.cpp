@@ -19,7 +19,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
     if (!reader.has("section")) reader.missing("section", "give section = {round = \"20 mm\"}, {tube = [outer, inner]} or {rectangle = [x, y]}");
     return std::nullopt;
   }
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   TableReader section(*node, reader.path() + ".section", reader.problems());
   Section result;
   const auto sides = [&](const char* key) -> std::optional<std::vector<double>> {
@@ -55,7 +55,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
     reader.error("section", "no shape", "a section is {round}, {tube}, {rectangle} or {area, moment_x, moment_y, torsion}", "give one of them");
   }
   section.finish();
-  return reader.problems().list().size() == before ? std::optional(result) : std::nullopt;
+  return reader.problems().errors() == before ? std::optional(result) : std::nullopt;
 }
 
 }  // namespace

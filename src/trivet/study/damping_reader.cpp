@@ -51,9 +51,9 @@ std::optional<Viscoelastic> read_viscoelastic(TableReader& damping) {
       law = elements::GeneralizedMaxwell{reader.numbers("ratios", Quantity::pure).value_or(std::vector<double>{}),
                                          reader.numbers("times", Quantity::time).value_or(std::vector<double>{})};
     }
-    const std::size_t before = damping.problems().list().size();
+    const std::size_t before = damping.problems().errors();
     reader.finish();
-    if (damping.problems().list().size() == before) reader.add(elements::check(*law));
+    if (damping.problems().errors() == before) reader.add(elements::check(*law));
   }
   return law;
 }

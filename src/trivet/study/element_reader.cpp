@@ -39,7 +39,7 @@ class ElementReader {
   }
 
   std::optional<model::Element> read() {
-    const std::size_t before = reader_.problems().list().size();
+    const std::size_t before = reader_.problems().errors();
     element_.type = reader_.required_text("type");
     const bool sized = read_sized_law();  // its length places end N
     const bool placed = read_ends();      // if not, the law is still read for its own problems
@@ -50,7 +50,7 @@ class ElementReader {
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();
     else report_tables_inside(node_);  // which other keys belong here depends on the type
-    return placed && reader_.problems().list().size() == before ? std::optional(element_) : std::nullopt;
+    return placed && reader_.problems().errors() == before ? std::optional(element_) : std::nullopt;
   }
 
  private:

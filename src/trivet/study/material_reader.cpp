@@ -47,7 +47,7 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
     return std::nullopt;
   }
   if (node->kind != Node::Kind::table) return named_metal(reader);
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   TableReader table(*node, reader.path() + ".material", reader.problems());
   elements::Metal metal{"given", 0, 0, std::numeric_limits<double>::quiet_NaN(), "the project file"};
   metal.young_modulus = table.required_number("E", Quantity::pressure);
@@ -66,7 +66,7 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
     table.error("G", fmt::format("E = {:.6g} Pa, G = {:.6g} Pa: Poisson's ratio {:.4g}", metal.young_modulus, metal.shear_modulus, poisson),
                 "Poisson's ratio of an isotropic material lies between −1 and 0.5", "mend E or G; steel has E = 206 GPa, G = 79 GPa");
   table.finish();
-  return reader.problems().list().size() == before ? std::optional(metal) : std::nullopt;
+  return reader.problems().errors() == before ? std::optional(metal) : std::nullopt;
 }
 
 std::optional<elements::Rubber> read_rubber(TableReader& reader) {
@@ -75,7 +75,7 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
     if (!reader.has("material")) reader.missing("material", "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}");
     return std::nullopt;
   }
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   TableReader table(*node, reader.path() + ".material", reader.problems());
   elements::Rubber rubber;
   if (one_of(table, {"G", "E", "hardness"}, "give the shear modulus, Young's modulus, or the hardness (Shore A or IRHD)")) {
@@ -98,9 +98,7 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
     rubber.shear_modulus *= *stiffening;
   }
   table.finish();
-  bool sound = true;
-  for (const foundation::Problem& problem : reader.problems().list()) sound = sound && (&problem < reader.problems().list().data() + before || problem.severity == foundation::Severity::warning);
-  return sound ? std::optional(rubber) : std::nullopt;
+  return reader.problems().errors() == before ? std::optional(rubber) : std::nullopt;
 }
 
 }  // namespace trivet::study

@@ -173,11 +173,11 @@ std::string words(const fem::Shape& shape) {
 }
 
 LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Element& element) {
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   const int level = read_mesh_level(reader);
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
-  if (reader.problems().list().size() > before) return std::nullopt;
+  if (reader.problems().errors() > before) return std::nullopt;
   const std::string key = content_key(fmt::format("{} {} level {} {} {}", method, words(shape.solid), level, words(shape.materials[0]), words(shape.materials[1])));
   const LengthOf moved = condensed(reader, key, [&] {
     Solid solid{fem::mesh(shape.solid, level), std::nullopt, static_cast<double>(level) / (level - 1.0), shape.materials, fem::frame(shape.solid)};
@@ -275,7 +275,7 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
 }
 
 LengthOf read_step_mount(TableReader& reader, model::Element& element) {
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   const auto file = read_file_name(reader, "step");
   fem::StepMeshOptions options;
   options.size = reader.required_number("mesh_size", Quantity::length);
@@ -286,8 +286,7 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   const auto axis = reader.direction("step_axis").value_or(Eigen::Vector3d::UnitZ());
   const std::vector<fem::Material> materials = read_solid_materials(reader);
   const auto compression = read_compression(reader);
-  for (std::size_t i = before; i < reader.problems().list().size(); ++i)
-    if (reader.problems().list()[i].severity == foundation::Severity::error) return std::nullopt;
+  if (reader.problems().errors() > before) return std::nullopt;
   std::string words_of_all = fmt::format("{} step {:.17g} {:.17g} {:.17g}", method, options.size, options.rim_size, options.rim_distance);
   for (const fem::Material& material : materials) words_of_all += " " + words(material);
   for (const char* key : {"plate_n", "plate_k", "step_axis"})

@@ -36,7 +36,7 @@ fem::Material plate_metal() { return fem::linear_elastic(206e9, 0.3); }
 }  // namespace
 
 std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::string& kind) {
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   RubberShape shape;
   if (kind == "bush") {
     elements::RubberBush bush;
@@ -78,8 +78,7 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
     if (kind == "sandwich") shape.formulas = sandwich;
   }
   const auto rubber = read_rubber(reader);
-  for (std::size_t i = before; i < reader.problems().list().size(); ++i)
-    if (reader.problems().list()[i].severity == foundation::Severity::error) return std::nullopt;
+  if (reader.problems().errors() > before) return std::nullopt;
   if (!rubber) return std::nullopt;
   std::visit(
       [&](auto& law) {

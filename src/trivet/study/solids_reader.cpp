@@ -70,7 +70,7 @@ bool read_solids(TableReader& body, model::Body& result) {
     body.error("solids", words(list->kind), "it is a list of solids", "write solids = [{box = [1, 0.5, 0.2], density = 7850}]");
     return false;
   }
-  const std::size_t before = body.problems().list().size();
+  const std::size_t before = body.problems().errors();
   std::vector<Part> parts;
   for (std::size_t i = 0; i < list->items.size(); ++i) {
     const std::string name = fmt::format("solids[{}]", i);
@@ -81,7 +81,7 @@ bool read_solids(TableReader& body, model::Body& result) {
     TableReader reader(list->items[i], body.path() + "." + name, body.problems());
     parts.push_back(read_part(reader, name));
   }
-  if (body.problems().list().size() > before) return false;
+  if (body.problems().errors() > before) return false;
   const auto solid = solids::rigid_solid(parts);
   const foundation::Problems& findings = solid ? solid->remarks : solid.error();
   for (foundation::Problem problem : findings.list()) {

@@ -144,7 +144,7 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
 }  // namespace
 
 LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
-  const std::size_t before = reader.problems().list().size();
+  const std::size_t before = reader.problems().errors();
   CoilSpring spring;
   read_wire(reader, spring);
   spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
@@ -160,8 +160,7 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     spring.shear_modulus = metal->shear_modulus;
     spring.density = metal->density;
   }
-  if (reader.problems().list().size() > before) return std::nullopt;
-  const std::size_t quiet = before;
+  if (reader.problems().errors() > before) return std::nullopt;
   const foundation::Problems findings = elements::check(spring, level != "quasi_static");
   reader.add(findings);
   if (findings.has_errors()) return std::nullopt;
@@ -176,7 +175,7 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     distance = compressed->seat_distance;
     add_preload_facts(spring, *compressed, element);
   }
-  if (reader.problems().list().size() > quiet && reader.problems().has_errors()) return std::nullopt;
+  if (reader.problems().errors() > before) return std::nullopt;
   add_facts(spring, distance, element);
   read_level(reader, seated, level, element);
   return distance;
