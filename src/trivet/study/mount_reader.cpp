@@ -295,8 +295,9 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   const auto file = read_file_name(reader, "step");
   fem::StepMeshOptions options;
+  const std::size_t before_size = reader.errors();
   options.size = reader.required_number("mesh_size", Quantity::length);
-  if (reader.errors() == before && !(options.size > 0)) reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0", "mend the value or its unit");
+  if (reader.errors() == before_size && !(options.size > 0)) reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0", "mend the value or its unit");
   options.rim_size = reader.number("rim_size", Quantity::length).value_or(0);
   options.rim_distance = reader.number("rim_distance", Quantity::length).value_or(0);
   if (const auto plate = read_plate(reader, "plate_n")) options.plate_n = *plate;

@@ -162,6 +162,8 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     spring.youngs_modulus = metal->young_modulus;
     spring.shear_modulus = metal->shear_modulus;
     spring.density = metal->density;
+    if (level != "quasi_static" && std::isnan(metal->density))
+      reader.error("material", "no density", "a spring with mass needs one", "add density, or level = \"quasi_static\"");
   }
   reader.add(elements::check(spring, level != "quasi_static"),
              {{"active_length", reader.has("pitch") ? "pitch" : "free_length"}, {"youngs_modulus", "material"}, {"shear_modulus", "material"},
