@@ -129,16 +129,30 @@ void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<Series>& s
   }
 }
 
+/// The parts of a curve between the lower and upper edge of its panel, cut where it crosses them.
+std::vector<std::vector<PixelPoint>> visible_pieces(const Panel& p, const std::vector<double>& x, const Eigen::VectorXd& y) {
+  const auto height = [&](double value) { return p.logarithmic ? std::log(value) : value; };
+  const auto inside = [&](double value) { return value >= p.y_from && value <= p.y_to; };
+  std::vector<std::vector<PixelPoint>> pieces(1);
+  for (Eigen::Index k = 0; k < y.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const bool crosses = k > 0 && inside(y(k)) != inside(y(k - 1)) && std::isfinite(y(k)) && std::isfinite(y(k - 1)) && !(p.logarithmic && std::min(y(k), y(k - 1)) <= 0);
+    if (crosses) {
+      const double edge = std::max(y(k), y(k - 1)) > p.y_to ? p.y_to : p.y_from;
+      const double share = (height(edge) - height(y(k - 1))) / (height(y(k)) - height(y(k - 1)));
+      pieces.back().push_back(p.at(x[i - 1] + share * (x[i] - x[i - 1]), edge));
+    }
+    if (inside(y(k))) pieces.back().push_back(p.at(x[i], y(k)));
+    else if (!pieces.back().empty()) pieces.emplace_back();
+  }
+  return pieces;
+}
+
 void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<Series>& series, double factor) {
   const auto& omega = answers.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto& values = answers.response->curves.curves[series[i].curve].value;
-    std::vector<PixelPoint> points;
-    for (std::size_t k = 0; k < omega.size(); ++k) {
-      const double amplitude = factor * std::abs(values(static_cast<Eigen::Index>(k)));
-      if (std::isfinite(amplitude)) points.push_back(p.at(omega[k], std::clamp(amplitude, p.y_from, p.y_to)));
-    }
-    canvas.polyline(points, curve_style(i));
+    for (const auto& piece : visible_pieces(p, omega, factor * values.cwiseAbs())) canvas.polyline(piece, curve_style(i));
     if (!answers.peaks) continue;
     for (const response::Peak& peak : answers.peaks->peaks.list) {
       const bool mine = answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;

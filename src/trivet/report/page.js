@@ -692,7 +692,8 @@ function elementsTables(elements) {
     matrix(['N', 'K'].flatMap(end => MOTIONS.map(x => `${end} ${x}`)), e.stiffness, 'matrix'));
   const viscous = e => folded(`Viscous damping 12×12 of ${e.name}`, hint('[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.'),
     matrix(['N', 'K'].flatMap(end => MOTIONS.map(x => `${end} ${x}`)), e.viscous_damping, 'matrix'));
-  return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'], elements.map(row)), elements.map(stiffness), elements.filter(e => e.damping === 'viscous matrix').map(viscous)];
+  const found = e => folded(`How ${e.name} was found`, '', table(['what', 'value'], e.facts.map(f => [f.what, f.value])));
+  return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'], elements.map(row)), elements.filter(e => e.facts.length).map(found), elements.map(stiffness), elements.filter(e => e.damping === 'viscous matrix').map(viscous)];
 }
 function excitationsTable(excitations) {
   const row = e => [e.name, e.type, e.on, vector(e.at), vector(e.force), vector(e.moment), e.phase ? vector(e.phase.map(p => p * 360 / TURN)) : '–'];
@@ -701,7 +702,7 @@ function excitationsTable(excitations) {
 function inputsSection(c) {
   const {bodies, elements, excitations, gravity, damping} = c.model, part = (title, list, make) => [html('h3', {}, title), list.length ? make(list) : html('p', {}, 'None.')];
   return section('inputs', 'Inputs', part('Bodies', bodies, bodiesTables), part('Elements', elements, elementsTables), part('Excitations', excitations, excitationsTable),
-    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers only.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
+    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers, and the geometric stiffness where elements are preloaded.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
 }
 
 // ---------------------------------------------------------------- all cases together

@@ -125,11 +125,12 @@ class CaseStudy {
   /// A massless spring is right only well below its own first natural frequency.
   void note_missing_mass(foundation::Problems& warnings) const {
     constexpr double safe = 0.3;
-    const double top = default_band(modes_, assembled_).to / default_band_factor;
+    double top = search_to_;
+    for (const modal::Mode& mode : modes_.list) top = std::max(top, mode.angular_frequency.value_or(0));
     for (const model::Element& element : system_.elements())
       if (top > safe * element.massless_up_to)
-        warnings.warning("elements." + element.name, fmt::format("its own first natural frequency is {:.4g} Hz, the model's highest {:.4g} Hz", element.massless_up_to / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
-                         "without its mass a spring is right only well below its own natural frequencies", "set level = \"with_mass\" or \"exact\"");
+        warnings.warning("elements." + element.name, fmt::format("massless, with a first natural frequency of its own at {:.4g} Hz; the model is asked about up to {:.4g} Hz", element.massless_up_to / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
+                         "without its mass a spring is right only well below its own natural frequencies", "set level = \"with_mass\" or \"exact\", or heed only what lies well below");
   }
 
   /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.

@@ -11,12 +11,12 @@ namespace {
 using elements::Viscoelastic;
 
 constexpr const char* rule =
-    "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}, {kelvin_voigt}, {zener}, {maxwell}, {fractional_zener}";
+    "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}, {kelvin_voigt}, {zener}, {maxwell}, {fractional_zener}, {loops}";
 
 /// The laws that the table names, each once; `translation` and `rotation` are one.
 std::vector<std::string> laws_given(TableReader& damping) {
   std::vector<std::string> laws;
-  for (const char* key : {"proportional", "loss_factor", "matrix", "kelvin_voigt", "zener", "maxwell", "fractional_zener"})
+  for (const char* key : {"proportional", "loss_factor", "matrix", "kelvin_voigt", "zener", "maxwell", "fractional_zener", "loops"})
     if (damping.has(key)) laws.push_back(key);
   if (damping.has("translation") || damping.has("rotation")) laws.push_back(damping.has("translation") ? "translation" : "rotation");
   return laws;
@@ -109,6 +109,7 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
     element.law.damping = elements::DampingMatrix{elements::in_end_axes(elements::constants_at_point(c, span.arm, centre), span.n_from_k)};
   }
   if (const auto law = read_viscoelastic(damping)) element.law.damping = *law;
+  if (damping.has("loops")) read_loops(damping, element);
   for (const char* key : {"of", "translation", "rotation"}) {
     const bool misplaced = std::string(key) == "of" && damping.has("of") && !damping.has("proportional");
     if (misplaced) damping.error("of", "of without proportional", "it says of which stiffness a proportional damping is taken", "remove it");

@@ -23,6 +23,9 @@ namespace trivet::study {
 /// The table `damping` of an element into its law; constants act at the fraction `centre` of the span.
 void read_damping(TableReader& reader, const model::Span& span, double centre, model::Element& element);
 
+/// `damping = {loops = "file.csv", law = "best"}`: the law of the element out of measured hysteresis loops.
+void read_loops(TableReader& damping, model::Element& element);
+
 /// A file that a project file names, relative to its own folder. A missing key is a problem.
 [[nodiscard]] std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key);
 

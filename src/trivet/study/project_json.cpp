@@ -48,6 +48,12 @@ std::string damping_words(const model::SystemDamping& damping) {
   return "none beside that of the elements";
 }
 
+Json facts_json(const model::Element& element) {
+  Json list = Json::array();
+  for (const model::Fact& fact : element.facts) list.push_back({{"what", fact.what}, {"value", fact.value}});
+  return list;
+}
+
 Json model_json(const Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
@@ -66,7 +72,8 @@ Json model_json(const Case& variant) {
   }
   for (const auto& element : d.elements)
     result["elements"].push_back({{"name", element.name}, {"type", element.type}, {"scale", element.law.scale},
-                                  {"damping", damping_words(element.law.damping)}, {"n", json::end(variant, element.n)},
+                                  {"damping", damping_words(element.law.damping)}, {"facts", facts_json(element)},
+                                  {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)}, {"n", json::end(variant, element.n)},
                                   {"k", json::end(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
                                   {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
   for (const auto& force : d.harmonic_forces)

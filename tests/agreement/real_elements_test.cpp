@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every element that finds its own 12×12, out of a project file: no energy in a rigid motion, and the same vibration wherever the whole
+// model stands and however it is turned.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <fstream>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "support/random_system.h"
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/modal/modes.h"
+
+namespace {
+
+using namespace trivet;
+using test::RelativelyNear;
+
+/// Turning the model changes sums of numbers of 1e5 by round-off; the lowest ω² feel it most.
+constexpr double turned_round_off = 1e-8;
+
+struct Named {
+  const char* name;
+  std::string keys;
+};
+
+const std::vector<Named>& laws() {
+  static const std::string steel = "material = \"spring_steel\"\n", rubber = "material = {G = \"0.8 MPa\"}\n";
+  static const std::string coil = "type = \"coil_spring\"\nwire_diameter = \"8 mm\"\nmean_diameter = \"70 mm\"\nactive_coils = 5.3\nfree_length = \"120 mm\"\n" + steel;
+  static const std::vector<Named> all = {
+      {"coil", coil},
+      {"coil_with_mass", coil + "level = \"with_mass\"\n"},
+      {"coil_pivoted", coil + "ends = \"pivoted\"\nhand = \"left\"\n"},
+      {"rectangular_coil", "type = \"coil_spring\"\nwire_width = \"10 mm\"\nwire_height = \"7 mm\"\nmean_diameter = \"80 mm\"\nactive_coils = 4\nfree_length = \"110 mm\"\ndead_coils = 1\n" + steel},
+      {"coil_preloaded", coil + "preload = {force = \"300 N\"}\n"},
+      {"disc", "type = \"rubber_disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\n" + rubber},
+      {"block", "type = \"rubber_block\"\nwidth_x = \"60 mm\"\nwidth_y = \"40 mm\"\nthickness = \"25 mm\"\n" + rubber},
+      {"bush", "type = \"rubber_bush\"\ninner_diameter = \"20 mm\"\nouter_diameter = \"50 mm\"\nlength = \"60 mm\"\n" + rubber},
+      {"sandwich", "type = \"sandwich\"\ndiameter = \"100 mm\"\nthickness = \"12 mm\"\nlayers = 3\nplate_thickness = \"2 mm\"\n" + rubber},
+      {"solid_disc", "type = \"solid_mount\"\nshape = \"disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\nmesh_level = 1\n" + rubber},
+      {"solid_disc_preloaded", "type = \"solid_mount\"\nshape = \"disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\nmesh_level = 1\npreload = {compression = \"2 mm\"}\n" + rubber},
+      {"beam", "type = \"beam\"\nlength = 0.4\nsection = {tube = [\"40 mm\", \"34 mm\"]}\n" + steel},
+      {"link", "type = \"link\"\nlength = 0.3\nstiffness = 2e6\ntension = 50\n"},
+      {"catalogue", "type = \"catalogue:disc 50x25 40 ShA\"\n"},
+  };
+  return all;
+}
+
+/// A body at a random place, its element at a random place and attitude on it; `world` moves everything.
+std::string model(const Named& law, unsigned seed, const Eigen::Isometry3d& world) {
+  test::RandomSystem random(seed);
+  const Eigen::Vector3d at = random.vector(0.2), place = world * random.vector(1.0);
+  const Eigen::AngleAxisd own(random.rotation()), stands(world.linear() * random.rotation());
+  const auto turn = [](const Eigen::AngleAxisd& r) {
+    return fmt::format("{{axis = [{:.17g}, {:.17g}, {:.17g}], angle = \"{:.17g} rad\"}}", r.axis().x(), r.axis().y(), r.axis().z(), r.angle());
+  };
+  const Eigen::Vector3d gravity = world.linear() * Eigen::Vector3d(0.5, 1, -9.7);
+  return fmt::format("trivet = 1\ngravity = [{:.17g}, {:.17g}, {:.17g}]\n[bodies.body]\nmass = 30\ncenter_of_mass = [0.02, 0.03, -0.01]\n"
+                     "inertia = {{about = \"center_of_mass\", xx = 0.5, yy = 0.6, zz = 0.7}}\nposition = [{:.17g}, {:.17g}, {:.17g}]\norientation = {}\n"
+                     "[elements.one]\non = \"body\"\nat = [{:.17g}, {:.17g}, {:.17g}]\norientation = {}\n{}",
+                     gravity.x(), gravity.y(), gravity.z(), place.x(), place.y(), place.z(), turn(stands), at.x(), at.y(), at.z(), turn(own), law.keys);
+}
+
+class EveryLaw : public testing::TestWithParam<Named> {};
+
+TEST_P(EveryLaw, ResistsNoRigidMotionInAnyAttitude) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const auto project = test::project(model(GetParam(), seed, Eigen::Isometry3d::Identity()));
+    const auto& system = project.base().system;
+    const model::Element& element = system.elements()[0];
+    const model::Span span = model::span(system.bodies(), element.n, element.k);
+    const Eigen::Matrix<double, 12, 6> turned =
+        element.law.preload ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>(Eigen::Matrix<double, 12, 6>::Zero());
+    const elements::MatrixVerdict verdict = elements::examine(element.law.nominal_stiffness, elements::rigid_motions(span.arm, span.n_from_k), turned);
+    EXPECT_LE(verdict.rigid_residual, elements::silent_residual);
+    EXPECT_EQ(verdict.asymmetry, 0);
+    if (!element.law.preload) EXPECT_TRUE(elements::is_semidefinite(verdict)) << verdict.lowest_eigenvalue;
+  }
+}
+
+TEST_P(EveryLaw, VibratesAlikeWhereverTheModelStands) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    test::RandomSystem random(100 + seed);
+    Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
+    world.linear() = random.rotation();
+    world.translation() = random.vector(3.0);
+    const auto here = test::project(model(GetParam(), seed, Eigen::Isometry3d::Identity())), there = test::project(model(GetParam(), seed, world));
+    const auto a = modal::modes(here.base().system), b = modal::modes(there.base().system);
+    ASSERT_EQ(a.list.size(), b.list.size());
+    const double highest = std::abs(a.list[5].eigenvalue_squared);
+    for (std::size_t i = 0; i < a.list.size(); ++i)
+      EXPECT_NEAR(a.list[i].eigenvalue_squared, b.list[i].eigenvalue_squared,
+                  turned_round_off * std::max(highest, std::abs(a.list[i].eigenvalue_squared))) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::ValuesIn(laws()), [](const auto& info) { return std::string(info.param.name); });
+
+TEST(CoilSpring, LeftAndRightHandsAreMirrorImages) {
+  const std::string right = laws()[0].keys, left = right + "hand = \"left\"\n";
+  const auto stiffness = [](const std::string& keys) {
+    return test::project(model({"", keys}, 1, Eigen::Isometry3d::Identity())).base().system.elements()[0].law.nominal_stiffness;
+  };
+  // Mirrored at the plane of e1 and e3: y, rx and rz change their sign.
+  elements::Vector12 mirror;
+  mirror << 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1;
+  const elements::Matrix12 mirrored = mirror.asDiagonal() * stiffness(right) * mirror.asDiagonal();
+  EXPECT_LE((mirrored - stiffness(left)).cwiseAbs().maxCoeff(), 1e-9 * mirrored.cwiseAbs().maxCoeff());
+}
+
+TEST(SolidMount, IsTakenFromTheCacheTheSecondTime) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("trivet-cache-test-{}", ::getpid());
+  const char* before = std::getenv("TRIVET_CACHE");
+  const std::string old = before ? before : "";
+  ::setenv("TRIVET_CACHE", folder.c_str(), 1);
+  const auto computed = test::project(model(laws()[9], 1, Eigen::Isometry3d::Identity()));
+  ASSERT_TRUE(fs::exists(folder));
+  ASSERT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+  const auto remembered = test::project(model(laws()[9], 1, Eigen::Isometry3d::Identity()));
+  EXPECT_EQ(computed.base().system.elements()[0].law.nominal_stiffness, remembered.base().system.elements()[0].law.nominal_stiffness);
+  // A damaged entry counts as absent.
+  std::ofstream(fs::directory_iterator(folder)->path(), std::ios::binary | std::ios::app) << "12345678";
+  const auto again = test::project(model(laws()[9], 1, Eigen::Isometry3d::Identity()));
+  EXPECT_EQ(computed.base().system.elements()[0].law.nominal_stiffness, again.base().system.elements()[0].law.nominal_stiffness);
+  if (before) ::setenv("TRIVET_CACHE", old.c_str(), 1);
+  else ::unsetenv("TRIVET_CACHE");
+  fs::remove_all(folder);
+}
+
+}  // namespace
