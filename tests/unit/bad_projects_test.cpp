@@ -64,6 +64,6 @@ INSTANTIATE_TEST_SUITE_P(Files, BadProject, testing::ValuesIn(files()), [](const
   return name;
 });
 
-TEST(BadProjects, AreAtLeastSixty) { EXPECT_GE(files().size(), 60u); }
+TEST(BadProjects, AreAtLeastThreeHundred) { EXPECT_GE(files().size(), 300u); }
 
 }  // namespace

@@ -179,6 +179,7 @@ foundation::Problems check(const RubberDisc& d) {
   foundation::Problems problems = check(d.rubber);
   const bool sized = check_length(problems, "radius", d.radius) & check_length(problems, "thickness", d.thickness);
   check_factor(problems, d.dynamic_factor);
+  if (!(d.radius > 0)) return problems;  // a hole has nothing to be compared with
   if (!(d.hole_radius >= 0 && d.hole_radius < d.radius))
     problems.error("hole_radius", fmt::format("hole_radius = {:.6g} m", d.hole_radius),
                    fmt::format("it must be ≥ 0 and below the radius {:.6g} m", d.radius), "0 is a solid disc");

@@ -13,9 +13,10 @@ void read_catalogue_mount(TableReader& reader, const std::string& name, const mo
     if (!file) return;
     auto given = read_catalogue(*file);
     if (!given) {
-      for (const foundation::Problem& problem : given.error().list()) reader.problems().add(problem);
+      reader.add_of_file("catalogue", given.error());
       return;
     }
+    reader.add_of_file("catalogue", given->warnings);
     catalogues.push_back(std::move(*given));
   }
   catalogues.push_back(generic_catalogue());

@@ -39,6 +39,7 @@ std::optional<Viscoelastic> read_viscoelastic(TableReader& damping) {
     const Node* table = damping.table(key);
     if (!table) continue;
     const std::string name = key;
+    const std::size_t before = damping.errors();
     TableReader reader(*table, damping.path() + "." + name, damping.problems());
     if (name == "kelvin_voigt") law = elements::KelvinVoigt{reader.required_number("time", Quantity::time)};
     if (name == "zener") law = elements::Zener{reader.required_number("ratio", Quantity::pure), reader.required_number("time", Quantity::time)};
@@ -51,9 +52,9 @@ std::optional<Viscoelastic> read_viscoelastic(TableReader& damping) {
       law = elements::GeneralizedMaxwell{reader.numbers("ratios", Quantity::pure).value_or(std::vector<double>{}),
                                          reader.numbers("times", Quantity::time).value_or(std::vector<double>{})};
     }
-    const std::size_t before = damping.problems().errors();
+    const bool lists_read = name != "maxwell" || damping.errors() == before;
     reader.finish();
-    if (damping.problems().errors() == before) reader.add(elements::check(*law));
+    if (lists_read) reader.add(elements::check(*law));
   }
   return law;
 }
@@ -92,9 +93,9 @@ elements::Matrix12 full_matrix(const Eigen::MatrixXd& given, const model::Span& 
 void read_damping(TableReader& reader, const model::Span& span, double centre, model::Element& element) {
   const Node* table = reader.table("damping");
   if (!table) return;
+  const std::size_t before = reader.errors();
   TableReader damping(*table, reader.path() + ".damping", reader.problems());
   const std::vector<std::string> laws = laws_given(damping);
-  if (laws.empty()) reader.error("damping", "no law", rule, "give one of them");
   if (laws.size() > 1) report_several(reader, *table, laws);
   if (const auto factor = damping.number("proportional", Quantity::time)) {
     const auto of = damping.choice("of", {"scaled", "nominal"});
@@ -115,6 +116,7 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
     static_cast<void>(damping.node(key));
   }
   damping.finish();
+  if (laws.empty() && reader.errors() == before) reader.error("damping", "no law", rule, "give one of them");
 }
 
 }  // namespace trivet::study

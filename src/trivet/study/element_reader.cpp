@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
 
 #include "trivet/elements/law.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -27,6 +29,7 @@ constexpr const char* catalogue_prefix = "catalogue:";
 std::vector<std::string> all_types() {
   std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper", "imported", "measured", "table", "air_spring", "wire_rope"};
   for (const auto& law : sized_laws) types.emplace_back(law.first);
+  types.emplace_back("catalogue:NAME");
   return types;
 }
 
@@ -39,7 +42,7 @@ class ElementReader {
   }
 
   std::optional<model::Element> read() {
-    const std::size_t before = reader_.problems().errors();
+    const std::size_t before = reader_.errors();
     element_.type = reader_.required_text("type");
     const bool sized = read_sized_law();  // its length places end N
     const bool placed = read_ends();      // if not, the law is still read for its own problems
@@ -50,7 +53,7 @@ class ElementReader {
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();
     else report_tables_inside(node_);  // which other keys belong here depends on the type
-    return placed && reader_.problems().errors() == before ? std::optional(element_) : std::nullopt;
+    return placed && reader_.errors() == before ? std::optional(element_) : std::nullopt;
   }
 
  private:
@@ -74,7 +77,7 @@ class ElementReader {
     const auto axis = reader_.direction("axis");
     const auto orientation = reader_.orientation("orientation");
     const auto from_orientation = reader_.orientation("from_orientation");
-    if (length_ && from_orientation)
+    if (is_sized() && reader_.has("from_orientation"))
       reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends of it share its own axes", "remove it, and turn the element by axis or orientation");
     if (reader_.has("axis") && reader_.has("orientation"))
       reader_.error("axis", "axis and orientation", "only one of them turns the local axes", "remove one");
@@ -103,11 +106,15 @@ class ElementReader {
   }
 
   void check_length() {
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = 1e-6, smallest = 1e-3;  // ends of a bush are at one place
     const Eigen::Vector3d expected = *length_ * Eigen::Vector3d::UnitZ();
-    if ((span_.arm - expected).norm() <= rounding * *length_) return;
+    if ((span_.arm - expected).norm() <= rounding * std::max(*length_, smallest)) return;
     reader_.error("from_at", fmt::format("from N to K it is ({:.6g}, {:.6g}, {:.6g}) m in the local axes", span_.arm.x(), span_.arm.y(), span_.arm.z()),
                   fmt::format("this element is {:.6g} m long along its local e3", *length_), "leave from_at away, or mend the ends, the axis or the element");
+  }
+
+  bool is_sized() const {
+    return std::any_of(std::begin(sized_laws), std::end(sized_laws), [&](const auto& law) { return element_.type == law.first; });
   }
 
   /// Laws that know their own size. False if the type is none of them.

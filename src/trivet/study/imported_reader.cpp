@@ -19,19 +19,29 @@ std::optional<std::vector<int>> whole_numbers(TableReader& reader, const char* k
   for (const double number : *numbers)
     if (number >= 0 && number < 2e9 && number == std::floor(number)) whole.push_back(static_cast<int>(number));
   if (whole.size() == count && numbers->size() == count) return whole;
+  if (numbers->size() == count) {
+    reader.error(key, "a number that is not whole or negative", fmt::format("{} whole numbers are wanted", count), "count nodes as the file does, rows from 1");
+    return std::nullopt;
+  }
   reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are wanted", count), "count nodes as the file does, rows from 1");
   return std::nullopt;
 }
 
 /// 12×12 out of what the file holds: two named nodes, twelve rows, or the whole.
 foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exchange::NamedMatrix& matrix) {
+  const std::size_t before = reader.errors();
   const auto nodes = whole_numbers(reader, "nodes", 2), turning = whole_numbers(reader, "rotation_nodes", 2);
+  const auto given = whole_numbers(reader, "rows", 12);
+  if (reader.has("nodes") && reader.has("rows")) reader.error("rows", "nodes and rows", "the ends are named in one way", "keep one of them");
+  if (reader.has("rotation_nodes") && !reader.has("nodes"))
+    reader.error("rotation_nodes", "rotation_nodes without nodes", "they hold the rotations of the ends that nodes names", "add nodes = [N, K], or remove it");
+  if (reader.errors() > before) return tl::make_unexpected(foundation::Problems());
   if (nodes) {
     const exchange::NodeEnd n{(*nodes)[0], turning ? (*turning)[0] : 0}, k{(*nodes)[1], turning ? (*turning)[1] : 0};
     return exchange::reduce_to_ends(matrix, n, k);
   }
   std::array<int, 12> rows = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
-  if (const auto given = whole_numbers(reader, "rows", 12)) {
+  if (given) {
     std::copy(given->begin(), given->end(), rows.begin());
   } else if (matrix.values.rows() != 12) {
     foundation::Problems problems;
@@ -60,16 +70,18 @@ void read_imported(TableReader& reader, const model::Span& span, model::Element&
   const auto matrix = exchange::read_matrix_file(*file, options);
   if (!matrix) {
     for (const char* key : {"nodes", "rotation_nodes", "rows"}) static_cast<void>(reader.node(key));
-    for (const foundation::Problem& problem : matrix.error().list()) reader.problems().add(problem);
+    reader.add_of_file("file", matrix.error());
     return;
   }
-  reader.add(matrix->warnings);
+  reader.add_of_file("file", matrix->warnings);
   const auto ends = reduced(reader, *matrix);
+  const char* named = reader.has("rows") ? "rows" : reader.has("nodes") ? "nodes" : "file";
+  const TableReader::Names names = {{"end N", named}, {"end K", named}, {"ends", named}, {"condensation", named}};
   if (!ends) {
-    reader.add(ends.error());
+    reader.add(ends.error(), names);
     return;
   }
-  reader.add(ends->warnings);
+  reader.add(ends->warnings, names);
   const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
   element.law.nominal_stiffness = elements::in_end_axes(stiffness, span.n_from_k);
   if (ends->imaginary) {

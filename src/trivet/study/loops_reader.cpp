@@ -67,20 +67,27 @@ void add_facts(const std::vector<LoopFit>& loops, const identification::LawRanki
 }  // namespace
 
 void read_loops(TableReader& damping, model::Element& element) {
+  const std::size_t before = damping.errors();
   const auto file = read_file_name(damping, "loops");
   const auto wanted = damping.choice("law", {"best", "hysteretic", "kelvin_voigt", "zener", "fractional_zener"}).value_or("best");
   const double length_unit = damping.number("length_unit", Quantity::length).value_or(1), force_unit = damping.number("force_unit", Quantity::force).value_or(1);
-  if (!file) return;
+  for (const auto& [key, unit] : {std::pair{"length_unit", length_unit}, std::pair{"force_unit", force_unit}})
+    if (!(unit > 0)) damping.error(key, fmt::format("{:.6g}", unit), "a unit is > 0", "write \"1 mm\", \"1 kN\"");
+  if (!file || damping.errors() > before) return;
   const auto table = read_csv_table(*file);
   if (!table) {
-    for (const foundation::Problem& problem : table.error().list()) damping.problems().add(problem);
+    damping.add_of_file("loops", table.error());
     return;
   }
+  for (const std::string& name : table->columns)
+    if (name != "loop" && name != "displacement" && name != "force" && name != "time" && name != "frequency_hz")
+      damping.error("loops", "column \"" + name.substr(0, 60) + "\"", "columns are loop, displacement, force, and time, frequency_hz where they are known", "rename or remove it");
   const auto needed = columns(*table, {"loop", "displacement", "force"});
   if (!needed) {
     add_problems(damping, needed.error());
     return;
   }
+  if (damping.errors() > before) return;
   std::vector<LoopFit> loops;
   for (const LoopRecord& record : records(*table, *needed, length_unit, force_unit)) {
     const auto fit = identification::loop_fit(record);

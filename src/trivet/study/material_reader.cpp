@@ -47,47 +47,63 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
     return std::nullopt;
   }
   if (node->kind != Node::Kind::table) return named_metal(reader);
-  const std::size_t before = reader.problems().errors();
+  const std::size_t before = reader.errors();
   TableReader table(*node, reader.path() + ".material", reader.problems());
   elements::Metal metal{"given", 0, 0, std::numeric_limits<double>::quiet_NaN(), "the project file"};
   metal.young_modulus = table.required_number("E", Quantity::pressure);
+  if (table.errors() == before) require_positive(table, "E", metal.young_modulus, "Pa");
+  double poisson = 0;
   if (one_of(table, {"G", "nu"}, "give the shear modulus, or Poisson's ratio")) {
-    if (const auto shear = table.number("G", Quantity::pressure)) metal.shear_modulus = *shear;
-    if (const auto nu = table.number("nu", Quantity::pure)) metal.shear_modulus = metal.young_modulus / (2 * (1 + *nu));
-    require_positive(table, table.has("G") ? "G" : "nu", metal.shear_modulus, "Pa of shear modulus");
+    if (const auto shear = table.number("G", Quantity::pressure)) {
+      metal.shear_modulus = *shear;
+      require_positive(table, "G", *shear, "Pa");
+      if (table.errors() == before) poisson = metal.young_modulus / (2 * *shear) - 1;
+    }
+    if (const auto nu = table.number("nu", Quantity::pure)) {
+      poisson = *nu;
+      metal.shear_modulus = metal.young_modulus / (2 * (1 + poisson));
+    }
+    if (!(poisson > -1 && poisson < 0.5))
+      table.error(table.has("G") ? "G" : "nu", table.has("G") ? fmt::format("E = {:.6g} Pa, G = {:.6g} Pa: Poisson's ratio {:.4g}", metal.young_modulus, metal.shear_modulus, poisson)
+                                                              : fmt::format("{:.6g}", poisson),
+                  "Poisson's ratio of an isotropic material lies between −1 and 0.5", "mend E or G; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
   }
-  require_positive(table, "E", metal.young_modulus, "Pa");
   if (const auto density = table.number("density", Quantity::density)) {
     metal.density = *density;
     require_positive(table, "density", *density, "kg/m³");
   }
-  const double poisson = metal.young_modulus / (2 * metal.shear_modulus) - 1;
-  if (metal.shear_modulus > 0 && !(poisson > -1 && poisson < 0.5))
-    table.error("G", fmt::format("E = {:.6g} Pa, G = {:.6g} Pa: Poisson's ratio {:.4g}", metal.young_modulus, metal.shear_modulus, poisson),
-                "Poisson's ratio of an isotropic material lies between −1 and 0.5", "mend E or G; steel has E = 206 GPa, G = 79 GPa");
   table.finish();
-  return reader.problems().errors() == before ? std::optional(metal) : std::nullopt;
+  return reader.errors() == before ? std::optional(metal) : std::nullopt;
 }
 
 std::optional<elements::Rubber> read_rubber(TableReader& reader) {
-  const Node* node = reader.table("material");
-  if (!node) {
-    if (!reader.has("material")) reader.missing("material", "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}");
+  constexpr const char* remedy = "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}";
+  if (const Node* given = reader.node("material"); given && given->kind == Node::Kind::text) {
+    reader.error("material", "\"" + given->text.substr(0, 60) + "\"", "compounds of one name differ, so a rubber has a modulus or a hardness", remedy);
     return std::nullopt;
   }
-  const std::size_t before = reader.problems().errors();
+  const Node* node = reader.table("material");
+  if (!node) {
+    if (!reader.has("material")) reader.missing("material", remedy);
+    return std::nullopt;
+  }
+  const std::size_t before = reader.errors();
   TableReader table(*node, reader.path() + ".material", reader.problems());
   elements::Rubber rubber;
   if (one_of(table, {"G", "E", "hardness"}, "give the shear modulus, Young's modulus, or the hardness (Shore A or IRHD)")) {
-    if (const auto shear = table.number("G", Quantity::pressure)) rubber.shear_modulus = *shear;
-    if (const auto young = table.number("E", Quantity::pressure)) rubber.shear_modulus = *young / 3;
+    if (const auto shear = table.number("G", Quantity::pressure)) {
+      rubber.shear_modulus = *shear;
+      require_positive(table, "G", *shear, "Pa");
+    }
+    if (const auto young = table.number("E", Quantity::pressure)) {
+      rubber.shear_modulus = *young / 3;
+      require_positive(table, "E", *young, "Pa");
+    }
     if (const auto hardness = table.number("hardness", Quantity::pure)) {
       const foundation::Problems findings = elements::check_hardness(*hardness);
       table.add(findings);
       rubber.shear_modulus = findings.has_errors() ? 1 : elements::young_modulus_from_hardness(*hardness) / 3;
     }
-    const char* key = table.has("G") ? "G" : table.has("E") ? "E" : "hardness";
-    require_positive(table, key, rubber.shear_modulus, "Pa of shear modulus");
   }
   if (const auto bulk = table.number("bulk_modulus", Quantity::pressure)) {
     rubber.bulk_modulus = *bulk;
@@ -98,7 +114,7 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
     rubber.shear_modulus *= *stiffening;
   }
   table.finish();
-  return reader.problems().errors() == before ? std::optional(rubber) : std::nullopt;
+  return reader.errors() == before ? std::optional(rubber) : std::nullopt;
 }
 
 }  // namespace trivet::study

@@ -25,7 +25,7 @@ struct RigUnits {
 void add_problems(TableReader& reader, const foundation::Problems& problems, const char* key) {
   for (foundation::Problem problem : problems.list()) {
     if (problem.origin.line == 0) problem.origin = reader.node(key)->origin;
-    problem.subject = reader.path() + "." + key + (problem.subject.empty() ? "" : " (" + problem.subject + ")");
+    problem.subject = reader.path() + "." + key + (problem.subject.empty() || problem.subject == key ? "" : " (" + problem.subject + ")");
     reader.problems().add(std::move(problem));
   }
 }
@@ -95,7 +95,7 @@ void read_measured(TableReader& reader, const model::Span& span, model::Element&
   if (!file) return;
   const auto table = read_csv_table(*file);
   if (!table) {
-    for (const foundation::Problem& problem : table.error().list()) reader.problems().add(problem);
+    reader.add_of_file("load_cases", table.error());
     return;
   }
   const auto cases = load_cases(reader, *table, units);

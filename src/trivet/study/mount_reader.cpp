@@ -95,6 +95,7 @@ void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
 /// Stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the plates in that state.
 template <typename Make>
 LengthOf condensed(TableReader& reader, const std::string& key, const Make& make, const std::optional<Compression>& compression, model::Element& element) {
+  const std::size_t before = reader.errors();
   try {
     std::optional<Solid> solid;  // meshed once, and only if something is not remembered
     const auto meshed = [&]() -> const Solid& {
@@ -129,7 +130,8 @@ LengthOf condensed(TableReader& reader, const std::string& key, const Make& make
       reader.error("preload", fmt::format("{} negative pivots", p[160]), "a mount that has buckled between its plates carries nothing", "lower the preload");
     return p[158];
   } catch (const foundation::InvalidInput& reason) {
-    reader.error(reader.has("step") ? "step" : "type", reason.what(), "the solid cannot be condensed", "mend the solid, its plates or its mesh");
+    if (reader.errors() == before)  // the mesher tells more
+      reader.error(reader.has("step") ? "step" : "type", reason.what(), "the solid cannot be condensed", "mend the solid, its plates or its mesh");
   } catch (const foundation::NotComputable& reason) {
     reader.error(compression ? "preload" : "type", reason.what(), "the static state must exist", "lower the preload, or look at the solid and its plates");
   }
@@ -150,12 +152,12 @@ int read_mesh_level(TableReader& reader) {
 void read_large_strain(TableReader& reader, fem::Material& material) {
   const auto mooney = reader.numbers("mooney_rivlin", Quantity::pressure), yeoh = reader.numbers("yeoh", Quantity::pressure);
   const double bulk = material.bulk_modulus;
-  if (mooney && mooney->size() == 2) material = fem::mooney_rivlin((*mooney)[0], (*mooney)[1], bulk);
+  if (mooney && mooney->size() == 2) material = {.c10 = (*mooney)[0], .c01 = (*mooney)[1], .bulk_modulus = bulk};
   else if (mooney) reader.error("mooney_rivlin", fmt::format("{} numbers", mooney->size()), "it has two constants: [c10, c01]", "give two");
-  if (yeoh && yeoh->size() == 3) material = fem::yeoh((*yeoh)[0], (*yeoh)[1], (*yeoh)[2], bulk);
+  if (yeoh && yeoh->size() == 3) material = {.c10 = (*yeoh)[0], .c20 = (*yeoh)[1], .c30 = (*yeoh)[2], .bulk_modulus = bulk};
   else if (yeoh) reader.error("yeoh", fmt::format("{} numbers", yeoh->size()), "it has three constants: [c10, c20, c30]", "give three");
   if (mooney && yeoh) reader.error("yeoh", "mooney_rivlin and yeoh", "a rubber has one law", "keep one of them");
-  reader.add(fem::check(material));
+  reader.add(fem::check(material), {{"shear_modulus", mooney ? "mooney_rivlin" : yeoh ? "yeoh" : "material"}, {"bulk_modulus", "material"}});
 }
 
 std::string words(const fem::Material& m) { return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g}", m.c10, m.c01, m.c20, m.c30, m.bulk_modulus); }
@@ -173,11 +175,16 @@ std::string words(const fem::Shape& shape) {
 }
 
 LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Element& element) {
-  const std::size_t before = reader.problems().errors();
+  const std::size_t before = reader.errors();
   const int level = read_mesh_level(reader);
+  if (const auto* disc = std::get_if<elements::RubberDisc>(&shape.formulas); disc && disc->hole_radius > 0)
+    reader.error("hole_diameter", "a disc with a hole", "the parametric mesh has none", "use closed formulas, or a STEP file");
+  if (const auto* sandwich = std::get_if<elements::Sandwich>(&shape.formulas))
+    if (const auto* disc = std::get_if<elements::RubberDisc>(&sandwich->layer); disc && disc->hole_radius > 0)
+      reader.error("hole_diameter", "a sandwich with a hole", "the parametric mesh has none", "use closed formulas, or a STEP file");
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
-  if (reader.problems().errors() > before) return std::nullopt;
+  if (reader.errors() > before) return std::nullopt;
   const std::string key = content_key(fmt::format("{} {} level {} {} {}", method, words(shape.solid), level, words(shape.materials[0]), words(shape.materials[1])));
   const LengthOf moved = condensed(reader, key, [&] {
     Solid solid{fem::mesh(shape.solid, level), std::nullopt, static_cast<double>(level) / (level - 1.0), shape.materials, fem::frame(shape.solid)};
@@ -187,28 +194,31 @@ LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Eleme
   return moved ? moved : LengthOf(shape.length);
 }
 
+/// Finite elements do not care for the range of the formulas.
+foundation::Problems findings_of(const RubberShape& shape, bool by_elements) {
+  foundation::Problems result;
+  const foundation::Problems all = check(shape);
+  const auto* bush = std::get_if<elements::RubberBush>(&shape.formulas);
+  for (const foundation::Problem& problem : all.list()) {
+    const bool of_formulas = problem.severity == foundation::Severity::warning || (bush && bush->length > 0 && problem.subject == "length");
+    if (!by_elements || !of_formulas) result.add(problem);
+  }
+  return result;
+}
+
 LengthOf read_rubber_mount(TableReader& reader, const std::string& kind, model::Element& element) {
   const bool by_elements = reader.choice("method", {"formulas", "finite_elements"}) == "finite_elements";
+  reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload"});
   auto shape = read_rubber_shape(reader, kind);
   if (!by_elements)
     for (const char* key : {"mesh_level", "mooney_rivlin", "yeoh", "preload"}) {
       if (reader.has(key)) reader.error(key, std::string(key) + " with closed formulas", "it belongs to finite elements", "add method = \"finite_elements\", or remove it");
-      static_cast<void>(reader.node(key));
     }
   if (!shape) return std::nullopt;
-  const foundation::Problems findings = check(*shape);
-  for (const foundation::Problem& problem : findings.list())
-    if (!by_elements || problem.severity == foundation::Severity::error) {
-      foundation::Problems one;
-      one.add(problem);
-      reader.add(one);
-    }
+  const foundation::Problems findings = findings_of(*shape, by_elements);
+  reader.add(findings, shape_keys());
   if (findings.has_errors()) return std::nullopt;
-  if (by_elements) {
-    if (const auto* disc = std::get_if<elements::RubberDisc>(&shape->formulas); disc && disc->hole_radius > 0)
-      reader.error("hole_diameter", "a disc with a hole", "the parametric mesh has none", "use closed formulas, or a STEP file");
-    return shape_by_elements(reader, *shape, element);
-  }
+  if (by_elements) return shape_by_elements(reader, *shape, element);
   element.law.nominal_stiffness = stiffness_by_formulas(*shape);
   element.facts.push_back({"found by", "closed formulas of bonded rubber, mostly within 5 % of finite elements"});
   return shape->length;
@@ -226,9 +236,13 @@ std::optional<fem::FaceSelection> read_plate(TableReader& reader, const std::str
   std::optional<fem::FaceSelection> selection;
   if (const auto faces = plate.numbers("faces", Quantity::pure)) {
     fem::FacesByNumber numbers;
-    for (const double face : *faces) numbers.numbers.push_back(static_cast<int>(face));
+    for (const double face : *faces) {
+      if (face >= 1 && face < 1e9 && face == std::floor(face)) numbers.numbers.push_back(static_cast<int>(face));
+      else plate.error("faces", fmt::format("{:.6g}", face), "faces are numbered from 1 in the order of the file", "give whole numbers");
+    }
     selection = numbers;
   } else if (const auto diameter = plate.number("cylinder", Quantity::length)) {
+    if (!(*diameter > 0)) plate.error("cylinder", fmt::format("{:.6g} m", *diameter), "the diameter of a cylinder is > 0", "mend the value or its unit");
     fem::FacesOnCylinder cylinder{*diameter / 2};
     cylinder.point = plate.vector("point", Quantity::length).value_or(Eigen::Vector3d::Zero());
     cylinder.axis = plate.direction("axis").value_or(Eigen::Vector3d::UnitZ());
@@ -250,13 +264,15 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
   if (!list) {
     const auto rubber = read_rubber(reader);
     if (!rubber) return {};
-    fem::Material material = fem::neo_hookean(rubber->shear_modulus, rubber->bulk_modulus);
+    fem::Material material{.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus};
     read_large_strain(reader, material);
     return {material};
   }
   std::vector<fem::Material> materials;
-  if (list->kind != Node::Kind::array) {
-    reader.error("materials", words(list->kind), "it is a list, one material per solid of the file", "write materials = [{G = \"0.7 MPa\"}, \"steel\"]");
+  for (const char* key : {"material", "mooney_rivlin", "yeoh"})
+    if (reader.node(key)) reader.error(key, std::string(key) + " beside materials", "materials holds all there is about them", "remove one of the two");
+  if (list->kind != Node::Kind::array || list->items.empty()) {
+    reader.error("materials", list->kind == Node::Kind::array ? "an empty list" : words(list->kind), "it is a list, one material per solid of the file", "write materials = [{G = \"0.7 MPa\"}, \"steel\"]");
     return {};
   }
   for (std::size_t i = 0; i < list->items.size(); ++i) {
@@ -268,17 +284,20 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
     if (list->items[i].kind == Node::Kind::text) {
       if (const auto metal = read_metal(single)) materials.push_back(fem::linear_elastic(metal->young_modulus, metal->young_modulus / (2 * metal->shear_modulus) - 1));
     } else if (const auto rubber = read_rubber(single)) {
-      materials.push_back(fem::neo_hookean(rubber->shear_modulus, rubber->bulk_modulus));
+      materials.push_back({.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus});
+      single.add(fem::check(materials.back()), {{"shear_modulus", "material"}, {"bulk_modulus", "material"}});
     }
   }
   return materials;
 }
 
 LengthOf read_step_mount(TableReader& reader, model::Element& element) {
-  const std::size_t before = reader.problems().errors();
+  const std::size_t before = reader.errors();
   const auto file = read_file_name(reader, "step");
   fem::StepMeshOptions options;
+  const std::size_t before_size = reader.errors();
   options.size = reader.required_number("mesh_size", Quantity::length);
+  if (reader.errors() == before_size && !(options.size > 0)) reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0", "mend the value or its unit");
   options.rim_size = reader.number("rim_size", Quantity::length).value_or(0);
   options.rim_distance = reader.number("rim_distance", Quantity::length).value_or(0);
   if (const auto plate = read_plate(reader, "plate_n")) options.plate_n = *plate;
@@ -286,7 +305,7 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   const auto axis = reader.direction("step_axis").value_or(Eigen::Vector3d::UnitZ());
   const std::vector<fem::Material> materials = read_solid_materials(reader);
   const auto compression = read_compression(reader);
-  if (reader.problems().errors() > before) return std::nullopt;
+  if (reader.errors() > before) return std::nullopt;
   std::string words_of_all = fmt::format("{} step {:.17g} {:.17g} {:.17g}", method, options.size, options.rim_size, options.rim_distance);
   for (const fem::Material& material : materials) words_of_all += " " + words(material);
   for (const char* key : {"plate_n", "plate_k", "step_axis"})
@@ -296,8 +315,12 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   const auto make = [&] {
     auto meshed = fem::mesh_step(*file, options);
     if (!meshed) {
-      reader.add(meshed.error());
+      reader.add(meshed.error(), {{"file", "step"}, {"size", "mesh_size"}});
       throw foundation::InvalidInput("the STEP file gives no mesh");
+    }
+    if (materials.size() != 1 && materials.size() != static_cast<std::size_t>(meshed->solids)) {
+      reader.error("materials", fmt::format("{} materials", materials.size()), fmt::format("the file holds {} solids", meshed->solids), "give one for all, or one per solid in the order of the file");
+      throw foundation::InvalidInput("materials and solids differ in number");
     }
     Solid solid{std::move(meshed->mesh), std::nullopt, 1, materials, {meshed->centre_n, meshed->centre_k, spatial::axes_along(axis)}};
     if (materials.size() == 1) std::fill(solid.mesh.material.begin(), solid.mesh.material.end(), 0);
@@ -314,6 +337,12 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   return distance;
 }
 
+/// Which keys belong here is not known without a shape.
+void know_all_keys(TableReader& reader) {
+  reader.also_known({"step", "shape", "mesh_size", "rim_size", "rim_distance", "plate_n", "plate_k", "step_axis", "materials", "material", "mesh_level", "mooney_rivlin", "yeoh",
+                     "preload", "diameter", "hole_diameter", "thickness", "formulas", "width_x", "width_y", "layers", "plate_thickness", "inner_diameter", "outer_diameter", "length"});
+}
+
 }  // namespace
 
 LengthOf read_rubber_disc(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "disc", element); }
@@ -325,18 +354,21 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
   if (reader.has("step") == reader.has("shape")) {
     reader.error(reader.has("step") ? "shape" : "step", reader.has("step") ? "step and shape" : "neither step nor shape",
                  "a solid_mount is made from a STEP file or from a shape", "give step = \"mount.step\", or shape = \"disc\", \"block\", \"bush\" or \"sandwich\" with its dimensions");
+    know_all_keys(reader);
     return std::nullopt;
   }
   if (reader.has("step")) return read_step_mount(reader, element);
   const auto kind = reader.choice("shape", {"disc", "block", "bush", "sandwich"});
-  if (!kind) return std::nullopt;
-  auto shape = read_rubber_shape(reader, *kind);
-  if (!shape) return std::nullopt;
-  const foundation::Problems findings = check(*shape);
-  if (findings.has_errors()) {
-    reader.add(findings);
+  if (!kind) {
+    know_all_keys(reader);
     return std::nullopt;
   }
+  reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload"});
+  auto shape = read_rubber_shape(reader, *kind);
+  if (!shape) return std::nullopt;
+  const foundation::Problems findings = findings_of(*shape, true);
+  reader.add(findings, shape_keys());
+  if (findings.has_errors()) return std::nullopt;
   return shape_by_elements(reader, *shape, element);
 }
 

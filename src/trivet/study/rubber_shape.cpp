@@ -36,7 +36,7 @@ fem::Material plate_metal() { return fem::linear_elastic(206e9, 0.3); }
 }  // namespace
 
 std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::string& kind) {
-  const std::size_t before = reader.problems().errors();
+  const std::size_t before = reader.errors();
   RubberShape shape;
   if (kind == "bush") {
     elements::RubberBush bush;
@@ -54,6 +54,8 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
     elements::Sandwich sandwich;
     if (kind == "sandwich") {
       const double count = reader.required_number("layers", Quantity::pure);
+      if (reader.has("layers") && reader.errors() == before && count != std::floor(count))
+        reader.error("layers", fmt::format("{:.6g}", count), "rubber layers are counted in whole numbers", "give the number of rubber layers");
       sandwich.layers = count >= 1 && count <= 1000 && count == std::floor(count) ? static_cast<int>(count) : 0;
       sandwich.plate_thickness = reader.required_number("plate_thickness", Quantity::length);
       if (sandwich.layers > 0) layers = fem::sandwich_layers(sandwich.layers, thickness, sandwich.plate_thickness);
@@ -78,16 +80,24 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
     if (kind == "sandwich") shape.formulas = sandwich;
   }
   const auto rubber = read_rubber(reader);
-  if (reader.problems().errors() > before) return std::nullopt;
-  if (!rubber) return std::nullopt;
-  std::visit(
+  if (rubber) std::visit(
       [&](auto& law) {
         if constexpr (std::is_same_v<std::decay_t<decltype(law)>, elements::Sandwich>) std::visit([&](auto& layer) { layer.rubber = *rubber; }, law.layer);
         else law.rubber = *rubber;
       },
       shape.formulas);
-  shape.materials = {fem::neo_hookean(rubber->shear_modulus, rubber->bulk_modulus), plate_metal()};
+  if (reader.errors() > before) {
+    reader.add(check(shape), shape_keys());  // of what could be read
+    return std::nullopt;
+  }
+  shape.materials = {fem::Material{.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus}, plate_metal()};
   return shape;
+}
+
+const TableReader::Names& shape_keys() {
+  static const TableReader::Names names = {{"radius", "diameter"}, {"hole_radius", "hole_diameter"}, {"inner_radius", "inner_diameter"}, {"outer_radius", "outer_diameter"},
+                                           {"width_1", "width_x"}, {"width_2", "width_y"},           {"shear_modulus", "material"},       {"bulk_modulus", "material"}};
+  return names;
 }
 
 foundation::Problems check(const RubberShape& shape) {

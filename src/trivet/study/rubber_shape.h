@@ -23,6 +23,8 @@ struct RubberShape {
 /// Dimensions and material of `kind` ("disc", "block", "bush", "sandwich"); nothing after reporting what is wrong.
 [[nodiscard]] std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::string& kind);
 
+/// The keys that stand for what the checks of the formulas name.
+[[nodiscard]] const TableReader::Names& shape_keys();
 [[nodiscard]] foundation::Problems check(const RubberShape& shape);
 [[nodiscard]] elements::Matrix12 stiffness_by_formulas(const RubberShape& shape);
 

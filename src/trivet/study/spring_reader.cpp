@@ -38,7 +38,7 @@ void read_length(TableReader& reader, CoilSpring& spring) {
     reader.error(reader.has("pitch") ? "pitch" : "free_length", reader.has("pitch") ? "free_length and pitch" : "missing",
                  "the length of the active coils follows from one of free_length, pitch", "give one of them");
   if (const auto length = reader.number("free_length", Quantity::length)) spring.active_length = *length;
-  if (const auto pitch = reader.number("pitch", Quantity::length)) spring.active_length = *pitch * spring.active_coils;
+  if (const auto pitch = reader.number("pitch", Quantity::length)) spring.active_length = *pitch * (spring.active_coils > 0 ? spring.active_coils : 1);
 }
 
 /// One value for both ends, or [N, K].
@@ -128,8 +128,10 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
     return state;
   } catch (const foundation::InvalidInput& reason) {
     preload.error(by ? "compression" : "force", reason.what(), "the compressed spring must exist", "lower the preload");
-    return std::nullopt;
+  } catch (const foundation::NotComputable& reason) {
+    preload.error(by ? "compression" : "force", reason.what(), "the loaded spring must be in equilibrium", "lower the preload, and check its sign and unit");
   }
+  return std::nullopt;
 }
 
 void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil& state, model::Element& element) {
@@ -144,7 +146,8 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
 }  // namespace
 
 LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
-  const std::size_t before = reader.problems().errors();
+  const std::size_t before = reader.errors();
+  reader.also_known({"preload", "internal_modes"});
   CoilSpring spring;
   read_wire(reader, spring);
   spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
@@ -159,11 +162,13 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     spring.youngs_modulus = metal->young_modulus;
     spring.shear_modulus = metal->shear_modulus;
     spring.density = metal->density;
+    if (level != "quasi_static" && std::isnan(metal->density))
+      reader.error("material", "no density", "a spring with mass needs one", "add density, or level = \"quasi_static\"");
   }
-  if (reader.problems().errors() > before) return std::nullopt;
-  const foundation::Problems findings = elements::check(spring, level != "quasi_static");
-  reader.add(findings);
-  if (findings.has_errors()) return std::nullopt;
+  reader.add(elements::check(spring, level != "quasi_static"),
+             {{"active_length", reader.has("pitch") ? "pitch" : "free_length"}, {"youngs_modulus", "material"}, {"shear_modulus", "material"},
+              {"density", "material"}, {"dead_coils_n", "dead_coils"}, {"dead_coils_k", "dead_coils"}});
+  if (reader.errors() > before) return std::nullopt;
   element.law.nominal_stiffness = elements::stiffness(spring);
   double distance = elements::seat_distance(spring);
   std::optional<elements::SeatedCoil> seated;
@@ -175,7 +180,7 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     distance = compressed->seat_distance;
     add_preload_facts(spring, *compressed, element);
   }
-  if (reader.problems().errors() > before) return std::nullopt;
+  if (reader.errors() > before) return std::nullopt;
   add_facts(spring, distance, element);
   read_level(reader, seated, level, element);
   return distance;

@@ -48,8 +48,40 @@ foundation::Problem& TableReader::error(const std::string& key, std::string find
   return error_at(node ? *node : table_, where, std::move(finding), std::move(rule), std::move(remedy));
 }
 
-void TableReader::add(const foundation::Problems& findings) {
+void TableReader::also_known(std::initializer_list<const char*> keys) {
+  for (const char* key : keys) static_cast<void>(node(key));
+}
+
+std::size_t TableReader::errors() const {
+  return static_cast<std::size_t>(std::count_if(problems_.list().begin(), problems_.list().end(),
+                                                [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; }));
+}
+
+void TableReader::add_of_file(const std::string& key, const foundation::Problems& findings) {
+  const std::string where = path_.empty() ? key : path_ + "." + key;
   for (foundation::Problem problem : findings.list()) {
+    if (problem.origin.source.empty()) problem.origin = (table_.find(key) ? *table_.find(key) : table_).origin;
+    problem.subject = where + (problem.subject.empty() ? "" : ": " + problem.subject);
+    problems_.add(std::move(problem));
+  }
+}
+
+void TableReader::add(const foundation::Problems& findings, const Names& names) {
+  const std::size_t before = problems_.list().size();
+  const auto unread = [&](const std::string& subject) {
+    return std::any_of(problems_.list().begin(), problems_.list().begin() + static_cast<std::ptrdiff_t>(before), [&](const foundation::Problem& known) {
+      const std::string& other = known.subject;
+      const bool same = other.starts_with(subject) && (other.size() == subject.size() || other[subject.size()] == '.' || other[subject.size()] == '[');
+      return same && known.severity == foundation::Severity::error;
+    });
+  };
+  for (foundation::Problem problem : findings.list()) {
+    for (const auto& [from, to] : names)
+      if (problem.subject == from) {
+        problem.subject = to;
+        break;
+      }
+    if (!problem.subject.empty() && unread(path_ + "." + problem.subject)) continue;
     const Node* node = table_.find(problem.subject.substr(0, problem.subject.find('.')));
     problem.origin = (node ? *node : table_).origin;
     problem.subject = problem.subject.empty() ? path_ : path_ + "." + problem.subject;

@@ -3,8 +3,10 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/study/document.h"
@@ -30,8 +32,17 @@ class TableReader {
   /// A table behind a key; another kind of value is a problem.
   const Node* table(const std::string& key);
 
-  /// Findings of a check whose subjects are keys of this table.
-  void add(const foundation::Problems& findings);
+  /// Keys that belong here even if reading ends before it comes to them.
+  void also_known(std::initializer_list<const char*> keys);
+  /// Errors found so far, here and elsewhere; warnings do not count.
+  [[nodiscard]] std::size_t errors() const;
+
+  /// What a check calls a value, and the key that the user gave for it.
+  using Names = std::vector<std::pair<const char*, const char*>>;
+  /// Findings of a check whose subjects are keys of this table. A key that could not be read has no finding of its own.
+  void add(const foundation::Problems& findings, const Names& names = {});
+  /// Problems of the file that a key names: they keep their place in it.
+  void add_of_file(const std::string& key, const foundation::Problems& findings);
 
   std::optional<double> number(const std::string& key, Quantity quantity);
   double required_number(const std::string& key, Quantity quantity);

@@ -89,16 +89,17 @@ void judge(TableReader& reader, const std::string& direction, const elements::St
 }  // namespace
 
 void read_tabulated(TableReader& reader, const model::Span& span, model::Element& element) {
+  const std::size_t before = reader.errors();
   const double centre = reader.number("center", Quantity::pure).value_or(0.5);
   const auto interpolation = reader.choice("interpolation", {"monotone_cubic", "linear"}) == "linear" ? elements::Interpolation::linear : elements::Interpolation::monotone_cubic;
   const auto file = read_file_name(reader, "file");
-  if (reader.has("damping")) reader.error("damping", "damping of a " + element.type, "its table holds the loss", "remove it");
+  if (reader.has("damping")) reader.error("damping", "damping beside a table", "its table holds the loss", "remove it");
   static_cast<void>(reader.node("damping"));
   if (!(centre >= 0 && centre <= 1)) reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
   if (!file) return;
   const auto csv = read_csv_table(*file);
   if (!csv) {
-    for (const foundation::Problem& problem : csv.error().list()) reader.problems().add(problem);
+    reader.add_of_file("file", csv.error());
     return;
   }
   auto law = std::make_shared<std::array<std::optional<PiecewiseStiffness>, 6>>();
@@ -112,17 +113,16 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
     wanted.insert({name, name + "_loss"});
     const auto values = columns(*csv, {"frequency_hz", name, name + "_loss"});
     if (!values) {
-      for (const foundation::Problem& problem : values.error().list()) reader.problems().add(problem);
-      return;
+      reader.add_of_file("file", values.error());
+      continue;
     }
     const elements::StiffnessTable table = direction_table(*csv, *values, interpolation);
-    const foundation::Problems findings = elements::check(table, "file");
-    reader.add(findings);
-    if (findings.has_errors()) return;
-    if (table.angular_frequencies.size() < 2) {
-      reader.error("file", fmt::format("{} row", table.angular_frequencies.size()), "a table needs two frequencies at least", "add rows");
-      return;
-    }
+    elements::StiffnessTable as_written = table;
+    for (Eigen::Index i = 0; i < values->rows(); ++i) as_written.angular_frequencies[static_cast<std::size_t>(i)] = (*values)(i, 0);  // [Hz], for the words
+    foundation::Problems findings = elements::check(as_written, "");
+    for (foundation::Problem& problem : findings.list()) problem.finding = name + ": " + problem.finding;
+    reader.add_of_file("file", findings);
+    if (findings.has_errors()) continue;
     judge(reader, directions[static_cast<std::size_t>(j)], table, element);
     (*law)[static_cast<std::size_t>(j)].emplace(table);
     static_constants(j) = table.storage(0, 0);
@@ -137,6 +137,7 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
     reader.error("file", "no stiffness column", "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "add at least one pair");
     return;
   }
+  if (reader.errors() > before) return;
   element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(static_constants, span.arm, centre), span.n_from_k);
   std::array<elements::Matrix12, 6> unit;
   for (int j = 0; j < 6; ++j) unit[static_cast<std::size_t>(j)] = elements::in_end_axes(elements::constants_at_point(elements::Vector6::Unit(j), span.arm, centre), span.n_from_k);
