@@ -119,7 +119,7 @@ std::string damping_words(const elements::Law& law) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&law.damping)) return fmt::format("B = {:.6g} s × the {} stiffness", p->factor, p->of_nominal ? "nominal" : "scaled");
   if (const auto* l = std::get_if<elements::LossFactor>(&law.damping)) return fmt::format("loss factor {:.6g}", l->value);
   if (std::holds_alternative<elements::DampingMatrix>(law.damping)) return "a viscous damping matrix";
-  if (std::holds_alternative<elements::Viscoelastic>(law.damping)) return "viscoelastic";
+  if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::words(*v);
   return "none of its own";
 }
 
