@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -39,7 +40,7 @@ class ElementReader {
   }
 
   std::optional<model::Element> read() {
-    const std::size_t before = reader_.problems().list().size();
+    const auto before = std::ssize(reader_.problems().list());
     element_.type = reader_.required_text("type");
     const bool sized = read_sized_law();  // its length places end N
     const bool placed = read_ends();      // if not, the law is still read for its own problems
@@ -50,7 +51,9 @@ class ElementReader {
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();
     else report_tables_inside(node_);  // which other keys belong here depends on the type
-    return placed && reader_.problems().list().size() == before ? std::optional(element_) : std::nullopt;
+    const auto& problems = reader_.problems().list();
+    const bool good = std::none_of(problems.begin() + before, problems.end(), [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; });
+    return placed && good ? std::optional(element_) : std::nullopt;  // a warning must not lose the element
   }
 
  private:
