@@ -45,7 +45,7 @@ void draw_cells(SvgCanvas& canvas, PixelPoint corner, const elements::Matrix12& 
       const double value = scaled(k, i, j);
       const PixelPoint at{corner.x + left + cell * j, corner.y + top + cell * i};
       canvas.rectangle(at, cell, cell, fmt::format("fill=\"{}\" stroke=\"#ddd\" stroke-width=\"0.6\"", colour(value)));
-      const char* ink = std::abs(value) < round_off ? "#999" : std::abs(value) > 0.6 ? "white" : "#111";
+      const char* ink = std::abs(value) < round_off ? "#999" : std::abs(value) > 0.75 ? "white" : "#111";
       canvas.text({at.x + cell / 2, at.y + cell / 2 + 4}, number(value), fmt::format("text-anchor=\"middle\" fill=\"{}\"{}", ink, std::abs(value) < 0.0995 ? " font-size=\"10\"" : ""));
     }
   for (int block = 0; block <= 4; ++block) {  // between the ends, and between translations and rotations
