@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <fstream>
 #include <numeric>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/element_text.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/report/element_picture.h"
 #include "trivet/study/element_json.h"
 
 namespace trivet::cli {
@@ -28,6 +32,13 @@ std::vector<std::size_t> replaced(const study::Case& variant, std::size_t elemen
   return every;
 }
 
+void write_picture(const std::string& path, const std::string& svg) {
+  std::ofstream file(path, std::ios::binary);
+  file << svg;
+  file.close();
+  if (!file) throw std::runtime_error(path + ": the picture could not be written");
+}
+
 }  // namespace
 
 int element_command(const Options& options) {
@@ -36,10 +47,16 @@ int element_command(const Options& options) {
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);
     const std::size_t element = chosen_element(variant, options.element);
-    const study::ElementSummary summary = study::element_summary(variant, element);
-    const study::Simplification simple = study::simplification(variant, replaced(variant, element, options.all), progress());
+    study::ElementSummary summary = study::element_summary(variant, element);
+    std::optional<study::Simplification> simple;
+    try {
+      simple = study::simplification(variant, replaced(variant, element, options.all), progress());
+    } catch (const foundation::NotComputable& reason) {
+      summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");
+    }
+    if (!options.picture.empty()) write_picture(options.picture, report::element_picture(variant, element));
     write_output(options.json ? study::element_json(variant, element, summary, simple)
-                              : element_text(variant, element, summary) + "\n" + simplification_text(simple));
+                              : element_text(variant, element, summary) + (simple ? "\n" + simplification_text(*simple) : ""));
     return done;
   } catch (const BadArgument& bad) {
     fmt::print(stderr, "error: {}\n", bad.what());

@@ -77,8 +77,11 @@ std::string checks_text(const model::Element& element, const elements::MatrixVer
   else table.add({"declared unsymmetric", fmt::format("{:.1e}", v.asymmetry), "as declared"});
   table.add({element.law.preload ? "rigid motion asks only for the turned preload" : "resists no rigid motion", fmt::format("{:.1e}", v.rigid_residual),
              verdict(v.rigid_residual <= elements::silent_residual)});
-  table.add({"gives no energy", fmt::format("eigenvalues {:.2g} to {:.2g}", std::abs(v.lowest_eigenvalue) < 1e-13 ? 0.0 : v.lowest_eigenvalue, v.highest_eigenvalue),
-             verdict(elements::is_semidefinite(v))});
+  // Turned as a whole, a preloaded element does work: N is held.
+  const double lowest = element.law.preload ? elements::lowest_of_held_end(elements::stiffness(element.law)) : v.lowest_eigenvalue;
+  const bool passive = element.law.preload ? lowest >= -elements::rounding_of_data : elements::is_semidefinite(v);
+  table.add({element.law.preload ? "gives no energy while N is held" : "gives no energy",
+             fmt::format("eigenvalues {:.2g} to {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest, v.highest_eigenvalue), verdict(passive)});
   return table.text();
 }
 
@@ -119,7 +122,7 @@ std::string damping_words(const elements::Law& law) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&law.damping)) return fmt::format("B = {:.6g} s × the {} stiffness", p->factor, p->of_nominal ? "nominal" : "scaled");
   if (const auto* l = std::get_if<elements::LossFactor>(&law.damping)) return fmt::format("loss factor {:.6g}", l->value);
   if (std::holds_alternative<elements::DampingMatrix>(law.damping)) return "a viscous damping matrix";
-  if (std::holds_alternative<elements::Viscoelastic>(law.damping)) return "viscoelastic";
+  if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::words(*v);
   return "none of its own";
 }
 

@@ -70,7 +70,7 @@ Json simplification_json(const Simplification& simple) {
 
 }  // namespace
 
-std::string element_json(const Case& variant, std::size_t index, const ElementSummary& summary, const Simplification& simple) {
+std::string element_json(const Case& variant, std::size_t index, const ElementSummary& summary, const std::optional<Simplification>& simple) {
   const model::Element& element = variant.system.elements()[index];
   const elements::Law& law = element.law;
   Json facts = Json::array();
@@ -82,7 +82,7 @@ std::string element_json(const Case& variant, std::size_t index, const ElementSu
                     {"frequency_dependent", elements::is_frequency_dependent(law)}, {"massless_up_to", json::number(element.massless_up_to)},
                     {"preload", law.preload ? json::list(*law.preload) : Json(nullptr)}, {"rigid_motion_residual", json::rows(summary.verdict.residual)},
                     {"character", character_json(summary.character)}, {"modes", modes_json(summary)}, {"uncertainty", uncertainty_json(element)},
-                    {"residuals", residuals_json(element)}, {"simplification", simplification_json(simple)}, {"warnings", json::warnings(summary.warnings)}};
+                    {"residuals", residuals_json(element)}, {"simplification", simple ? simplification_json(*simple) : Json(nullptr)}, {"warnings", json::warnings(summary.warnings)}};
   return result.dump(1) + "\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "trivet/study/element_summary.h"
@@ -10,6 +11,6 @@ namespace trivet::study {
 
 /// {"name", "type", "stiffness": 12×12, "damping", "mass", "preload", "rigid_motion_residual": 12×6, "warnings", …}: what an element is in its
 /// local frame, order N, K, scale included, and what three springs in its place would change (docs/json.md).
-[[nodiscard]] std::string element_json(const Case& variant, std::size_t element, const ElementSummary& summary, const Simplification& simple);
+[[nodiscard]] std::string element_json(const Case& variant, std::size_t element, const ElementSummary& summary, const std::optional<Simplification>& simple);
 
 }  // namespace trivet::study

@@ -6,6 +6,7 @@
 
 #include "trivet/elements/character.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/free_motions.h"
 #include "trivet/study/answers.h"
 
 namespace trivet::study {
@@ -121,12 +122,21 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
   return result;
 }
 
-Analyses peaks_of(const Case& variant) {
+/// Highest peaks of both models, or why there are none; the modes stand without them.
+void compare_peaks(const Case& full, const Case& simple, const foundation::Progress& progress, Simplification& result) {
+  if (full.system.description().harmonic_forces.empty()) {
+    result.no_peaks = "the model has no harmonic excitation";
+    return;
+  }
   Analyses wanted;
-  wanted.modes = true;
-  if (!variant.system.description().harmonic_forces.empty())
-    wanted.peaks = variant.analyses.peaks.value_or(PeaksRequest{variant.analyses.response ? variant.analyses.response->wanted : Wanted{}});
-  return wanted;
+  wanted.peaks = full.analyses.peaks.value_or(PeaksRequest{full.analyses.response ? full.analyses.response->wanted : Wanted{}});
+  try {
+    const Answers of_full = answers(full, wanted, progress), of_simple = answers(simple, wanted, progress);
+    if (of_full.peaks && of_simple.peaks) result.peaks = compared(of_full.peaks->peaks, of_simple.peaks->peaks);
+    else result.no_peaks = of_full.peaks ? "with three springs: " + of_simple.failures.front() : of_full.failures.front();
+  } catch (const foundation::NotComputable& reason) {
+    result.no_peaks = reason.what();
+  }
 }
 
 }  // namespace
@@ -156,8 +166,9 @@ model::System with_three_springs(const model::System& system, const std::vector<
 Simplification simplification(const Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress) {
   Case simple = variant;
   simple.system = with_three_springs(variant.system, replaced);
-  const Analyses wanted = peaks_of(variant);
-  const Answers full = answers(variant, wanted, progress), simplified = answers(simple, wanted, progress);
+  const assembly::Assembled assembled = assembly::assemble(variant.system), simple_assembled = assembly::assemble(simple.system);
+  const modal::Modes full = modal::modes(variant.system, assembled), simplified = modal::modes(simple.system, simple_assembled);
+  const std::vector<std::string> already_free = modal::free_motions(variant.system, assembled, full);
 
   Simplification result;
   for (const std::size_t index : replaced) {
@@ -165,14 +176,12 @@ Simplification simplification(const Case& variant, const std::vector<std::size_t
     result.replaced.push_back(element.name);
     for (std::string& words : left_out(element)) result.left_out.push_back(std::move(words));
   }
-  result.modes = paired(variant.system, full.modes, simplified.modes);
-  for (const Mode& mode : full.modes.list)
+  result.modes = paired(variant.system, full, simplified);
+  for (const Mode& mode : full.list)
     if (is_inner(mode) && result.inner_modes++ == 0) result.first_inner_mode = mode.angular_frequency;
-  for (const std::string& motion : simplified.free_motions)
-    if (std::find(full.free_motions.begin(), full.free_motions.end(), motion) == full.free_motions.end()) result.free_motions.push_back(motion);
-  if (full.peaks && simplified.peaks) result.peaks = compared(full.peaks->peaks, simplified.peaks->peaks);
-  else if (!wanted.peaks) result.no_peaks = "the model has no harmonic excitation";
-  else result.no_peaks = full.failures.empty() ? "with three springs: " + simplified.failures.front() : full.failures.front();
+  for (const std::string& motion : modal::free_motions(simple.system, simple_assembled, simplified))
+    if (std::find(already_free.begin(), already_free.end(), motion) == already_free.end()) result.free_motions.push_back(motion);
+  compare_peaks(variant, simple, progress, result);
   return result;
 }
 

@@ -52,10 +52,7 @@ void TableReader::also_known(std::initializer_list<const char*> keys) {
   for (const char* key : keys) static_cast<void>(node(key));
 }
 
-std::size_t TableReader::errors() const {
-  return static_cast<std::size_t>(std::count_if(problems_.list().begin(), problems_.list().end(),
-                                                [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; }));
-}
+std::size_t TableReader::errors() const { return problems_.errors(); }
 
 void TableReader::add_of_file(const std::string& key, const foundation::Problems& findings) {
   const std::string where = path_.empty() ? key : path_ + "." + key;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "trivet/elements/law.h"
+#include "trivet/report/svg_canvas.h"
+#include "trivet/response/frequency_grid.h"
+
+namespace trivet::report {
+
+inline constexpr double dynamic_stiffness_plot_height = 330;  ///< [pixels], width 980
+
+/// Where the dynamic stiffness of a law is worth drawing [rad/s]: its table, its own natural frequencies, its relaxation times.
+/// None if it is the same at all frequencies but for a dashpot.
+[[nodiscard]] std::optional<response::Band> dynamic_band(const elements::Law& law);
+
+/// |D_ii| of the K end, N held, over frequency; translations left, rotations right, own natural frequencies as lines.
+void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, const response::Band& band);
+
+}  // namespace trivet::report

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/element_picture.h"
+
+#include "trivet/report/dynamic_stiffness_plot.h"
+#include "trivet/report/residual_plot.h"
+#include "trivet/report/stiffness_map.h"
+
+namespace trivet::report {
+
+std::string element_picture(const study::Case& variant, std::size_t index) {
+  constexpr double width = 980, title_height = 44, gap = 20;
+  const model::Element& element = variant.system.elements()[index];
+  const bool identified = element.evidence && !element.evidence->residuals.empty();
+  const auto band = dynamic_band(element.law);
+  const double residuals = identified ? residual_plot_height(element.evidence->residuals) + gap : 0;
+  const double dynamics = band ? dynamic_stiffness_plot_height + gap : 0;
+
+  SvgCanvas canvas(width, title_height + stiffness_map_height + residuals + dynamics);
+  const std::string title = element.name + ", " + element.type + (variant.name.empty() ? "" : ", " + variant.name);
+  canvas.text({width / 2, 24}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
+  canvas.text({width / 2, 40}, "stiffness 12×12 in local axes", "text-anchor=\"middle\" fill=\"#333\"");
+  draw_stiffness_map(canvas, {20, title_height}, elements::stiffness(element.law));
+  double y = title_height + stiffness_map_height;
+  if (identified) {
+    draw_residuals(canvas, {0, y}, element.evidence->residuals);
+    y += residuals;
+  }
+  if (band) draw_dynamic_stiffness(canvas, {0, y}, element.law, *band);
+  return canvas.svg("Stiffness of element " + title);
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/plot_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trivet::report {
+namespace {
+
+constexpr std::array<const char*, 6> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00"};
+constexpr std::array<const char*, 6> dashes = {"", "7,3", "2,2", "9,3,2,3", "5,2", "1,3"};
+
+}  // namespace
+
+double Axis::share(double value) const {
+  const double kept = std::clamp(value, from, to);
+  return logarithmic ? std::log(kept / from) / std::log(to / from) : (kept - from) / (to - from);
+}
+
+std::vector<Tick> Axis::ticks(int wanted) const { return logarithmic ? decade_ticks(from, to) : linear_ticks(from, to, wanted); }
+
+PixelPoint PlotPanel::at(double x_value, double y_value) const { return {corner.x + x.share(x_value) * width, corner.y + (1 - y.share(y_value)) * height}; }
+
+void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
+  const double bottom = p.corner.y + p.height, right = p.corner.x + p.width;
+  for (const Tick& tick : p.x.ticks(std::max(3, static_cast<int>(p.width / 70)))) {
+    const double x = p.at(tick.value, p.y.from).x;
+    canvas.line({x, p.corner.y}, {x, bottom}, "stroke=\"#e4e4e4\"");
+    canvas.text({x, bottom + 15}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
+  }
+  for (const Tick& tick : p.y.ticks(5)) {
+    const double y = p.at(p.x.from, tick.value).y;
+    canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#e4e4e4\"");
+    canvas.text({p.corner.x - 6, y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
+  }
+  canvas.rectangle(p.corner, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
+  canvas.text({p.corner.x + p.width / 2, bottom + 31}, p.x.label, "text-anchor=\"middle\"");
+  const double x = p.corner.x - 48, y = p.corner.y + p.height / 2;
+  canvas.text({x, y}, p.y.label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+}
+
+const char* series_colour(std::size_t series) { return colours[series % colours.size()]; }
+
+std::string series_stroke(std::size_t series) {
+  const char* dash = dashes[series % dashes.size()];
+  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", series_colour(series), dash[0] ? fmt::format(" stroke-dasharray=\"{}\"", dash) : "");
+}
+
+}  // namespace trivet::report

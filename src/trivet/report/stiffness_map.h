@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/elements/law.h"
+#include "trivet/report/svg_canvas.h"
+
+namespace trivet::report {
+
+inline constexpr double stiffness_map_height = 610;   ///< [pixels], width 980
+
+/// A 12×12 as a signed heat map: each entry over √(K_ii K_jj) as colour and number, the diagonal itself with its unit beside it.
+void draw_stiffness_map(SvgCanvas& canvas, PixelPoint corner, const elements::Matrix12& stiffness);
+
+}  // namespace trivet::report
