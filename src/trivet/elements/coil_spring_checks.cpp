@@ -49,7 +49,7 @@ bool check_sizes(Problems& problems, const CoilSpring& spring) {
 }
 
 void check_proportions(Problems& problems, const CoilSpring& spring) {
-  constexpr double fewest_coils = 0.25, usual_coils = 2, lowest_index = 3, usual_index = 4, highest_index = 20;
+  constexpr double fewest_coils = 0.25, usual_coils = 2, lowest_index = 3, usual_index = 4, highest_index = 20, most_coils = 1000;
   const double index = spring_index(spring), pitch = spring.active_length / spring.active_coils, height = wire_height(spring);
   const std::string as_index = amount(spring.mean_diameter, "m") + ", " + amount(index) + " times the wire";
   if (index < lowest_index)
@@ -63,6 +63,8 @@ void check_proportions(Problems& problems, const CoilSpring& spring) {
                    "coils overlap: the pitch must be ≥ the height of the wire, " + amount(height, "m"), "lengthen the spring or take coils away");
   if (spring.active_coils < fewest_coils)
     problems.error("active_coils", amount(spring.active_coils), "must be ≥ 0.25", "model so short an arc as a beam");
+  else if (spring.active_coils > most_coils)
+    problems.error("active_coils", amount(spring.active_coils), "at most 1000 are computed", "split so long a spring, or check the number");
   else if (spring.active_coils < usual_coils)
     problems.warning("active_coils", amount(spring.active_coils), "EN 13906-1 holds from 2 active coils", "the ends of a real spring will differ");
 }

@@ -73,7 +73,12 @@ std::size_t Problems::errors() const {
 
 void Problems::sort_by_origin() {
   const auto line = [](const Problem& p) { return p.origin.line > 0 ? p.origin.line : std::numeric_limits<int>::max(); };
-  std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) { return line(a) < line(b); });
+  // Files in the order in which they first occur: the project file, then its data.
+  std::vector<std::string> files;
+  for (const Problem& p : list_)
+    if (std::find(files.begin(), files.end(), p.origin.source) == files.end()) files.push_back(p.origin.source);
+  const auto file = [&](const Problem& p) { return p.origin.line > 0 ? std::find(files.begin(), files.end(), p.origin.source) - files.begin() : std::ptrdiff_t{0}; };
+  std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) { return std::make_pair(file(a), line(a)) < std::make_pair(file(b), line(b)); });
   std::set<std::tuple<Severity, std::string, std::string, std::string>> seen;
   std::erase_if(list_, [&](const Problem& p) { return !seen.emplace(p.severity, p.subject, p.finding, p.rule).second; });
 }

@@ -2,6 +2,7 @@
 #include "trivet/modal/exact_roots.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace trivet::modal {
@@ -16,6 +17,12 @@ Eigen::MatrixXcd slope(const assembly::Assembled& assembled, Complex lambda) {
   return (assembled.dynamic_stiffness(minus_i * (lambda + step), near) - assembled.dynamic_stiffness(minus_i * (lambda - step), near)) / (2 * step);
 }
 
+/// Do all elements have a dynamic stiffness at this frequency?
+bool is_defined(const assembly::Assembled& assembled, double omega) {
+  return omega > 0 && std::all_of(assembled.elements.begin(), assembled.elements.end(),
+                                  [&](const assembly::ElementMap& map) { return omega >= map.defined_from && omega <= map.defined_to; });
+}
+
 }  // namespace
 
 ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const Eigen::VectorXcd& shape) {
@@ -28,7 +35,7 @@ ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const 
   v.normalize();
   for (int i = 0; i < most_steps && !root.converged; ++i) {
     const Complex lambda = root.eigenvalue;
-    if (!(lambda.imag() > 0) || std::abs(lambda - start) > strayed * std::abs(start)) return {start, shape, false};
+    if (!is_defined(assembled, lambda.imag()) || std::abs(lambda - start) > strayed * std::abs(start)) return {start, shape, false};
     const Eigen::MatrixXcd z = scale.asDiagonal() * assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag()) * scale.asDiagonal();
     const Eigen::MatrixXcd rate = scale.asDiagonal() * slope(assembled, lambda) * scale.asDiagonal();
     const Eigen::VectorXcd u = z.partialPivLu().solve(rate * v);

@@ -119,6 +119,10 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
     preload.error("force", preload.has("force") ? "compression and force" : "neither compression nor force", "the preload is one of them, positive in compression", "give one");
   preload.finish();
   if (by.has_value() == with.has_value()) return std::nullopt;
+  if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
+    reader.error("ends", "\"pivoted\" with a preload", "a pivot cannot hold the moment by which a compressed spring keeps itself from turning", "clamp both seats, or leave the preload out");
+    return std::nullopt;
+  }
   try {
     const elements::CompressedCoil state = by ? elements::compressed_by(spring, *by) : elements::compressed_with(spring, *with);
     foundation::Problems findings = elements::check_compression(spring, state.compression);
