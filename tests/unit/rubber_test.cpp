@@ -138,7 +138,7 @@ TEST(Sandwich, OfManyLayersBendsLikeATimoshenkoColumn) {
 TEST(RubberChecks, NameEveryBadNumber) {
   EXPECT_TRUE(check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.02}).list().empty());
   const auto bad = check(RubberDisc{.rubber = {-1, 0}, .radius = 0, .hole_radius = 0.2, .thickness = std::nan(""), .dynamic_factor = 0});
-  EXPECT_EQ(bad.list().size(), 6u);
+  EXPECT_EQ(bad.list().size(), 5u);  // the hole of a disc without a radius is no sixth
   EXPECT_TRUE(check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .hole_radius = 0.005, .thickness = 0.02}).has_errors());
   for (const double thickness : {0.5, 0.001}) {  // shape factors 0.1 and 50
     const auto warned = check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = thickness});
