@@ -15,6 +15,12 @@ bool check_length(foundation::Problems& problems, const std::string& key, double
   return false;
 }
 
+bool check_lengths(foundation::Problems& problems, std::initializer_list<std::pair<const char*, double>> lengths) {
+  bool sound = true;
+  for (const auto& [key, value] : lengths) sound = check_length(problems, key, value) && sound;
+  return sound;
+}
+
 void check_factor(foundation::Problems& problems, double dynamic_factor) {
   constexpr double usual_from = 1, usual_to = 4;
   const std::string value = fmt::format("dynamic_factor = {:.6g}", dynamic_factor);

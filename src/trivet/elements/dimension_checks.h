@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "trivet/foundation/problems.h"
 
@@ -10,6 +12,9 @@ namespace trivet::elements {
 
 /// Error unless the length [m] is positive and finite; says whether it is.
 bool check_length(foundation::Problems& problems, const std::string& key, double value);
+
+/// All of them, each reported for itself.
+bool check_lengths(foundation::Problems& problems, std::initializer_list<std::pair<const char*, double>> lengths);
 
 /// The dynamic stiffening factor: error unless > 0, warning outside 1 … 4.
 void check_factor(foundation::Problems& problems, double dynamic_factor);

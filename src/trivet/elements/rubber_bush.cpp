@@ -86,13 +86,12 @@ Matrix12 rubber_bush(const RubberBush& bush) {
 foundation::Problems check(const RubberBush& b) {
   constexpr double shortest = 0.5, short_length = 1, thinnest = 1.1, thickest = 5;
   foundation::Problems problems = check(b.rubber);
-  const bool sized = check_length(problems, "inner_radius", b.inner_radius) & check_length(problems, "outer_radius", b.outer_radius) &
-                     check_length(problems, "length", b.length);
+  const bool sized = check_lengths(problems, {{"inner_radius", b.inner_radius}, {"outer_radius", b.outer_radius}, {"length", b.length}});
   check_factor(problems, b.dynamic_factor);
   if (!sized) return problems;
   const double wall = b.outer_radius - b.inner_radius, ratio = b.outer_radius / b.inner_radius;
   if (!(wall > 0)) {
-    problems.error("outer_radius", fmt::format("outer_radius = {:.6g} m", b.outer_radius),
+    problems.error("outer_radius", fmt::format("an outer radius of {:.6g} m", b.outer_radius),
                    fmt::format("it must exceed the inner radius {:.6g} m", b.inner_radius), "exchange the radii if they were swapped");
     return problems;
   }

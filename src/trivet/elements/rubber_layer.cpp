@@ -177,11 +177,11 @@ Matrix12 rubber_block(const RubberBlock& block) { return at_mid_height(layer_con
 foundation::Problems check(const RubberDisc& d) {
   constexpr double smallest_hole = 0.1, small_hole = 0.2;
   foundation::Problems problems = check(d.rubber);
-  const bool sized = check_length(problems, "radius", d.radius) & check_length(problems, "thickness", d.thickness);
+  const bool sized = check_lengths(problems, {{"radius", d.radius}, {"thickness", d.thickness}});
   check_factor(problems, d.dynamic_factor);
   if (!(d.radius > 0)) return problems;  // a hole has nothing to be compared with
   if (!(d.hole_radius >= 0 && d.hole_radius < d.radius))
-    problems.error("hole_radius", fmt::format("hole_radius = {:.6g} m", d.hole_radius),
+    problems.error("hole_radius", fmt::format("a radius of {:.6g} m", d.hole_radius),
                    fmt::format("it must be ≥ 0 and below the radius {:.6g} m", d.radius), "0 is a solid disc");
   else if (d.hole_radius > 0 && d.hole_radius < smallest_hole * d.radius)
     problems.error("hole_radius", fmt::format("hole_radius = {:.6g} m is {:.3g} of the radius", d.hole_radius, d.hole_radius / d.radius),
@@ -196,8 +196,7 @@ foundation::Problems check(const RubberDisc& d) {
 
 foundation::Problems check(const RubberBlock& b) {
   foundation::Problems problems = check(b.rubber);
-  const bool sized = check_length(problems, "width_1", b.width_1) & check_length(problems, "width_2", b.width_2) &
-                     check_length(problems, "thickness", b.thickness);
+  const bool sized = check_lengths(problems, {{"width_1", b.width_1}, {"width_2", b.width_2}, {"thickness", b.thickness}});
   check_factor(problems, b.dynamic_factor);
   if (sized) check_shape_factor(problems, block_shape_factor(b.width_1, b.width_2, b.thickness));
   return problems;
