@@ -47,7 +47,7 @@ std::string modes_text(const study::Case& variant, const study::Answers& answers
 std::string roots_text(const study::Answers& answers) {
   TextTable table({"Re λ [1/s]", "Im λ [rad/s]", "kind", "|λ| [rad/s]", "damping ratio", "nearest mode"});
   for (const modal::Root& root : answers.roots.list)
-    table.add({shown(root.eigenvalue.real(), 8), shown(root.eigenvalue.imag(), 8), modal::name(root.kind), shown(root.angular_frequency.value_or(nothing), 8),
+    table.add({shown(root.eigenvalue.real(), 8), shown(root.eigenvalue.imag(), 8), std::string(modal::name(root.kind)) + (root.exact ? "" : " (approximate)"), shown(root.angular_frequency.value_or(nothing), 8),
                shown(root.damping_ratio.value_or(nothing)), root.nearest_mode ? std::to_string(*root.nearest_mode) : "–"});
   return "Damped roots λ, motion ~ exp(λt)\n" + table.text();
 }
@@ -87,7 +87,7 @@ std::string peaks_text(const study::Answers& answers) {
   for (const response::Peak& peak : found.list)
     table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / turn), shown(peak.amplitude, 9), found.curves[peak.curve].unit,
                shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(study::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * study::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
-  std::string text = "Resonance peaks, 0 < ω < ∞\n" + (found.list.empty() ? std::string() : table.text());
+  std::string text = (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4)) : std::string("Resonance peaks, 0 < ω < ∞\n")) + (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
     if (curve.vanishes) text += fmt::format("  {}: zero but for round-off\n", curve.name);
     else if (curve.peaks == 0)

@@ -123,6 +123,7 @@ std::string damping_words(const elements::Law& law) {
   if (const auto* l = std::get_if<elements::LossFactor>(&law.damping)) return fmt::format("loss factor {:.6g}", l->value);
   if (std::holds_alternative<elements::DampingMatrix>(law.damping)) return "a viscous damping matrix";
   if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::words(*v);
+  if (law.frequency_dependence && !law.frequency_dependence->elastic) return "in its table";
   return "none of its own";
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/elements/law.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/massless.h"
@@ -42,7 +43,13 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
   map.ends.bottomRightCorner(internal, internal).setIdentity();
   for (Eigen::Index i = 0; i < internal; ++i) map.rows.push_back(layout.internal_row(index) + i);
   if (elements::is_frequency_dependent(element.law))
-    map.dynamic_stiffness = [law = element.law](std::complex<double> omega, double near) { return elements::dynamic_stiffness(law, omega, near); };
+    map.dynamic_stiffness = [law = element.law, name = element.name](std::complex<double> omega, double near) -> elements::Matrix12c {
+      try {
+        return elements::dynamic_stiffness(law, omega, near);
+      } catch (const foundation::NotComputable& reason) {
+        throw foundation::NotComputable("element \"" + name + "\": " + reason.what());
+      }
+    };
   if (const auto& given = element.law.frequency_dependence) {
     map.defined_from = given->from;
     map.defined_to = given->to;

@@ -139,6 +139,7 @@ class Builder {
       rows.dynamic.emplace_back(e, exact);
     }
     if (system_.description().gravity) rows.weight = turn * own_weight(e).head<6>();
+    if (const auto& preload = system_.elements()[e].law.preload) rows.weight -= turn * preload->head<6>();
     return rows;
   }
 

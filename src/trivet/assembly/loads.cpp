@@ -66,6 +66,12 @@ Eigen::VectorXd static_load(const model::System& system, const Assembled& assemb
     }
   if (system.description().gravity)
     for (std::size_t e = 0; e < assembled.elements.size(); ++e) add_element_weight(system, e, *system.description().gravity, assembled.elements[e], load);
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e)
+    if (const auto& preload = system.elements()[e].law.preload) {
+      const ElementMap& map = assembled.elements[e];
+      const Eigen::VectorXd exerted = -(map.ends.topLeftCorner(12, map.end_columns).transpose() * *preload);
+      for (Eigen::Index j = 0; j < map.end_columns; ++j) load(map.rows[static_cast<std::size_t>(j)]) += exerted(j);
+    }
   for (const model::ConstantForce& force : system.description().constant_forces)
     add_wrench<double>(layout, force.body, force.at, six(force.wrench), load);
   return load;

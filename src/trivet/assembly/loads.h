@@ -14,7 +14,8 @@ namespace trivet::assembly {
 /// @throws foundation::InvalidInput for a name that is none
 [[nodiscard]] Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected = {});
 
-/// Gravity on every body and on the mass of the elements, and the constant forces.
+/// Gravity on every body and on the mass of the elements, the constant forces, and what preloaded elements already exert: displacements are
+/// those from the state in which they have their preload.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);
 
 }  // namespace trivet::assembly

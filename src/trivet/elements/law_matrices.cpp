@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "trivet/elements/law.h"
@@ -124,8 +125,8 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
     const FrequencyDependence& given = *law.frequency_dependence;
     const double slack = std::isfinite(given.to) ? 1e-9 * given.to : 0;
     if (near < given.from - slack || near > given.to + slack)
-      throw foundation::NotComputable(fmt::format("an element's table ends: it gives no stiffness at {:.6g} rad/s, only from {:.6g} to {:.6g} rad/s",
-                                                  near, given.from, given.to));
+      throw foundation::NotComputable(fmt::format("its table gives no stiffness at {:.6g} Hz, only from {:.6g} to {:.6g} Hz; ask for a band inside, or extend the table",
+                                                  near / (2 * std::numbers::pi), given.from / (2 * std::numbers::pi), given.to / (2 * std::numbers::pi)));
     result = given.elastic ? Matrix12c(modulus * given.stiffness(omega / std::sqrt(modulus), near)) : Matrix12c(law.scale * given.stiffness(omega, near));
   } else {
     result = modulus * law.nominal_stiffness.cast<Complex>();

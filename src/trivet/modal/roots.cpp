@@ -149,7 +149,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(m.A).size());
   const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
   Roots result;
-  if (assembled.frequency_dependent()) make_exact(assembled, raw, result.warnings, inexact);
+  if (assembled.frequency_dependent()) make_exact(assembled, raw, result.remarks, inexact);
   result.poles = raw.lambda;
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
     Root root = classified(raw.lambda(k), scale, at_rest);

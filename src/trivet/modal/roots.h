@@ -28,6 +28,7 @@ struct Roots {
   std::vector<Root> list;  ///< ascending |λ|; all 2n, or those with Im λ > 0 where loss factors enter
   Eigen::VectorXcd poles;  ///< every λ, also those that `list` leaves out: the poles of any response at iω = λ
   foundation::Problems warnings;
+  foundation::Problems remarks;  ///< of the roots alone, not of the model
 };
 
 /// Damped roots. They do not pair with the modes; `nearest_mode` is a hint for reading.

@@ -74,7 +74,8 @@ void check_matrix(const Subject& subject, const Element& element, const Matrix12
   const bool negative = lowest < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
   if (symmetric_stiffness_or_damping && negative && (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
     problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
-                     fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity, subject.bad_energy),
+                     preloaded ? std::string("with its end N held, an element that carries its preload safely has none")
+                               : fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity, subject.bad_energy),
                      preloaded ? "with N held the element gives way: its bodies must be held by others, or it buckles" : "the residual may explain it; look at the frequencies it touches");
   else if (symmetric_stiffness_or_damping && negative)
     problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),

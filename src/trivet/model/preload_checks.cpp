@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 #include "trivet/model/checks.h"
 
 namespace trivet::model {
@@ -9,15 +12,19 @@ namespace {
 /// Imbalance of the forces at rest, as a share of the weight, that passes in silence.
 constexpr double silent_imbalance = 0.02;
 
-/// What the preloaded elements exert on a body at rest, in its axes; none if no element at it is preloaded.
-std::optional<Eigen::Vector3d> carried(const Description& description, std::size_t body) {
-  std::optional<Eigen::Vector3d> sum;
+/// What the preloaded elements exert on a body at rest, in its axes, about its centre of mass; none if no element at it is preloaded.
+std::optional<spatial::Wrench> carried(const Description& description, std::size_t body) {
+  std::optional<spatial::Wrench> sum;
   for (const Element& element : description.elements) {
     if (!element.law.preload) continue;
     int first = 0;
     for (const End* end : {&element.n, &element.k}) {
-      const Eigen::Vector3d on_body = -(end->axes * element.law.preload->segment<3>(first));
-      if (end->body == body) sum = sum.value_or(Eigen::Vector3d::Zero()) + on_body;
+      if (end->body == body) {
+        const Eigen::Vector3d force = -(end->axes * element.law.preload->segment<3>(first)), moment = -(end->axes * element.law.preload->segment<3>(first + 3));
+        sum = sum.value_or(spatial::Wrench{});
+        sum->force += force;
+        sum->moment += moment + (end->at - description.bodies[body].mass.centre).cross(force);
+      }
       first += 6;
     }
   }
@@ -32,15 +39,19 @@ void check_preloads(const Description& description, foundation::Problems& proble
     const auto sum = carried(description, b);
     if (!sum) continue;
     if (!description.gravity) {
-      problems.warning("bodies." + body.name, fmt::format("its preloaded elements exert {:.6g} N on it", sum->norm()),
+      problems.warning("bodies." + body.name, fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
                        "at rest a body's preloads balance its weight, and both stiffen or soften its rotations", "give gravity = [0, 0, -9.80665]");
       continue;
     }
     const Eigen::Vector3d weight = body.mass.mass * (body.pose.rotation.transpose() * *description.gravity);
-    const double left = (*sum + weight).norm();
-    if (left > silent_imbalance * weight.norm())
-      problems.warning("bodies." + body.name, fmt::format("preloads and weight leave {:.6g} N of its {:.6g} N", left, weight.norm()),
-                       "at rest a body's preloads balance its weight", "set the preload of every element that carries it; what other elements carry has no geometric stiffness here");
+    // A moment counts as the lever at which the weight would cause it, against the size of the body.
+    const double left = (sum->force + weight).norm(), tilting = sum->moment.norm();
+    const double size = body.has_inertia ? std::sqrt(std::abs(body.mass.inertia_about_centre.trace()) / (2 * body.mass.mass)) : 0;
+    if (left > silent_imbalance * weight.norm() || (body.free[3] && body.free[4] && tilting > silent_imbalance * weight.norm() * size))
+      problems.warning("bodies." + body.name,
+                       fmt::format("its preloads push with ({:.6g}, {:.6g}, {:.6g}) N, its weight is ({:.6g}, {:.6g}, {:.6g}) N; {:.4g} N m about its centre of mass are left over",
+                                   sum->force.x(), sum->force.y(), sum->force.z(), weight.x(), weight.y(), weight.z(), tilting),
+                       "at rest a body's preloads balance its weight, also about its centre of mass", "set the preload of every element that carries it; what other elements carry has no geometric stiffness here");
   }
 }
 

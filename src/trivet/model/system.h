@@ -68,6 +68,7 @@ struct Element {
   bool allow_residual = false;
   std::vector<Fact> facts;   ///< for reading: how its law was found
   std::optional<Evidence> evidence;
+  double stiffening = 1;     ///< of rubber: its stiffness here over that at rest
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
 };
 

@@ -56,10 +56,11 @@ bool defined_at_rest(const assembly::Assembled& assembled) {
 
 /// Frequency-dependent elements have no last pole: the search ends where the caller says, or well above the natural frequencies, and
 /// nowhere beyond a table.
-double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const PeakOptions& options) {
+double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options) {
   constexpr double well_above = 2;
   double highest = 0;
   for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
+  for (const modal::Root& root : roots.list) highest = std::max(highest, root.exact ? root.damped_angular_frequency.value_or(0) : 0);
   double end = std::max(options.search_to, well_above * highest);
   for (const assembly::ElementMap& map : assembled.elements) end = std::min(end, map.defined_to);
   return end;
@@ -72,7 +73,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
   const numerics::DynamicMatrices& m = assembled.matrices;
   const bool loaded = load.cwiseAbs().maxCoeff() > 0;
   const bool exact = assembled.frequency_dependent();
-  AxisWalk walk_along = exact ? walk_by_contours(assembled, channels, load, roots.poles, search_end(assembled, modes, options), progress)
+  AxisWalk walk_along = exact ? walk_by_contours(assembled, channels, load, roots.poles, search_end(assembled, modes, roots, options), progress)
                               : walk_by_poles(assembled, channels, load, roots.poles, progress);
   std::vector<Walk>& walks = walk_along.curves;
   Peaks result;

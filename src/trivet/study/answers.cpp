@@ -32,9 +32,10 @@ Loaded loaded(const model::System& system, const assembly::Assembled& assembled,
 }
 
 /// Up to well above the natural frequencies, but not beyond the tables of elements.
-response::Band default_band(const modal::Modes& modes, const assembly::Assembled& assembled) {
+response::Band default_band(const modal::Modes& modes, const modal::Roots& roots, const assembly::Assembled& assembled) {
   double highest = 0;
   for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
+  for (const modal::Root& root : roots.list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
   response::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
   for (const assembly::ElementMap& map : assembled.elements) band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
   return band;
@@ -88,6 +89,9 @@ class CaseStudy {
     result.warnings = variant.warnings;
     result.warnings.add(modes_.warnings);
     result.warnings.add(roots_.warnings);
+    if (analyses.roots) result.warnings.add(roots_.remarks);
+    note_relaxation(result.warnings);
+    note_stiffening(analyses, result.warnings);
     note_guides(analyses, result.warnings);
     note_missing_mass(result.warnings);
     const auto attempt = [&](const auto& compute) {
@@ -122,6 +126,33 @@ class CaseStudy {
                          "add it where it matters");
   }
 
+  /// Undamped modes know one stiffness, that at rest.
+  void note_relaxation(foundation::Problems& warnings) const {
+    constexpr double noticeable = 0.2;
+    for (const model::Element& element : system_.elements()) {
+      if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
+        warnings.warning("elements." + element.name, fmt::format("its table begins at {:.4g} Hz", element.law.frequency_dependence->from / (2 * std::numbers::pi)),
+                         "undamped modes and static answers take its first row for rest", "add rows at lower frequencies where these answers matter");
+      const auto* relaxing = std::get_if<elements::Viscoelastic>(&element.law.damping);
+      if (!relaxing || std::holds_alternative<elements::KelvinVoigt>(*relaxing)) continue;
+      double gain = 0;
+      for (const modal::Mode& mode : modes_.list)
+        gain = std::max(gain, elements::relative_modulus(*relaxing, mode.angular_frequency.value_or(0)).real() - 1);
+      if (gain > noticeable)
+        warnings.warning("elements." + element.name, fmt::format("in vibration up to {:.3g} times as stiff as at rest", 1 + gain),
+                         "undamped modes are those of the stiffness at rest", "take natural frequencies from the damped roots or the peaks");
+    }
+  }
+
+  /// Static answers know one stiffness too, that of vibration.
+  void note_stiffening(const Analyses& analyses, foundation::Problems& warnings) const {
+    if (!analyses.static_of) return;
+    for (const model::Element& element : system_.elements())
+      if (element.stiffening != 1)
+        warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening), "static answers are computed with the stiffness of vibration; at rest the element gives more",
+                         "run static with stiffening = 1");
+  }
+
   /// A massless spring is right only well below its own first natural frequency.
   void note_missing_mass(foundation::Problems& warnings) const {
     constexpr double safe = 0.3;
@@ -150,7 +181,7 @@ class CaseStudy {
     const response::Peaks peaks = needs_peaks ? peaks_of(request.wanted) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
-      result.band = request.band ? *request.band : default_band(modes_, assembled_);
+      result.band = request.band ? *request.band : default_band(modes_, roots_, assembled_);
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic)
         grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, progress_);
@@ -237,7 +268,7 @@ response::DeepCheck deep_check(const Case& variant) {
   const modal::Modes modes = modal::modes(variant.system, assembled);
   const modal::Roots roots = modal::roots(variant.system, assembled, modes);
   const auto& request = variant.analyses.response;
-  const response::Band band = request && request->band ? *request->band : default_band(modes, assembled);
+  const response::Band band = request && request->band ? *request->band : default_band(modes, roots, assembled);
   Eigen::VectorXcd load = assembly::harmonic_load(variant.system, assembled.layout);
   if (load.cwiseAbs().maxCoeff() == 0) load.head(assembled.layout.of_bodies()) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(assembled.layout.of_bodies()).cast<std::complex<double>>();
   return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));

@@ -109,8 +109,8 @@ class ElementReader {
     constexpr double rounding = 1e-6, smallest = 1e-3;  // ends of a bush are at one place
     const Eigen::Vector3d expected = *length_ * Eigen::Vector3d::UnitZ();
     if ((span_.arm - expected).norm() <= rounding * std::max(*length_, smallest)) return;
-    reader_.error("from_at", fmt::format("from N to K it is ({:.6g}, {:.6g}, {:.6g}) m in the local axes", span_.arm.x(), span_.arm.y(), span_.arm.z()),
-                  fmt::format("this element is {:.6g} m long along its local e3", *length_), "leave from_at away, or mend the ends, the axis or the element");
+    reader_.error("from_at", fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", span_.arm.x(), span_.arm.y(), span_.arm.z()),
+                  fmt::format("this element is {:.9g} m long along its local e3", *length_), "leave from_at away, or mend the ends, the axis or the element");
   }
 
   bool is_sized() const {

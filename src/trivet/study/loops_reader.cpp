@@ -114,6 +114,15 @@ void read_loops(TableReader& damping, model::Element& element) {
     return;
   }
   add_facts(loops, *ranking, *taken, element);
+  constexpr double poor = 0.05, alike = 2;
+  foundation::Problems doubts;
+  if (taken->relative_rms > poor)
+    doubts.warning("loops", fmt::format("the law \"{}\" misses the loops by {:.3g} %", taken->law, 100 * taken->relative_rms), "a law should follow its data within 5 %", "take law = \"best\", or look at the loops");
+  const Eigen::Vector3d translations = element.law.nominal_stiffness.diagonal().tail<6>().head<3>();
+  if (translations.maxCoeff() > 0 && !(taken->stiffness > translations.minCoeff() / alike && taken->stiffness < alike * translations.maxCoeff()))
+    doubts.warning("loops", fmt::format("the loops have a stiffness of {:.4g} N/m, the element {:.4g} to {:.4g} N/m", taken->stiffness, translations.minCoeff(), translations.maxCoeff()),
+                   "loops and stiffness should be of one element", "check length_unit and force_unit of the loops");
+  damping.add(doubts);
   if (taken->loss_factor) element.law.damping = elements::LossFactor{*taken->loss_factor};
   else element.law.damping = *taken->viscoelastic;
 }

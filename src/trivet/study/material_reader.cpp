@@ -20,6 +20,13 @@ std::optional<elements::Metal> named_metal(TableReader& reader) {
   return name ? elements::metal(*name) : std::nullopt;
 }
 
+/// A possible value that is most likely a slip of units.
+void warn_unlikely(TableReader& reader, const std::string& key, std::string finding, std::string rule) {
+  foundation::Problems one;
+  one.warning(key, std::move(finding), std::move(rule), "check the unit: a bare number is SI");
+  reader.add(one);
+}
+
 /// Exactly one of some keys.
 bool one_of(TableReader& reader, const std::vector<const char*>& keys, const char* remedy) {
   int given = 0;
@@ -72,6 +79,13 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
     metal.density = *density;
     require_positive(table, "density", *density, "kg/m³");
   }
+  constexpr double softest = 1e9, stiffest = 1.5e12, lightest = 300, heaviest = 25e3;
+  if (metal.young_modulus > 0 && (metal.young_modulus < softest || metal.young_modulus > stiffest))
+    warn_unlikely(table, "E", fmt::format("{:.4g} Pa", metal.young_modulus), "structural materials have 1 to 1000 GPa");
+  if (metal.density > 0 && (metal.density < lightest || metal.density > heaviest))
+    warn_unlikely(table, "density", fmt::format("{:.4g} kg/m³", metal.density), "solids have 500 to 20000 kg/m³");
+  if (poisson > -1 && poisson < 0)
+    warn_unlikely(table, table.has("G") ? "G" : "nu", fmt::format("Poisson's ratio {:.3g}", poisson), "that of metals lies near 0.3");
   table.finish();
   return reader.errors() == before ? std::optional(metal) : std::nullopt;
 }
@@ -105,13 +119,15 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
       rubber.shear_modulus = findings.has_errors() ? 1 : elements::young_modulus_from_hardness(*hardness) / 3;
     }
   }
+  constexpr double softest = 0.05e6, hardest = 50e6;
+  if (rubber.shear_modulus > 0 && (rubber.shear_modulus < softest || rubber.shear_modulus > hardest))
+    warn_unlikely(table, table.has("G") ? "G" : table.has("E") ? "E" : "hardness", fmt::format("a shear modulus of {:.4g} Pa", rubber.shear_modulus), "rubber has 0.2 to 5 MPa");
   if (const auto bulk = table.number("bulk_modulus", Quantity::pressure)) {
     rubber.bulk_modulus = *bulk;
     require_positive(table, "bulk_modulus", *bulk, "Pa");
   }
   if (const auto stiffening = table.number("stiffening", Quantity::pure)) {
     if (!(*stiffening >= 1)) table.error("stiffening", fmt::format("{:.6g}", *stiffening), "dynamic over static modulus is ≥ 1", "rubber is 1.1 to 3 times stiffer in vibration");
-    rubber.shear_modulus *= *stiffening;
   }
   table.finish();
   return reader.errors() == before ? std::optional(rubber) : std::nullopt;

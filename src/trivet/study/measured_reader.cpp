@@ -42,6 +42,7 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
     return std::nullopt;
   }
   std::vector<std::string> known;
+  double largest_turn = 0, largest_shift = 0;
   std::vector<LoadCase> cases;
   for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
     LoadCase one;
@@ -54,11 +55,22 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
       if (load >= 0) one.wrench(j) = table.values(row, load) * units.force * (k < 3 ? 1 : units.length);
       if (row == 0) known.insert(known.end(), {end + motions[k], end + loads[k]});
     }
+    const double turn = std::max(one.displacement.segment<3>(3).cwiseAbs().maxCoeff(), one.displacement.tail<3>().cwiseAbs().maxCoeff());
+    const double shift = std::max(one.displacement.head<3>().cwiseAbs().maxCoeff(), one.displacement.segment<3>(6).cwiseAbs().maxCoeff());
+    largest_turn = std::isfinite(turn) ? std::max(largest_turn, turn) : largest_turn;
+    largest_shift = std::isfinite(shift) ? std::max(largest_shift, shift) : largest_shift;
     cases.push_back(std::move(one));
   }
   for (const std::string& name : table.columns)
     if (std::find(known.begin(), known.end(), name) == known.end())
       reader.error("load_cases", "column \"" + name.substr(0, 60) + "\"", "columns are name, x … rz, fx … mz of end K, and the same with n_ of end N", "rename or remove it");
+  constexpr double largest_sane_turn = 0.2, largest_sane_shift = 0.1;
+  foundation::Problems doubts;
+  if (largest_turn > largest_sane_turn)
+    doubts.warning("load_cases", fmt::format("rotations up to {:.4g} rad", largest_turn), "a linear stiffness is measured at small rotations", "give angle_unit = \"1 deg\" if the columns are in degrees");
+  if (largest_shift > largest_sane_shift)
+    doubts.warning("load_cases", fmt::format("displacements up to {:.4g} m", largest_shift), "a mount moves by millimetres on a rig", "give length_unit = \"1 mm\" if the columns are in millimetres");
+  reader.add(doubts);
   return cases;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
@@ -84,6 +85,10 @@ std::vector<double> remembered(const std::string& key, std::size_t count, const 
 
 void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
   element.facts.push_back({"found by", fmt::format("finite elements: {} elements, {} unknowns", s.elements, s.unknowns)});
+  if (s.relative_error.isZero(0)) {
+    element.facts.push_back({"estimated error of the mesh", "not estimated: level 1 has no coarser mesh beside it"});
+    return;
+  }
   std::string errors;
   static constexpr std::array<const char*, 6> words = {"shear x", "shear y", "axial", "tilt x", "tilt y", "torsion"};
   for (int j = 0; j < 6; ++j) errors += fmt::format("{}{} {:.2g} %", j ? ", " : "", words[static_cast<std::size_t>(j)], 100 * s.relative_error(6 + j, 6 + j));
@@ -220,7 +225,10 @@ LengthOf read_rubber_mount(TableReader& reader, const std::string& kind, model::
   if (findings.has_errors()) return std::nullopt;
   if (by_elements) return shape_by_elements(reader, *shape, element);
   element.law.nominal_stiffness = stiffness_by_formulas(*shape);
-  element.facts.push_back({"found by", "closed formulas of bonded rubber, mostly within 5 % of finite elements"});
+  const bool textbook = reader.text("formulas") == "textbook";
+  element.facts.push_back({"found by", textbook ? "textbook formulas of bonded rubber; 3 to 40 % from finite elements, see docs/elements/rubber.md"
+                                                : "closed formulas of bonded rubber, mostly within 5 % of finite elements"});
+  element.facts.push_back({"shear modulus", fmt::format("{:.6g} Pa at rest; compounds of one hardness scatter by 20 %", 2 * shape->materials[0].c10)});
   return shape->length;
 }
 
@@ -284,6 +292,8 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
     if (list->items[i].kind == Node::Kind::text) {
       if (const auto metal = read_metal(single)) materials.push_back(fem::linear_elastic(metal->young_modulus, metal->young_modulus / (2 * metal->shear_modulus) - 1));
     } else if (const auto rubber = read_rubber(single)) {
+      if (list->items[i].find("stiffening"))
+        reader.error("materials", "stiffening of one material among several", "it applies to the mount as a whole", "multiply G of this material by it, or leave it out");
       materials.push_back({.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus});
       single.add(fem::check(materials.back()), {{"shear_modulus", "material"}, {"bulk_modulus", "material"}});
     }
@@ -343,12 +353,29 @@ void know_all_keys(TableReader& reader) {
                      "preload", "diameter", "hole_diameter", "thickness", "formulas", "width_x", "width_y", "layers", "plate_thickness", "inner_diameter", "outer_diameter", "length"});
 }
 
+/// Rubber is stiffer in vibration than at rest: found with the static moduli, the element then moves with `stiffening` times the stiffness of
+/// its deformations; what a preload does in a rigid motion stays.
+LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element) {
+  const Node* material = reader.has("material") ? reader.node("material") : nullptr;
+  const Node* given = material ? material->find("stiffening") : nullptr;
+  if (!length || !given || given->number == 1) return length;
+  const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions({0, 0, *length}, Eigen::Matrix3d::Identity());
+  const elements::Matrix6 metric = rigid.transpose() * rigid;
+  const elements::Matrix12 deformation = elements::Matrix12::Identity() - rigid * metric.inverse() * rigid.transpose();
+  const elements::Matrix12 at_rest = element.law.nominal_stiffness;
+  element.law.nominal_stiffness += (given->number - 1) * deformation.transpose() * at_rest * deformation;
+  if (element.evidence) element.evidence->uncertainty *= given->number;
+  element.stiffening = given->number;
+  element.facts.push_back({"stiffening", fmt::format("in vibration {:.4g} times as stiff as at rest; the 12×12 is that of vibration", given->number)});
+  return length;
+}
+
 }  // namespace
 
-LengthOf read_rubber_disc(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "disc", element); }
-LengthOf read_rubber_block(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "block", element); }
-LengthOf read_rubber_bush(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "bush", element); }
-LengthOf read_sandwich(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "sandwich", element); }
+LengthOf read_rubber_disc(TableReader& reader, model::Element& element) { return stiffened(reader, read_rubber_mount(reader, "disc", element), element); }
+LengthOf read_rubber_block(TableReader& reader, model::Element& element) { return stiffened(reader, read_rubber_mount(reader, "block", element), element); }
+LengthOf read_rubber_bush(TableReader& reader, model::Element& element) { return stiffened(reader, read_rubber_mount(reader, "bush", element), element); }
+LengthOf read_sandwich(TableReader& reader, model::Element& element) { return stiffened(reader, read_rubber_mount(reader, "sandwich", element), element); }
 
 LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
   if (reader.has("step") == reader.has("shape")) {
@@ -357,7 +384,7 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
     know_all_keys(reader);
     return std::nullopt;
   }
-  if (reader.has("step")) return read_step_mount(reader, element);
+  if (reader.has("step")) return stiffened(reader, read_step_mount(reader, element), element);
   const auto kind = reader.choice("shape", {"disc", "block", "bush", "sandwich"});
   if (!kind) {
     know_all_keys(reader);
@@ -369,7 +396,7 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
   const foundation::Problems findings = findings_of(*shape, true);
   reader.add(findings, shape_keys());
   if (findings.has_errors()) return std::nullopt;
-  return shape_by_elements(reader, *shape, element);
+  return stiffened(reader, shape_by_elements(reader, *shape, element), element);
 }
 
 }  // namespace trivet::study

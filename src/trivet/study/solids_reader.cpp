@@ -73,6 +73,12 @@ Part read_part(TableReader& reader, const std::string& name) {
   if (const auto d = reader.number("sphere", Quantity::length)) part.shape = solids::Sphere{*d};
   if (const auto l = lengths(reader, "cone", 3)) part.shape = solids::Cone{(*l)[0], (*l)[1], (*l)[2]};
   if (reader.has("file")) read_file(reader, part);
+  constexpr double lightest = 10, heaviest = 25e3;
+  if (part.density > 0 && (part.density < lightest || part.density > heaviest)) {
+    foundation::Problems one;
+    one.warning("density", fmt::format("{:.4g} kg/m³", part.density), "solids have 500 to 20000 kg/m³, foams down to 20", "check the unit: a bare number is SI");
+    reader.add(one);
+  }
   reader.finish();
   return part;
 }
