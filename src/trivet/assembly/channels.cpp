@@ -73,14 +73,14 @@ class Builder {
     Matrix6xc on_displacement;
     Matrix6x on_velocity, on_acceleration;
     std::vector<std::pair<std::size_t, Eigen::Matrix<double, 6, 12>>> dynamic;  // element, rows on D(ω)
-    spatial::Vector6 weight = spatial::Vector6::Zero();
+    spatial::Vector6 at_rest = spatial::Vector6::Zero();
 
     void add(const Matrix6& carry, const WrenchRows& other) {
       on_displacement += carry * other.on_displacement;
       on_velocity += carry * other.on_velocity;
       on_acceleration += carry * other.on_acceleration;
       for (const auto& [element, rows] : other.dynamic) dynamic.emplace_back(element, carry * rows);
-      weight += carry * other.weight;
+      at_rest += carry * other.at_rest;
     }
   };
 
@@ -138,8 +138,8 @@ class Builder {
       exact.leftCols<6>() = -turn;
       rows.dynamic.emplace_back(e, exact);
     }
-    if (system_.description().gravity) rows.weight = turn * own_weight(e).head<6>();
-    if (const auto& preload = system_.elements()[e].law.preload) rows.weight -= turn * preload->head<6>();
+    if (system_.description().gravity) rows.at_rest = turn * own_weight(e).head<6>();
+    if (const auto& preload = system_.elements()[e].law.preload) rows.at_rest -= turn * preload->head<6>();
     return rows;
   }
 
@@ -170,7 +170,7 @@ class Builder {
       channel.on_velocity = rows.on_velocity.row(j).transpose();
       channel.on_acceleration = rows.on_acceleration.row(j).transpose();
       for (const auto& [element, exact] : rows.dynamic) channel.dynamic_forces.push_back({element, exact.row(j)});
-      channel.own_weight = rows.weight(j);
+      channel.at_rest = rows.at_rest(j);
       result.push_back(std::move(channel));
     }
     return result;

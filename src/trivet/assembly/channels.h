@@ -27,7 +27,7 @@ struct Channel {
   Eigen::VectorXd on_velocity;
   Eigen::VectorXd on_acceleration;          ///< inertia forces of elements with mass
   std::vector<DynamicForce> dynamic_forces; ///< of frequency-dependent elements; not in the terms above
-  double own_weight = 0;                    ///< what the element's own weight and its preload add to a static force
+  double at_rest = 0;                       ///< what preload and gravity on the element's own mass add to a static force
 };
 
 /// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", or one full

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/geometric_stiffness.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace trivet::assembly {
 namespace {
@@ -22,19 +22,23 @@ void add_rotations(const Layout& layout, std::size_t body, const Eigen::Matrix3d
 
 Eigen::MatrixXd geometric_stiffness(const model::System& system, const Layout& layout) {
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(layout.size(), layout.size());
-  const auto& elements = system.elements();
-  if (std::none_of(elements.begin(), elements.end(), [](const model::Element& e) { return e.law.preload.has_value(); })) return stiffness;
-  for (const model::Element& element : elements) {
+  std::vector<bool> preloaded(system.bodies().size(), false);
+  for (const model::Element& element : system.elements()) {
     if (!element.law.preload) continue;
     int first = 0;
     for (const model::End* end : {&element.n, &element.k}) {
       const Eigen::Vector3d force = end->axes * element.law.preload->segment<3>(first);
-      if (end->body) add_rotations(layout, *end->body, second_order(end->at, force), stiffness);
+      if (end->body) {
+        add_rotations(layout, *end->body, second_order(end->at, force), stiffness);
+        preloaded[*end->body] = true;
+      }
       first += 6;
     }
   }
+  // Forces that do not balance would turn with the choice of the pole: a weight that no preload carries stays out.
   if (const auto& gravity = system.description().gravity)
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+      if (!preloaded[b]) continue;
       const model::Body& body = system.bodies()[b];
       const Eigen::Vector3d weight = body.mass.mass * (body.pose.rotation.transpose() * *gravity);
       add_rotations(layout, b, -second_order(body.mass.centre, weight), stiffness);

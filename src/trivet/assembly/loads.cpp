@@ -35,6 +35,13 @@ void add_element_weight(const model::System& system, std::size_t index, const Ei
   for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[static_cast<std::size_t>(j)]) += weight(j);
 }
 
+/// What a preloaded element does at rest to the bodies that it carries.
+void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorXd& load) {
+  if (!law.preload) return;
+  const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * *law.preload);
+  for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[static_cast<std::size_t>(j)]) += on_bodies(j);
+}
+
 }  // namespace
 
 Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected) {
@@ -66,12 +73,7 @@ Eigen::VectorXd static_load(const model::System& system, const Assembled& assemb
     }
   if (system.description().gravity)
     for (std::size_t e = 0; e < assembled.elements.size(); ++e) add_element_weight(system, e, *system.description().gravity, assembled.elements[e], load);
-  for (std::size_t e = 0; e < assembled.elements.size(); ++e)
-    if (const auto& preload = system.elements()[e].law.preload) {
-      const ElementMap& map = assembled.elements[e];
-      const Eigen::VectorXd exerted = -(map.ends.topLeftCorner(12, map.end_columns).transpose() * *preload);
-      for (Eigen::Index j = 0; j < map.end_columns; ++j) load(map.rows[static_cast<std::size_t>(j)]) += exerted(j);
-    }
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e) add_preload(system.elements()[e].law, assembled.elements[e], load);
   for (const model::ConstantForce& force : system.description().constant_forces)
     add_wrench<double>(layout, force.body, force.at, six(force.wrench), load);
   return load;

@@ -14,8 +14,7 @@ namespace trivet::assembly {
 /// @throws foundation::InvalidInput for a name that is none
 [[nodiscard]] Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected = {});
 
-/// Gravity on every body and on the mass of the elements, the constant forces, and what preloaded elements already exert: displacements are
-/// those from the state in which they have their preload.
+/// Gravity on every body and on the mass of the elements, the preloads that already carry it, and the constant forces.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);
 
 }  // namespace trivet::assembly

@@ -44,6 +44,15 @@ struct AllRoots {
   double at_rest = 0;
 };
 
+/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`, two for each free motion,
+/// however fast the fastest of the others is.
+double rest_limit(const numerics::QuadraticRoots& roots, Eigen::Index most) {
+  if (most == 0) return 0;
+  Eigen::VectorXd size = roots.lambda.cwiseAbs();
+  std::sort(size.begin(), size.end());
+  return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
+}
+
 AllRoots all_roots(const numerics::DynamicMatrices& m) {
   const numerics::MassiveSystem massive = numerics::massive_system(m);
   const bool massless = massive.A.rows() < m.size();
@@ -64,11 +73,8 @@ AllRoots all_roots(const numerics::DynamicMatrices& m) {
   } else {
     result = massless ? numerics::roots_with_massless(m) : numerics::roots_of_companion(m);
   }
-  // The companion matrix splits a double zero root to about √ε of the largest.
-  const bool free = modes.lambda.size() > 0 && modes.lambda.cwiseAbs().minCoeff() == 0;
-  const double at_rest = free && !basis_is_orthonormal ? 1e-7 * result.lambda.cwiseAbs().maxCoeff() : 0;
   if (m.size() <= largest_refined) numerics::refine_roots(m, result);
-  return {result, at_rest};
+  return {result, basis_is_orthonormal ? 0 : rest_limit(result, 2 * (modes.lambda.array() == 0).count())};
 }
 
 Root classified(const Complex& lambda, double scale, double at_rest) {
@@ -95,21 +101,24 @@ double sort_key(const Complex& lambda) {
 }
 
 /// Moves every oscillating root onto one of the exact Z; pairs stay conjugate. What does not settle is marked.
-void make_exact(const assembly::Assembled& assembled, numerics::QuadraticRoots& roots, foundation::Problems& warnings, std::vector<bool>& inexact) {
+void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::QuadraticRoots& roots, foundation::Problems& warnings,
+                std::vector<bool>& inexact) {
   constexpr double distinct = 1e-6, same = 1e-9;
   const Eigen::VectorXcd starts = roots.lambda;
   const Eigen::Index n = assembled.constant.size();
   int settled = 0, left = 0;
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     const Complex start = roots.lambda(k);
-    if (std::abs(start.imag()) <= critical_split * std::abs(start) && assembled.matrices.lossy()) continue;
+    const bool lossy = assembled.matrices.lossy();
+    if (std::abs(start) <= at_rest) continue;  // a free motion
+    if (std::abs(start.imag()) <= critical_split * std::abs(start) && lossy) continue;
     if (std::abs(start.imag()) <= critical_split * std::abs(start)) {
-      inexact[static_cast<std::size_t>(k)] = std::abs(start) > 0;
-      left += std::abs(start) > 0 ? 1 : 0;
+      inexact[static_cast<std::size_t>(k)] = true;
+      ++left;
       continue;
     }
     const bool lower = start.imag() < 0;
-    if (lower && assembled.matrices.lossy()) continue;  // has no meaning with a loss factor, and is not listed
+    if (lower && lossy) continue;  // has no meaning with a loss factor, and is not listed
     const Eigen::VectorXcd shape = lower ? Eigen::VectorXcd(roots.vectors.col(k).conjugate()) : Eigen::VectorXcd(roots.vectors.col(k));
     const ExactRoot root = exact_root(assembled, lower ? std::conj(start) : start, shape);
     // Two starts that differ and end on one root: the second has lost its own.
@@ -149,7 +158,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(m.A).size());
   const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
   Roots result;
-  if (assembled.frequency_dependent()) make_exact(assembled, raw, result.remarks, inexact);
+  if (assembled.frequency_dependent()) make_exact(assembled, at_rest, raw, result.remarks, inexact);
   result.poles = raw.lambda;
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
     Root root = classified(raw.lambda(k), scale, at_rest);

@@ -140,7 +140,7 @@ AxisWalk walk_by_poles(const assembly::Assembled& assembled, const std::vector<a
 
 AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
                           const Eigen::VectorXcd& near_poles, double highest, const foundation::Progress& progress) {
-  constexpr double start_share = 1e-3, growth = 1.6;
+  constexpr double start_share = 1e-3, growth = 1.6, at_the_end = 1e-9, on_a_seam = 1e-10;  // the latter smaller, so that a seam is always ahead
   AxisWalk result{std::vector<Walk>(channels.size()), {}, 0, highest, 0};
   double smallest = highest;
   for (Eigen::Index k = 0; k < near_poles.size(); ++k)
@@ -154,10 +154,10 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
   std::sort(seams.begin(), seams.end());
   int gaps = 0;
   double from = result.lowest, radius = first_guess(near_poles, from);
-  while (from < highest * (1 - 1e-9)) {
+  while (from < highest * (1 - at_the_end)) {
     foundation::report_progress(progress, "peaks", 0.5 * from / highest);
     // The whole circle must lie where the laws are defined: Re ω > 0.
-    const double seam = *std::upper_bound(seams.begin(), seams.end(), from * (1 + 1e-9));
+    const double seam = *std::upper_bound(seams.begin(), seams.end(), from * (1 + on_a_seam));
     radius = std::min({radius, 0.5 * (std::min(seam, highest) - from), from / (spread - 1) * 0.9});
     const Panel panel{from + radius, radius, false};
     Eigen::VectorXd level, possible;

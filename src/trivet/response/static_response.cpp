@@ -12,6 +12,9 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
                                const std::vector<assembly::Channel>& channels) {
   if (!system.description().gravity && system.description().constant_forces.empty())
     throw foundation::NotComputable("static: nothing loads the model; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e)
+    if (assembled.elements[e].defined_from > 0)
+      throw foundation::NotComputable("static: the table of \"" + system.elements()[e].name + "\" starts above 0 Hz and tells no static stiffness; give it a row at 0 Hz");
   const modal::Modes modes = modal::modes(system, assembled);
   if (modal::has_rigid_motion(modes)) {
     std::string words;
@@ -29,7 +32,7 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
   result.backward_error = solved.backward_error(0);
   for (const assembly::Channel& channel : channels)
     if (channel.derivative == 0) {
-      double value = channel.on_displacement.real().dot(q) + channel.own_weight;
+      double value = channel.on_displacement.real().dot(q) + channel.at_rest;
       for (const assembly::DynamicForce& force : channel.dynamic_forces) {
         const assembly::ElementMap& map = assembled.elements[force.element];
         value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(q));

@@ -105,7 +105,7 @@ class CaseStudy {
     if (analyses.peaks)
       attempt([&] { result.peaks = PeaksAnswer{peaks_of(analyses.peaks->wanted, analyses.peaks->min_prominence), analyses.peaks->min_prominence, analyses.peaks->peak_tolerance}; });
     if (analyses.response) attempt([&] { result.response = response_of(*analyses.response); });
-    if (result.response) result.limits = limits_of(analyses, *result.response);
+    if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
       attempt([&] {
         result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
@@ -132,7 +132,7 @@ class CaseStudy {
     for (const model::Element& element : system_.elements()) {
       if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
         warnings.warning("elements." + element.name, fmt::format("its table begins at {:.4g} Hz", element.law.frequency_dependence->from / (2 * std::numbers::pi)),
-                         "undamped modes and static answers take its first row for rest", "add rows at lower frequencies where these answers matter");
+                         "undamped modes take its first row for rest", "add rows at lower frequencies where they matter");
       const auto* relaxing = std::get_if<elements::Viscoelastic>(&element.law.damping);
       if (!relaxing || std::holds_alternative<elements::KelvinVoigt>(*relaxing)) continue;
       double gain = 0;
@@ -158,10 +158,15 @@ class CaseStudy {
     constexpr double safe = 0.3;
     double top = search_to_;
     for (const modal::Mode& mode : modes_.list) top = std::max(top, mode.angular_frequency.value_or(0));
-    for (const model::Element& element : system_.elements())
-      if (top > safe * element.massless_up_to)
-        warnings.warning("elements." + element.name, fmt::format("massless, with a first natural frequency of its own at {:.4g} Hz; the model is asked about up to {:.4g} Hz", element.massless_up_to / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
-                         "without its mass a spring is right only well below its own natural frequencies", "set level = \"with_mass\" or \"exact\", or heed only what lies well below");
+    for (const model::Element& element : system_.elements()) {
+      const double own = element.massless_up_to;
+      if (!(top > safe * own)) continue;
+      warnings.warning("elements." + element.name,
+                       fmt::format("massless, with a first natural frequency of its own at {:.4g} Hz; the model is asked about up to {:.4g} Hz",
+                                   own / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
+                       "without its mass a spring is right only well below its own natural frequencies",
+                       "set level = \"with_mass\" or \"exact\", or heed only what lies well below");
+    }
   }
 
   /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.
@@ -182,6 +187,8 @@ class CaseStudy {
     std::vector<double> grid = request.at;
     if (grid.empty()) {
       result.band = request.band ? *request.band : default_band(modes_, roots_, assembled_);
+      if (!(result.band.from < result.band.to))
+        throw foundation::NotComputable("response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic)
         grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, progress_);
@@ -224,11 +231,12 @@ class CaseStudy {
     const Loaded asked = loaded(system_, assembled_, {{limit.name}, wanted.quantity, wanted.excitations});
     // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
     const double start = std::max(band.from, found.searched_from);
-    const std::vector<double> ends = {start, band.to, 10 * start};
+    const bool starts_late = start > band.from;
+    const std::vector<double> ends = {start, band.to, starts_late ? std::min(10 * start, found.searched_to) : start};
     const auto at_ends = response::frequency_response(assembled_, asked.channels, asked.load, ends);
     std::vector<std::pair<double, double>> candidates;
     const auto amplitude_at = [&](Eigen::Index i) { return std::abs(at_ends.curves[0].value(i)); };
-    const bool diverges = start > band.from && amplitude_at(0) > 5 * amplitude_at(2);
+    const bool diverges = starts_late && amplitude_at(0) > 5 * amplitude_at(2);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     candidates.emplace_back(diverges || std::isnan(amplitude_at(0)) ? infinity : amplitude_at(0), band.from);
     candidates.emplace_back(std::isnan(amplitude_at(1)) ? infinity : amplitude_at(1), band.to);

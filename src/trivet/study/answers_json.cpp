@@ -44,6 +44,7 @@ Json mode(const modal::Mode& m) {
           {"shape_at_center_of_mass", list(m.shape_at_centre)},
           {"kinetic_energy_share", list(m.kinetic_energy_share)},
           {"principal_kinetic_energy_share", list(m.principal_kinetic_energy_share)},
+          {"element_kinetic_energy_share", list(m.element_kinetic_energy_share)},
           {"strain_energy_share", m.strain_energy_share ? list(*m.strain_energy_share) : Json(nullptr)},
           {"screws", screws(m.screws)},
           {"name", m.name}};
@@ -86,6 +87,7 @@ Json roots(const Case& variant, const Answers& answers) {
                                {"angular_frequency", optional(root.angular_frequency)},
                                {"damped_angular_frequency", optional(root.damped_angular_frequency)},
                                {"damping_ratio", optional(root.damping_ratio)},
+                               {"exact", root.exact},
                                {"shape", std::move(shape)},
                                {"nearest_mode", optional(root.nearest_mode)}});
   }

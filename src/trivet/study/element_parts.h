@@ -38,15 +38,20 @@ using LengthOf = std::optional<double>;
 [[nodiscard]] LengthOf read_rubber_bush(TableReader& reader, model::Element& element);
 [[nodiscard]] LengthOf read_sandwich(TableReader& reader, model::Element& element);
 [[nodiscard]] LengthOf read_solid_mount(TableReader& reader, model::Element& element);
+[[nodiscard]] LengthOf read_step_mount(TableReader& reader, model::Element& element);   ///< a solid_mount out of a STEP file
 [[nodiscard]] LengthOf read_beam(TableReader& reader, model::Element& element);
 [[nodiscard]] LengthOf read_link(TableReader& reader, model::Element& element);
+
+/// Rubber is stiffer in vibration than at rest: found with the static moduli, the element then moves with `material.stiffening` times the
+/// stiffness of its deformations; what a preload does in a rigid motion stays.
+[[nodiscard]] LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element);
 
 /// Laws from files, between ends that the project file places.
 void read_imported(TableReader& reader, const model::Span& span, model::Element& element);
 void read_measured(TableReader& reader, const model::Span& span, model::Element& element);
 /// Per direction k'(f) and k''(f) out of a table: air springs, wire-rope isolators, hydraulic mounts.
 void read_tabulated(TableReader& reader, const model::Span& span, model::Element& element);
-/// `type = "catalogue:NAME"`; returns the mount's height, 0 if the catalogue gives none.
+/// `type = "catalogue:NAME"`.
 void read_catalogue_mount(TableReader& reader, const std::string& name, const model::Span& span, model::Element& element);
 
 }  // namespace trivet::study

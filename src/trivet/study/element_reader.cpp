@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "trivet/elements/law.h"
@@ -49,6 +50,7 @@ class ElementReader {
     element_.symmetric = reader_.boolean("symmetric").value_or(true);
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
+    if (element_.law.scale > 0) element_.massless_up_to *= std::sqrt(element_.law.scale);
     const bool known_law = sized || read_law();
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();
@@ -121,7 +123,7 @@ class ElementReader {
   bool read_sized_law() {
     for (const auto& [type, read] : sized_laws)
       if (element_.type == type) {
-        length_ = read(reader_, element_);
+        length_ = stiffened(reader_, read(reader_, element_), element_);
         return true;
       }
     return false;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
 #include <set>
 
@@ -48,13 +50,12 @@ class PiecewiseStiffness {
 };
 
 /// One direction: column `name` and column `name_loss` over frequency.
-elements::StiffnessTable direction_table(const CsvTable& csv, const Eigen::MatrixXd& values, elements::Interpolation interpolation) {
+elements::StiffnessTable direction_table(const Eigen::MatrixXd& values, elements::Interpolation interpolation) {
   elements::StiffnessTable table;
   for (Eigen::Index i = 0; i < values.rows(); ++i) table.angular_frequencies.push_back(2 * std::numbers::pi * values(i, 0));
   table.storage = values.col(1);
   table.loss = values.col(2);
   table.interpolation = interpolation;
-  static_cast<void>(csv);
   return table;
 }
 
@@ -116,7 +117,7 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
       reader.add_of_file("file", values.error());
       continue;
     }
-    const elements::StiffnessTable table = direction_table(*csv, *values, interpolation);
+    const elements::StiffnessTable table = direction_table(*values, interpolation);
     elements::StiffnessTable as_written = table;
     for (Eigen::Index i = 0; i < values->rows(); ++i) as_written.angular_frequencies[static_cast<std::size_t>(i)] = (*values)(i, 0);  // [Hz], for the words
     foundation::Problems findings = elements::check(as_written, "");
