@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -45,6 +46,11 @@ struct Peaks {
   double searched_to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite where elements depend on frequency in their own way
   int panels = 0;                       ///< pieces of the axis that were searched
 };
+
+/// How a peak of these was pinned: "newton" (steps in extended precision), "circles" (series from samples around it), or "series" (Newton did not settle).
+[[nodiscard]] inline const char* method(const Peaks& peaks, const Peak& peak) {
+  return !peak.refined ? "series" : std::isfinite(peaks.searched_to) ? "circles" : "newton";
+}
 
 struct PeakOptions {
   double min_prominence = 1e-6;  ///< of the curve's largest finite amplitude

@@ -122,7 +122,7 @@ Json peaks(const Answers& answers) {
                                {"unbounded", std::isinf(peak.amplitude)},
                                {"angular_frequency_uncertainty", peak.frequency_uncertainty},
                                {"amplitude_uncertainty", peak.amplitude_uncertainty},
-                               {"method", peak.refined ? "newton" : "series"}});
+                               {"method", response::method(found, peak)}});
   }
   for (const response::CurveSummary& curve : found.curves)
     result["curves"].push_back({{"name", curve.name},

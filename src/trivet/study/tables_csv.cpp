@@ -80,7 +80,7 @@ std::string peaks_csv(const Answers& answers) {
   for (const response::Peak& peak : found.list)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(found.curves[peak.curve].name), field(found.curves[peak.curve].unit), number(peak.angular_frequency),
                         number(peak.amplitude), number(peak.prominence), number(relative_prominence(peak)), optional(peak.ratio_to_static), optional(peak.nearest_mode),
-                        number(peak.frequency_uncertainty), number(peak.amplitude_uncertainty), peak.refined ? "newton" : "series");
+                        number(peak.frequency_uncertainty), number(peak.amplitude_uncertainty), response::method(found, peak));
   return text;
 }
 
