@@ -112,6 +112,48 @@ TEST(CoilSpring, LeftAndRightHandsAreMirrorImages) {
   EXPECT_LE((mirrored - stiffness(left)).cwiseAbs().maxCoeff(), 1e-9 * mirrored.cwiseAbs().maxCoeff());
 }
 
+/// Axial and torsional stiffness between the ends, from motions that no rigid motion holds a part of.
+std::pair<double, double> between_ends(const elements::Matrix12& k) {
+  elements::Vector12 stretch = elements::Vector12::Zero(), twist = elements::Vector12::Zero();
+  stretch(2) = twist(5) = -0.5;
+  stretch(8) = twist(11) = 0.5;
+  return {stretch.dot(k * stretch), twist.dot(k * twist)};
+}
+
+TEST(RubberElement, StiffensInVibrationAndKeepsItsStaticPreload) {
+  const std::string base = "type = \"rubber_disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\nmethod = \"finite_elements\"\nmesh_level = 1\n";
+  for (const char* preload : {"", "preload = {force = \"250 N\"}\n"}) {
+    const auto law = [&](const char* material) {
+      return test::project(model({"", base + preload + material}, 1, Eigen::Isometry3d::Identity())).base().system.elements()[0].law;
+    };
+    const elements::Law at_rest = law("material = {G = \"0.8 MPa\"}\n"), moving = law("material = {G = \"0.8 MPa\", stiffening = 1.4}\n");
+    const auto [axial, torsion] = between_ends(at_rest.nominal_stiffness);
+    const auto [axial_moving, torsion_moving] = between_ends(moving.nominal_stiffness);
+    EXPECT_THAT(axial_moving, RelativelyNear(1.4 * axial, 1e-9));
+    EXPECT_THAT(torsion_moving, RelativelyNear(1.4 * torsion, 1e-9));
+    ASSERT_EQ(at_rest.preload.has_value(), moving.preload.has_value());
+    if (at_rest.preload) EXPECT_EQ(*at_rest.preload, *moving.preload);  // that a rigid motion turns it was checked on reading
+  }
+}
+
+TEST(Preload, IsBalancedAboutTheCentreOfMassToo) {
+  const auto warned = [](double offset) {
+    std::string text = fmt::format("trivet = 1\ngravity = [0, 0, -9.80665]\n[bodies.b]\nmass = 60\ncenter_of_mass = [{}, 0, 0]\n"
+                                   "inertia = {{about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}}\n", offset);
+    for (const char* side : {"-0.2", "0.2"})
+      text += fmt::format("[elements.\"at {0}\"]\non = \"b\"\nat = [{0}, 0, 0]\naxis = \"z\"\n{1}preload = {{force = {2:.17g}}}\n", side[0] == '-' ? "-0.2" : "0.2",
+                          laws()[0].keys, 30 * 9.80665);
+    // A name has no dot.
+    for (std::size_t at; (at = text.find("at -0.2\"")) != std::string::npos;) text.replace(at, 7, "left");
+    for (std::size_t at; (at = text.find("at 0.2\"")) != std::string::npos;) text.replace(at, 6, "right");
+    for (const auto& problem : test::project(text).base().warnings.list())
+      if (problem.finding.find("about its centre of mass are left over") != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_FALSE(warned(0));
+  EXPECT_TRUE(warned(0.1));
+}
+
 TEST(RubberElement, IsPartOfTheModelAlthoughItWarns) {
   // Hardness 25 lies outside the range of its formula: a warning, and still a mount.
   const Named soft{"", "type = \"rubber_disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\nmaterial = {hardness = 25}\n"};

@@ -11,6 +11,7 @@
 #include "trivet/elements/coil_spring.h"
 #include "trivet/elements/coil_stress.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/condensed_solid.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/material_reader.h"
 
@@ -111,29 +112,26 @@ void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& 
 
 /// preload = {compression = …} or {force = …}: the state about which the spring vibrates.
 std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, const CoilSpring& spring) {
-  const Node* table = reader.table("preload");
-  if (!table) return std::nullopt;
-  TableReader preload(*table, reader.path() + ".preload", reader.problems());
-  const auto by = preload.number("compression", Quantity::length), with = preload.number("force", Quantity::force);
-  if (preload.has("compression") == preload.has("force"))
-    preload.error("force", preload.has("force") ? "compression and force" : "neither compression nor force", "the preload is one of them, positive in compression", "give one");
-  preload.finish();
-  if (by.has_value() == with.has_value()) return std::nullopt;
+  const std::size_t before = reader.errors();
+  const auto asked = read_compression(reader);
+  if (!asked || reader.errors() > before) return std::nullopt;
+  TableReader preload(*reader.table("preload"), reader.path() + ".preload", reader.problems());
+  const char* key = asked->is_force ? "force" : "compression";
   if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
     reader.error("ends", "\"pivoted\" with a preload", "a pivot cannot hold the moment by which a compressed spring keeps itself from turning", "clamp both seats, or leave the preload out");
     return std::nullopt;
   }
   try {
-    const elements::CompressedCoil state = by ? elements::compressed_by(spring, *by) : elements::compressed_with(spring, *with);
+    const elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value) : elements::compressed_by(spring, asked->value);
     foundation::Problems findings = elements::check_compression(spring, state.compression);
-    for (foundation::Problem& problem : findings.list()) problem.subject = by ? "compression" : "force";
+    for (foundation::Problem& problem : findings.list()) problem.subject = key;
     preload.add(findings);
     if (findings.has_errors()) return std::nullopt;
     return state;
   } catch (const foundation::InvalidInput& reason) {
-    preload.error(by ? "compression" : "force", reason.what(), "the compressed spring must exist", "lower the preload");
+    preload.error(key, reason.what(), "the compressed spring must exist", "lower the preload");
   } catch (const foundation::NotComputable& reason) {
-    preload.error(by ? "compression" : "force", reason.what(), "the loaded spring must be in equilibrium", "lower the preload, and check its sign and unit");
+    preload.error(key, reason.what(), "the loaded spring must be in equilibrium", "lower the preload, and check its sign and unit");
   }
   return std::nullopt;
 }
