@@ -146,7 +146,8 @@ TEST(Preload, IsBalancedAboutTheCentreOfMassToo) {
     // A name has no dot.
     for (std::size_t at; (at = text.find("at -0.2\"")) != std::string::npos;) text.replace(at, 7, "left");
     for (std::size_t at; (at = text.find("at 0.2\"")) != std::string::npos;) text.replace(at, 6, "right");
-    for (const auto& problem : test::project(text).base().warnings.list())
+    const auto project = test::project(text);
+    for (const auto& problem : project.base().warnings.list())
       if (problem.finding.find("about its centre of mass are left over") != std::string::npos) return true;
     return false;
   };
