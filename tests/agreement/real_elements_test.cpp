@@ -78,7 +78,9 @@ TEST_P(EveryLaw, ResistsNoRigidMotionInAnyAttitude) {
     const elements::MatrixVerdict verdict = elements::examine(element.law.nominal_stiffness, elements::rigid_motions(span.arm, span.n_from_k), turned);
     EXPECT_LE(verdict.rigid_residual, elements::silent_residual);
     EXPECT_EQ(verdict.asymmetry, 0);
-    if (!element.law.preload) EXPECT_TRUE(elements::is_semidefinite(verdict)) << verdict.lowest_eigenvalue;
+    if (!element.law.preload) {
+      EXPECT_TRUE(elements::is_semidefinite(verdict)) << verdict.lowest_eigenvalue;
+    }
   }
 }
 
@@ -132,7 +134,9 @@ TEST(RubberElement, StiffensInVibrationAndKeepsItsStaticPreload) {
     EXPECT_THAT(axial_moving, RelativelyNear(1.4 * axial, 1e-9));
     EXPECT_THAT(torsion_moving, RelativelyNear(1.4 * torsion, 1e-9));
     ASSERT_EQ(at_rest.preload.has_value(), moving.preload.has_value());
-    if (at_rest.preload) EXPECT_EQ(*at_rest.preload, *moving.preload);  // that a rigid motion turns it was checked on reading
+    if (at_rest.preload) {
+      EXPECT_EQ(*at_rest.preload, *moving.preload);  // that a rigid motion turns it was checked on reading
+    }
   }
 }
 

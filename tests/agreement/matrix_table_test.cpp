@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A whole dynamic stiffness matrix over frequency: the same answers as its independent directions in their own axes.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "support/random_system.h"
+#include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/answers.h"
+
+namespace {
+
+using namespace trivet;
+using Complex = std::complex<double>;
+
+constexpr int rows = 40;
+constexpr double step_hz = 2;
+
+/// Six independent relaxing directions at row i.
+Eigen::Matrix<Complex, 6, 1> constants(int i) {
+  Eigen::Matrix<Complex, 6, 1> k;
+  k << 4e4, 7e4, 9e4, 300, 500, 800;
+  const Complex s(0, 2 * std::numbers::pi * step_hz * i);
+  for (int j = 0; j < 6; ++j) k(j) *= 1.0 + 0.4 * s * 4e-3 * (1.0 + j) / (1.0 + s * 4e-3 * (1.0 + j));
+  return k;
+}
+
+class Folder {
+ public:
+  Folder() { std::filesystem::create_directories(path_); }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  /// Writes entry (i, j) of every row's matrix for the wanted entries.
+  template <typename Wanted, typename MatrixOf>
+  std::string table(const std::string& name, int size, const Wanted& wanted, const std::function<std::string(int, int)>& word, const MatrixOf& matrix_of) const {
+    std::ofstream file(path_ / name);
+    file << "frequency_hz";
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        if (wanted(i, j)) file << "," << word(i, j) << "," << word(i, j) << "_loss";
+    for (int row = 0; row < rows; ++row) {
+      const Eigen::MatrixXcd m = matrix_of(row);
+      file << "\n" << step_hz * row;
+      for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j)
+          if (wanted(i, j)) file << fmt::format(",{:.17g},{:.17g}", m(i, j).real(), m(i, j).imag());
+    }
+    file << "\n";
+    return (path_ / name).string();
+  }
+
+ private:
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() / fmt::format("trivet-matrix-table-{}", ::getpid());
+};
+
+Eigen::VectorXcd answer(const std::string& file, const std::string& extra) {
+  const auto project = test::project(fmt::format("trivet = 1\n[bodies.frame]\nmass = 10\ninertia = {{about = \"pole\", xx = 1, yy = 1.2, zz = 1.5}}\n"
+                                                 "[elements.mount]\ntype = \"table\"\non = \"frame\"\nat = [0.1, -0.2, 0.3]\nfile = \"{}\"\n{}"
+                                                 "[excitations.push]\ntype = \"harmonic\"\non = \"frame\"\nat = [0, 0, 0]\nforce = [1, 2, 3]\nmoment = [0.1, 0, 0.2]\n"
+                                                 "[analyses]\nresponse = {{of = [\"frame\", \"ground\"], at = [\"1.3 Hz\", \"17.7 Hz\", \"63.1 Hz\"]}}\n", file, extra));
+  const study::Answers answers = study::answers(project.base(), project.base().analyses, {});
+  std::vector<Complex> values;
+  for (const auto& curve : answers.response->curves.curves) values.insert(values.end(), curve.value.begin(), curve.value.end());
+  return Eigen::Map<const Eigen::VectorXcd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
+  constexpr double round_off = 1e-11;  // condition of Z times ε
+  const Folder folder;
+  test::RandomSystem random(7);
+  const Eigen::Matrix3d turn = random.rotation();
+  const Eigen::AngleAxisd own(turn);
+  const spatial::Matrix6 both = spatial::both_blocks(turn);
+  const auto held = [&](int row) -> Eigen::MatrixXcd { return both.cast<Complex>() * constants(row).asDiagonal() * both.transpose().cast<Complex>(); };
+  const auto full = [&](int row) -> Eigen::MatrixXcd {
+    Eigen::MatrixXcd m(12, 12);
+    m << held(row), -held(row), -held(row), held(row);
+    return m;
+  };
+  const auto numbered = [](int i, int j) { return fmt::format("k_{}_{}", i + 1, j + 1); };
+  const auto upper = [](int i, int j) { return i <= j; };
+  const std::array<const char*, 6> letters = {"x", "y", "z", "rx", "ry", "rz"};
+  const std::string directions = folder.table("directions.csv", 6, [](int i, int j) { return i == j; },
+                                              [&](int i, int) { return std::string("k_") + letters[static_cast<std::size_t>(i)]; },
+                                              [](int row) -> Eigen::MatrixXcd { return constants(row).asDiagonal(); });
+  const Eigen::VectorXcd expected = answer(directions, fmt::format("interpolation = \"linear\"\norientation = {{axis = [{:.17g}, {:.17g}, {:.17g}], angle = \"{:.17g} rad\"}}\n",
+                                                                   own.axis().x(), own.axis().y(), own.axis().z(), own.angle()));
+  const Eigen::VectorXcd of_end = answer(folder.table("end.csv", 6, upper, numbered, held), "");
+  const Eigen::VectorXcd of_both = answer(folder.table("both.csv", 12, upper, numbered, full), "");
+  const Eigen::VectorXcd unsymmetric = answer(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, held), "symmetric = false\n");
+  for (Eigen::Index i = 0; i < expected.size(); ++i) {
+    EXPECT_LE(std::abs(of_end(i) - expected(i)), round_off * std::abs(expected(i))) << i;
+    EXPECT_LE(std::abs(of_both(i) - expected(i)), round_off * std::abs(expected(i))) << i;
+    EXPECT_LE(std::abs(unsymmetric(i) - expected(i)), round_off * std::abs(expected(i))) << i;
+  }
+}
+
+}  // namespace
