@@ -22,6 +22,19 @@ inline elements::CoilSpring literature_spring() {
   return spring;
 }
 
+/// The worked example of EN 13906-1: outer diameter 39.6 mm, wire 5 mm, 9.5 active of 11.5 turns, free length 105.8 mm.
+inline elements::CoilSpring standards_spring() {
+  elements::CoilSpring spring = literature_spring();
+  spring.wire = elements::RoundWire{5e-3};
+  spring.mean_diameter = 34.6e-3;
+  spring.active_coils = 9.5;
+  spring.dead_coils_n = spring.dead_coils_k = 1;
+  spring.active_length = 105.8e-3 - 2 * 5e-3;
+  spring.youngs_modulus = 2.06e11;
+  spring.shear_modulus = 8.15e10;
+  return spring;
+}
+
 /// Steel springs of wire 0.5 … 20 mm, either wire and hand, index 3.5 … 15, 1.2 … 20 turns, coils open by 5 … 250 %.
 inline elements::CoilSpring random_spring(std::mt19937& random) {
   const auto from = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };

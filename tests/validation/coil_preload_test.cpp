@@ -71,14 +71,7 @@ TEST(CompressedCoil, ForceOfTheStandardsExample) {
   // EN 13906-1 worked example: 280 N at s1 = 17.3 mm, 620 N at s2 = 38.3 mm, L1 = 88.5 and L2 = 67.5 mm; the standard neglects
   // that the seats do not turn, that the coils widen, and the shear of the wire.
   constexpr double of_the_standard = 0.025;
-  CoilSpring spring = literature_spring();
-  spring.wire = elements::RoundWire{5e-3};
-  spring.mean_diameter = 34.6e-3;
-  spring.active_coils = 9.5;
-  spring.dead_coils_n = spring.dead_coils_k = 1;
-  spring.active_length = 105.8e-3 - 2 * 5e-3;
-  spring.youngs_modulus = 2.06e11;
-  spring.shear_modulus = 8.15e10;
+  const elements::CoilSpring spring = test::standards_spring();
   EXPECT_THAT(compressed_with(spring, 280).compression, RelativelyNear(17.3e-3, of_the_standard));
   EXPECT_THAT(compressed_with(spring, 620).compression, RelativelyNear(38.3e-3, of_the_standard));
   EXPECT_NEAR(compressed_with(spring, 620).seat_distance, 67.5e-3, 0.8e-3);

@@ -46,14 +46,7 @@ TEST(CoilSpring, StiffnessOfThePublishedSpring) {
 TEST(CoilSpring, AxialRateOfTheStandardsExample) {
   // EN 13906-1 worked example (De 39.6, d 5, n 9.5, nt 11.5, L0 105.8 mm): 16.181 N/mm, from G d⁴/(8 D³ n).
   constexpr double second_order_of_the_index = 0.02;  // 1/(2 κ C²) of shear and the seats' rotation being held, C = 6.92
-  elements::CoilSpring spring = literature_spring();
-  spring.wire = elements::RoundWire{5e-3};
-  spring.mean_diameter = 34.6e-3;
-  spring.active_coils = 9.5;
-  spring.dead_coils_n = spring.dead_coils_k = 1;
-  spring.active_length = 105.8e-3 - 2 * 5e-3;
-  spring.youngs_modulus = 2.06e11;
-  spring.shear_modulus = 8.15e10;
+  const elements::CoilSpring spring = test::standards_spring();
   EXPECT_THAT(elements::stiffness(spring)(8, 8), RelativelyNear(16181.0, second_order_of_the_index));
   EXPECT_DOUBLE_EQ(elements::seat_distance(spring), 105.8e-3);
 }

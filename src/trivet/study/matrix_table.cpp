@@ -119,8 +119,10 @@ void check_passive(TableReader& reader, const MatrixTable& table, const model::S
   if (worst >= -rounded_loss) return;
   const std::string finding = fmt::format("at {:.6g} Hz the scaled loss matrix has the eigenvalue {:.4g}", at, worst);
   const char* rule = "a passive element takes energy in every motion";
-  if (worst < -noisy_loss) reader.error("file", finding, rule, "check signs and phases of the loss columns, couplings above all");
-  else reader.problems().warning(reader.path() + ".file", finding, rule, "noise of the measurement may explain it; it can feed energy into some motion").origin = reader.node("file")->origin;
+  foundation::Problems found;
+  if (worst < -noisy_loss) found.error("file", finding, rule, "check signs and phases of the loss columns, couplings above all");
+  else found.warning("file", finding, rule, "noise of the measurement may explain it; it can feed energy into some motion");
+  reader.add(found);
 }
 
 }  // namespace

@@ -40,19 +40,20 @@ void judge_causality(TableReader& reader, const std::string& name, const element
   data.stiffness = Eigen::Map<const Eigen::VectorXcd>(stiffness.data(), static_cast<Eigen::Index>(stiffness.size()));
   const auto check = identification::causality(data);
   if (!check) {
-    for (foundation::Problem problem : check.error().list()) {
+    foundation::Problems findings = check.error();
+    for (foundation::Problem& problem : findings.list()) {
       problem.subject = "file";
       problem.finding = name + ": " + problem.finding;
-      foundation::Problems one;
-      one.add(std::move(problem));
-      reader.add(one);
     }
+    reader.add(findings);
     return;
   }
   element.facts.push_back({"causality of " + name, check->verdict});
-  if (!check->passes)
-    reader.problems().warning(reader.path() + ".file", fmt::format("{}: {:.3g} % from the nearest passive, causal stiffness", name, 100 * check->relative_rms),
-                              "storage and loss of a real element belong together (Kramers and Kronig)", "look at the rig and its phase: " + check->verdict).origin = reader.node("file")->origin;
+  if (check->passes) return;
+  foundation::Problems doubtful;
+  doubtful.warning("file", fmt::format("{}: {:.3g} % from the nearest passive, causal stiffness", name, 100 * check->relative_rms),
+                   "storage and loss of a real element belong together (Kramers and Kronig)", "look at the rig and its phase: " + check->verdict);
+  reader.add(doubtful);
 }
 
 model::Fact defined_range(double from, double to) {
