@@ -140,6 +140,18 @@ TEST(RubberElement, StiffensInVibrationAndKeepsItsStaticPreload) {
   }
 }
 
+TEST(RubberElement, TakesPoissonsRatioForTheBulkModulus) {
+  constexpr double round_off = 1e-12;
+  const auto stiffness = [&](const char* material) {
+    const std::string keys = std::string("type = \"rubber_disc\"\ndiameter = \"60 mm\"\nthickness = \"5 mm\"\nmaterial = ") + material + "\n";
+    return test::project(model({"", keys}, 1, Eigen::Isometry3d::Identity())).base().system.elements()[0].law.nominal_stiffness;
+  };
+  // E = 3 MPa and ν = 0.495: G = E/(2 · 1.495), bulk modulus E/(3 · 0.01).
+  const elements::Matrix12 given = stiffness("{G = 1003344.4816053512, bulk_modulus = 1e8}");
+  EXPECT_LE((stiffness("{E = 3e6, nu = 0.495}") - given).cwiseAbs().maxCoeff(), round_off * given.cwiseAbs().maxCoeff());
+  EXPECT_LE((stiffness("{G = 1003344.4816053512, nu = 0.495}") - given).cwiseAbs().maxCoeff(), round_off * given.cwiseAbs().maxCoeff());
+}
+
 TEST(Preload, IsBalancedAboutTheCentreOfMassToo) {
   const auto warned = [](double offset) {
     std::string text = fmt::format("trivet = 1\ngravity = [0, 0, -9.80665]\n[bodies.b]\nmass = 60\ncenter_of_mass = [{}, 0, 0]\n"

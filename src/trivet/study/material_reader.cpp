@@ -90,6 +90,25 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
   return reader.errors() == before ? std::optional(metal) : std::nullopt;
 }
 
+namespace {
+
+/// Poisson's ratio in place of the bulk modulus: K = 2G(1 + ν)/(3(1 − 2ν)), and E = 2G(1 + ν).
+void read_poisson(TableReader& table, elements::Rubber& rubber) {
+  const auto nu = table.number("nu", Quantity::pure);
+  if (!nu) return;
+  constexpr double least_of_rubber = 0.45;
+  if (table.has("bulk_modulus")) table.error("nu", "nu and bulk_modulus", "one of them says how the rubber resists compression", "remove one");
+  if (!(*nu >= 0 && *nu < 0.5)) {
+    table.error("nu", fmt::format("{:.6g}", *nu), "Poisson's ratio of a compressible rubber lies between 0 and 0.5, 0.5 excluded", "rubber has 0.4990 to 0.4999; or give bulk_modulus");
+    return;
+  }
+  if (*nu < least_of_rubber) warn_unlikely(table, "nu", fmt::format("Poisson's ratio {:.4g}", *nu), "that of solid rubber lies above 0.499; formulas of bonded rubber hold for little compression");
+  if (table.has("E")) rubber.shear_modulus *= 3 / (2 * (1 + *nu));
+  rubber.bulk_modulus = 2 * rubber.shear_modulus * (1 + *nu) / (3 * (1 - 2 * *nu));
+}
+
+}  // namespace
+
 std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   constexpr const char* remedy = "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}";
   if (const Node* given = reader.node("material"); given && given->kind == Node::Kind::text) {
@@ -126,6 +145,7 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
     rubber.bulk_modulus = *bulk;
     require_positive(table, "bulk_modulus", *bulk, "Pa");
   }
+  read_poisson(table, rubber);
   if (const auto stiffening = table.number("stiffening", Quantity::pure)) {
     if (!(*stiffening >= 1)) table.error("stiffening", fmt::format("{:.6g}", *stiffening), "dynamic over static modulus is ≥ 1", "rubber is 1.1 to 3 times stiffer in vibration");
   }
