@@ -22,7 +22,7 @@ struct Machine {
   study::Project project = study::read_project(TRIVET_PAPER).value();
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
-  Eigen::VectorXcd load = assembly::harmonic_load(system, assembled.layout);
+  Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
 };
 
 const Machine& machine() {

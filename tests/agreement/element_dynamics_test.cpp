@@ -49,7 +49,7 @@ Eigen::VectorXcd condensed_response(const model::System& system, const assembly:
       for (Eigen::Index j = 0; j < map.end_columns; ++j)
         z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
   }
-  const Eigen::VectorXcd load = assembly::harmonic_load(system, assembled.layout).head(n);
+  const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0).head(n);
   return z.partialPivLu().solve(load);
 }
 
@@ -61,7 +61,7 @@ TEST(RelaxingElements, InternalCoordinatesGiveTheComplexStiffness) {
       const assembly::Assembled assembled = assembly::assemble(system);
       for (const double omega : {0.0, 3.0, 40.0, 400.0, 4000.0}) {
         const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
-        const auto fast = response::frequency_response(assembled, channels, assembly::harmonic_load(system, assembled.layout), {omega});
+        const auto fast = response::frequency_response(assembled, channels, assembly::harmonic_loading(system, assembled), {omega});
         const Eigen::VectorXcd direct = condensed_response(system, assembled, omega);
         const double size = direct.cwiseAbs().maxCoeff();
         for (Eigen::Index i = 0; i < direct.size(); ++i)
@@ -74,7 +74,7 @@ TEST(RelaxingElements, ForcesOnTheGroundBalanceTheBody) {
   const model::System system = skew(7, elements::Zener{1.5, 0.02});
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto channels = assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement);
-  const Eigen::VectorXcd load = assembly::harmonic_load(system, assembled.layout);
+  const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
   // Momentum of the body: force on it from its elements + excitation = −ω² m u_C, in ground axes.
   const double omega = 25;
   const auto response = response::frequency_response(assembled, channels, load, {omega});
@@ -114,7 +114,7 @@ response::Peaks peaks_of(const model::System& system, double to = 0) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   return response::peaks(assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
-                         assembly::harmonic_load(system, assembled.layout), modes, modal::roots(system, assembled, modes), {1e-6, to});
+                         assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), {1e-6, to});
 }
 
 TEST(PeaksFromCircles, AreThoseFromPoles) {
@@ -161,7 +161,7 @@ response::FrequencyResponse response_of(const study::Project& project, const std
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   return response::frequency_response(assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
-                                      assembly::harmonic_load(system, assembled.layout), omega);
+                                      assembly::harmonic_loading(system, assembled), omega);
 }
 
 /// Largest difference of translations, rotations, forces and moments at point i, each over the largest of its three.

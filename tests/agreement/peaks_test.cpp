@@ -23,7 +23,7 @@ constexpr double frequency_digits = 1e-8;
 response::Peaks peaks_of(const model::System& system, const std::vector<std::string>& of, assembly::Quantity quantity) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  return response::peaks(assembled, assembly::channels(system, assembled, of, quantity), assembly::harmonic_load(system, assembled.layout), modes,
+  return response::peaks(assembled, assembly::channels(system, assembled, of, quantity), assembly::harmonic_loading(system, assembled), modes,
                          modal::roots(system, assembled, modes));
 }
 
@@ -142,7 +142,7 @@ TEST(PeaksOfRandomSystems, AreThoseOfADenseScan) {
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
     const modal::Roots roots = modal::roots(system, assembled, modes);
-    const Eigen::VectorXcd load = assembly::harmonic_load(system, assembled.layout);
+    const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
     const auto channels = assembly::channels(system, assembled, {"coordinates", "ground", "body 0.tip"}, static_cast<assembly::Quantity>(seed % 3));
     const response::Peaks found = response::peaks(assembled, channels, load, modes, roots, {1e-5});
     const std::vector<double> grid = dense_grid(roots.poles);

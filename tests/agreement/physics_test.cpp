@@ -46,7 +46,7 @@ Eigen::MatrixXcd receptance(const assembly::Assembled& assembled, double omega) 
 std::vector<response::Curve> curves(const model::System& system, const std::vector<std::string>& of, const std::vector<double>& omega,
                                     assembly::Quantity quantity = assembly::Quantity::displacement) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  return response::frequency_response(assembled, assembly::channels(system, assembled, of, quantity), assembly::harmonic_load(system, assembled.layout), omega).curves;
+  return response::frequency_response(assembled, assembly::channels(system, assembled, of, quantity), assembly::harmonic_loading(system, assembled), omega).curves;
 }
 
 TEST(Physics, ReceptancesAreReciprocal) {
@@ -126,14 +126,14 @@ TEST(Physics, MovingThePoleAndTurningTheBodyAxesChangesNothingPhysical) {
   for (const Variant& v : variants()) {
     test::RandomSystem random(v.seed);
     model::Description d = random.description(v.bodies, v.damping);
-    d.harmonic_forces[0].phase.setZero();
+    d.excitations[0].action.amplitude = d.excitations[0].action.amplitude.cwiseAbs().cast<std::complex<double>>().eval();
     const std::size_t index = v.bodies - 1;
     const spatial::Pose frame{random.vector(0.8), random.rotation()};
     model::Description other = from_other_pole(d, index, frame);
-    auto& force = other.harmonic_forces[0];
+    auto& force = other.excitations[0].action;
     const Eigen::Matrix3d back = frame.rotation.transpose();
     force.at = back * (force.at - frame.position);
-    force.amplitude = {back * force.amplitude.force, back * force.amplitude.moment};
+    force.amplitude = (spatial::both_blocks(back).cast<std::complex<double>>() * force.amplitude).eval();
     const model::System one = test::checked(d), two = test::checked(other);
     const auto a = modal::modes(one), b = modal::modes(two);
     for (std::size_t i = 0; i < a.list.size(); ++i) EXPECT_THAT(b.list[i].eigenvalue_squared, test::RelativelyNear(a.list[i].eigenvalue_squared, round_off));
@@ -171,7 +171,7 @@ TEST(Physics, TwoSolversAgreeWithinRoundOffTimesCondition) {
   for (const Variant& v : variants()) {
     const model::System system = test::checked(test::RandomSystem(v.seed).description(v.bodies, v.damping));
     const assembly::Assembled assembled = assembly::assemble(system);
-    const auto check = response::deep_check(system, assembled, assembly::harmonic_load(system, assembled.layout), {0, 1, 7, 33, 90, 210, 500});
+    const auto check = response::deep_check(system, assembled, assembly::harmonic_loading(system, assembled), {0, 1, 7, 33, 90, 210, 500});
     EXPECT_TRUE(check.passed) << "seed " << v.seed << ": " << check.worst_difference << " against " << check.allowed;
     EXPECT_EQ(check.frequencies, 7);
   }
@@ -180,7 +180,7 @@ TEST(Physics, TwoSolversAgreeWithinRoundOffTimesCondition) {
 TEST(Physics, TheSecondSolverNoticesAWrongFirstOne) {
   const model::System system = test::checked(test::RandomSystem(4).description(2, RandomDamping::viscous));
   assembly::Assembled wrong = assembly::assemble(system);
-  const Eigen::VectorXcd load = assembly::harmonic_load(system, wrong.layout);
+  const Eigen::VectorXcd load = assembly::harmonic_loading(system, wrong).force.at(0);
   wrong.matrices.K(0, 0) *= 1 + 1e-6;
   EXPECT_FALSE(response::deep_check(system, wrong, load, {1, 20, 60}).passed);
 }
@@ -191,10 +191,10 @@ TEST(Physics, GroundForceAndAppliedForceMakeTheMomentumChange) {
     model::Description d = test::RandomSystem(v.seed).description(v.bodies, v.damping);
     for (auto& body : d.bodies) body.points = {{"centre", body.mass.centre}};
     const model::System system = test::checked(d);
-    const model::HarmonicForce& force = d.harmonic_forces[0];
+    const model::Action& force = d.excitations[0].action;
     Eigen::Vector3cd applied;
-    for (int j = 0; j < 3; ++j) applied(j) = force.amplitude.force(j) * std::exp(std::complex<double>(0, force.phase(j)));
-    applied = (d.bodies[force.body].pose.rotation.cast<std::complex<double>>() * applied).eval();
+    applied = force.amplitude.head<3>();
+    applied = (d.bodies[*force.body].pose.rotation.cast<std::complex<double>>() * applied).eval();
     for (const double omega : {4.0, 45.0}) {
       const auto ground = curves(system, {"ground"}, {omega});
       Eigen::Vector3cd momentum_change = Eigen::Vector3cd::Zero();
@@ -240,7 +240,7 @@ TEST(Physics, DampedResponseIsTheSumOverItsRoots) {
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const model::System system = test::checked(test::RandomSystem(seed).description(1 + seed % 2, RandomDamping::viscous));
     const assembly::Assembled assembled = assembly::assemble(system);
-    const Eigen::VectorXcd h = assembly::harmonic_load(system, assembled.layout);
+    const Eigen::VectorXcd h = assembly::harmonic_loading(system, assembled).force.at(0);
     const modal::Roots roots = modal::roots(system);
     for (const double omega : {2.0, 30.0, 120.0}) {
       Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(h.size());

@@ -22,17 +22,17 @@ TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto& m = assembled.matrices;
   const double omega = 14;
-  const Eigen::VectorXcd load = assembly::harmonic_load(system, assembled.layout);
+  const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
   const Eigen::VectorXcd q = numerics::sweep(m, load, {omega}).response.col(0);
   const Eigen::MatrixXd inverse_mass = m.A.inverse();
 
   // The force itself, written out from the description: component by component, with its own phase.
-  const model::HarmonicForce& force = system.description().harmonic_forces[0];
+  const model::Action& force = system.description().excitations[0].action;
   const auto generalized = [&](double t) -> Eigen::VectorXd {
     Eigen::Vector3d f, moment;
     for (int j = 0; j < 3; ++j) {
-      f(j) = force.amplitude.force(j) * std::cos(omega * t + force.phase(j));
-      moment(j) = force.amplitude.moment(j) * std::cos(omega * t + force.phase(j + 3));
+      f(j) = std::real(force.amplitude(j) * std::polar(1.0, omega * t));
+      moment(j) = std::real(force.amplitude(j + 3) * std::polar(1.0, omega * t));
     }
     moment += Eigen::Vector3d(force.at.y() * f.z() - force.at.z() * f.y(), force.at.z() * f.x() - force.at.x() * f.z(), force.at.x() * f.y() - force.at.y() * f.x());
     Eigen::VectorXd h(6);

@@ -66,9 +66,12 @@ model::Description RandomSystem::description(std::size_t bodies, RandomDamping d
     for (int twice = 0; twice < 2; ++twice)
       d.elements.push_back(element("element " + std::to_string(d.elements.size()), from, i, d.bodies, damping));
   }
-  model::HarmonicForce force{"force", bodies - 1, vector(0.4), {vector(100), vector(20)}, {}};
-  for (int j = 0; j < 6; ++j) force.phase(j) = number(-3, 3);
-  d.harmonic_forces.push_back(force);
+  model::Action force;
+  force.body = bodies - 1;
+  force.at = vector(0.4);
+  const Eigen::Vector3d forces = vector(100), moments = vector(20);
+  for (int j = 0; j < 6; ++j) force.amplitude(j) = (j < 3 ? forces(j) : moments(j - 3)) * std::polar(1.0, number(-3, 3));
+  d.excitations.push_back({"force", force, model::Harmonic{}});
   return d;
 }
 

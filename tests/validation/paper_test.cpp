@@ -76,7 +76,7 @@ void expect_characteristics(const std::string& file, const std::vector<Character
   const model::System& system = project.find("Figure 3")->system;
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
-  const Eigen::VectorXcd load = assembly::harmonic_load(system, assembled.layout);
+  const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
   for (const Characteristic& at : expected) {
     const auto response = response::frequency_response(assembled, channels, load, {at.p});
     for (std::size_t j = 0; j < 6; ++j) {

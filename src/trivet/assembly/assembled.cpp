@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/assembled.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -16,27 +17,40 @@ namespace {
 
 using spatial::Matrix6;
 
-/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body.
-void add_end(const Layout& layout, const model::End& end, int first_row, ElementMap& map) {
-  if (!end.body) return;
-  const Matrix6 motion = spatial::both_blocks(end.axes).transpose() * spatial::rigid_motion(end.at);
-  for (int j = 0; j < 6; ++j) {
-    const Eigen::Index row = layout.row(*end.body, j);
-    if (row < 0) continue;
-    map.rows.push_back(row);
-    map.ends.conservativeResize(Eigen::NoChange, map.ends.cols() + 1);
-    map.ends.rightCols<1>().setZero();
-    map.ends.rightCols<1>().segment<6>(first_row) = motion.col(j);
+/// Appends one column: how six rows from `first_row` of the element follow one coordinate.
+void append_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row, const spatial::Vector6& column) {
+  rows.push_back(row);
+  ends.conservativeResize(Eigen::NoChange, ends.cols() + 1);
+  ends.rightCols<1>().setZero();
+  ends.rightCols<1>().segment<6>(first_row) = column;
+}
+
+/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body, its foundation or the ground.
+void add_end(const Layout& layout, std::size_t element, const model::End& end, int first_row, ElementMap& map, Ground& ground) {
+  const Matrix6 turn = spatial::both_blocks(end.axes).transpose();
+  if (end.body) {
+    const Matrix6 motion = turn * spatial::rigid_motion(end.at);
+    for (int j = 0; j < 6; ++j)
+      if (layout.row(*end.body, j) >= 0) append_column(map.ends, map.rows, first_row, layout.row(*end.body, j), motion.col(j));
+  } else if (end.foundation) {
+    for (Eigen::Index j = 0; j < end.foundation->shape.cols(); ++j)
+      append_column(map.ends, map.rows, first_row, layout.foundation_row(end.foundation->foundation) + j, turn * end.foundation->shape.col(j));
+  } else {
+    ground.ends.push_back({element, {end.at, end.axes}, ground.size()});
+    const Matrix6 as_one = turn * spatial::rigid_motion(end.at);
+    for (int j = 0; j < 6; ++j) append_column(map.ground_ends, map.ground_rows, first_row, j, as_one.col(j));
+    for (int j = 0; j < 6; ++j) append_column(map.ground_ends, map.ground_rows, first_row, ground.ends.back().first_row + j, turn.col(j));
   }
 }
 
-ElementMap map_of(const Layout& layout, std::size_t index, const model::Element& element) {
+ElementMap map_of(const Layout& layout, std::size_t index, const model::Element& element, Ground& ground) {
   ElementMap map;
   map.matrices = elements::matrices(element.law);
   const Eigen::Index internal = map.matrices.stiffness.rows() - 12;
   map.ends.resize(12 + internal, 0);
-  add_end(layout, element.n, 0, map);
-  add_end(layout, element.k, 6, map);
+  map.ground_ends.resize(12 + internal, 0);
+  add_end(layout, index, element.n, 0, map, ground);
+  add_end(layout, index, element.k, 6, map, ground);
   map.end_columns = map.ends.cols();
   map.ends.conservativeResize(Eigen::NoChange, map.end_columns + internal);
   map.ends.rightCols(internal).setZero();
@@ -58,11 +72,43 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
   return map;
 }
 
-void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
-  const Eigen::MatrixXd local = map.ends.transpose() * matrix * map.ends;
+void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns, double factor,
+                   Eigen::MatrixXd& global) {
   for (Eigen::Index i = 0; i < local.rows(); ++i)
     for (Eigen::Index j = 0; j < local.cols(); ++j)
-      global(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += factor * local(i, j);
+      global(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]) += factor * local(i, j);
+}
+
+void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
+  scatter_block(map.ends.transpose() * matrix * map.ends, map.rows, map.rows, factor, global);
+}
+
+/// What the ground ends of the elements that `wanted` admits bring into the free rows.
+template <typename Wanted>
+void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Ground& ground, const Wanted& wanted) {
+  ground.A = ground.B = ground.K = ground.K_loss = Eigen::MatrixXd::Zero(n, ground.size());
+  bool lossy = false;
+  for (const ElementMap& map : elements) {
+    if (map.ground_rows.empty() || !wanted(map)) continue;
+    const auto add = [&](const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
+      scatter_block(map.ends.transpose() * matrix * map.ground_ends, map.rows, map.ground_rows, factor, global);
+    };
+    add(map.matrices.stiffness, 1, ground.K);
+    add(map.matrices.damping, 1, ground.B);
+    add(map.matrices.mass, 1, ground.A);
+    add(map.matrices.stiffness, map.matrices.loss_factor, ground.K_loss);
+    lossy = lossy || map.matrices.loss_factor > 0;
+  }
+  if (!lossy) ground.K_loss.resize(0, 0);
+}
+
+/// The damping of the system as a whole acts on the motion beyond that with which the massive coordinates follow the ground at rest.
+Eigen::MatrixXd system_damping_on_ground(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& ground_stiffness) {
+  const Eigen::VectorXd d = numerics::unit_scale(m);
+  const Eigen::MatrixXd scaled = d.asDiagonal() * m.K * d.asDiagonal();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> stiffness(scaled);
+  const Eigen::MatrixXd follow = d.asDiagonal() * stiffness.solve(d.asDiagonal() * ground_stiffness);  // −(motion of the coordinates)
+  return damping * follow;
 }
 
 void add_body(const Layout& layout, std::size_t index, const model::Body& body, Eigen::MatrixXd& mass) {
@@ -70,6 +116,13 @@ void add_body(const Layout& layout, std::size_t index, const model::Body& body, 
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
       if (layout.row(index, i) >= 0 && layout.row(index, j) >= 0) mass(layout.row(index, i), layout.row(index, j)) += a(i, j);
+}
+
+void add_foundation(const Layout& layout, std::size_t index, const model::Foundation& foundation, numerics::DynamicMatrices& m) {
+  const Eigen::Index first = layout.foundation_row(index), count = foundation.mass.rows();
+  m.A.block(first, first, count, count) += foundation.mass;
+  m.B.block(first, first, count, count) += foundation.damping;
+  m.K.block(first, first, count, count) += foundation.stiffness;
 }
 
 void make_exactly_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
@@ -100,6 +153,7 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   m.A = m.B = m.K = m.K_loss = Eigen::MatrixXd::Zero(n, n);
   bool lossy = false;
   for (std::size_t i = 0; i < system.bodies().size(); ++i) add_body(assembled.layout, i, system.bodies()[i], m.A);
+  for (std::size_t i = 0; i < system.description().foundations.size(); ++i) add_foundation(assembled.layout, i, system.description().foundations[i], m);
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const ElementMap& map = assembled.elements[e];
     m.symmetric = m.symmetric && system.elements()[e].symmetric;
@@ -126,16 +180,27 @@ Assembled assemble(const model::System& system) {
     internal.push_back(elements::matrices(element.law).stiffness.rows() - 12);
     last.push_back(elements::is_frequency_dependent(element.law));
   }
-  Assembled result{Layout(system.bodies(), internal, last), {}, {}, {}};
-  for (std::size_t e = 0; e < system.elements().size(); ++e) result.elements.push_back(map_of(result.layout, e, system.elements()[e]));
+  Assembled result{Layout(system.description(), internal, last), {}, {}, {}, {}};
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    result.elements.push_back(map_of(result.layout, e, system.elements()[e], result.ground));
   numerics::DynamicMatrices& m = result.matrices;
-  m = summed(system, result, result.layout.size(), [](const ElementMap&) { return true; });
+  const auto every = [](const ElementMap&) { return true; };
+  const auto constant = [](const ElementMap& map) { return !map.frequency_dependent(); };
+  m = summed(system, result, result.layout.size(), every);
   const Eigen::MatrixXd without = m.B;
   add_system_damping(system.description().damping, m);
   if (m.symmetric) make_exactly_symmetric(m.B);
+  const bool damped_as_a_whole = !std::holds_alternative<std::monostate>(system.description().damping);
+  Eigen::MatrixXd of_system;
+  if (damped_as_a_whole) {
+    couple_ground(result.elements, m.size(), result.ground, every);
+    of_system = system_damping_on_ground(m, m.B - without, result.ground.K);
+  }
+  couple_ground(result.elements, m.size(), result.ground, constant);
+  if (damped_as_a_whole) result.ground.B += of_system;
   if (std::find(last.begin(), last.end(), true) != last.end()) {
     const Eigen::Index n = result.layout.before_last();
-    result.constant = summed(system, result, n, [](const ElementMap& map) { return !map.frequency_dependent(); });
+    result.constant = summed(system, result, n, constant);
     result.constant.B += (m.B - without).topLeftCorner(n, n);
   }
   return result;

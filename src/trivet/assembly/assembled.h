@@ -16,6 +16,8 @@ namespace trivet::assembly {
 struct ElementMap {
   std::vector<Eigen::Index> rows;                       ///< global rows of the columns of `ends`
   Eigen::MatrixXd ends;                                 ///< (12 + internal) × rows.size()
+  std::vector<Eigen::Index> ground_rows;                ///< ground coordinates that move its ends, see Ground
+  Eigen::MatrixXd ground_ends;                          ///< (12 + internal) × ground_rows.size()
   elements::Matrices matrices;                          ///< as assembled, scale included
   /// D(ω), 12×12, where the matrices are not exact; the columns of `ends` that belong to the ends come first.
   std::function<elements::Matrix12c(std::complex<double> omega, double near)> dynamic_stiffness;
@@ -33,6 +35,31 @@ struct ElementMap {
       d += ends.col(j).template cast<typename Vector::Scalar>() * q(rows[static_cast<std::size_t>(j)]);
     return d;
   }
+  /// What a motion of the ground adds to them.
+  template <typename Vector>
+  [[nodiscard]] Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1> moved_by_ground(const Vector& g) const {
+    Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1> d = Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1>::Zero(ends.rows());
+    for (Eigen::Index j = 0; j < ground_ends.cols(); ++j)
+      d += ground_ends.col(j).template cast<typename Vector::Scalar>() * g(ground_rows[static_cast<std::size_t>(j)]);
+    return d;
+  }
+};
+
+/// An end that stands on the ground, and its first ground coordinate.
+struct GroundEnd {
+  std::size_t element = 0;
+  spatial::Pose pose;          ///< ground frame
+  Eigen::Index first_row = 0;
+};
+
+/// The driven coordinates g: six of one rigid foundation about the ground origin, then six of each ground end about its own reference point
+/// (all in ground axes; they add up). What they bring into the rows of the free coordinates: Z q = Q − (K + iωB − ω²A) g.
+struct Ground {
+  std::vector<GroundEnd> ends;
+  Eigen::MatrixXd A, B, K;   ///< free coordinates × ground coordinates, without frequency-dependent elements
+  Eigen::MatrixXd K_loss;    ///< empty if there is no loss factor
+
+  [[nodiscard]] Eigen::Index size() const { return 6 + 6 * static_cast<Eigen::Index>(ends.size()); }
 };
 
 /// A q̈ + B q̇ + K q = Q of the whole system, in its free coordinates, with the way back to bodies and elements.
@@ -41,6 +68,7 @@ struct Assembled {
   numerics::DynamicMatrices matrices;   ///< of everything; frequency-dependent elements by their nearest linear system
   std::vector<ElementMap> elements;
   numerics::DynamicMatrices constant;   ///< without the frequency-dependent elements, first rows of `layout`; empty if there are none
+  Ground ground;
 
   [[nodiscard]] bool frequency_dependent() const { return constant.size() > 0; }
   /// Exact Z(ω) in the first rows of `layout`, also for complex ω near a real one (which piece of a table holds).

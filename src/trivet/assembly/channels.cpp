@@ -27,14 +27,23 @@ class Builder {
     std::vector<Channel> result;
     const auto append = [&](std::vector<Channel> more) { result.insert(result.end(), more.begin(), more.end()); };
     if (of == "ground") append(ground());
+    if (of == "base") append(motions("base", [&](int j) { return base_motion(Matrix6::Identity(), j); }));
     for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
       const model::Body& body = system_.bodies()[b];
       if (of == "coordinates" || of == body.name) append(coordinates(b));
-      for (const model::Point& point : body.points)
+      if (of == body.name + ".relative") append(relative_motion(b, of, Eigen::Vector3d::Zero()));
+      for (const model::Point& point : body.points) {
         if (of == body.name + "." + point.name) append(point_motion(b, point));
+        if (of == body.name + "." + point.name + ".relative") append(relative_motion(b, of, point.at));
+      }
     }
     for (std::size_t e = 0; e < system_.elements().size(); ++e)
-      if (of == system_.elements()[e].name) append(forces(system_.elements()[e].name, wrench_on_n(e)));
+    {
+      const std::string& name = system_.elements()[e].name;
+      if (of == name) append(forces(name, wrench_on_n(e)));
+      if (of == name + ".deflection") append(end_motion(e, of, true));
+      if (of == name + ".foot") append(end_motion(e, of, false));
+    }
     return result;
   }
 
@@ -69,9 +78,73 @@ class Builder {
     return result;
   }
 
+  template <typename Filled>
+  std::vector<Channel> motions(const std::string& name, const Filled& filled) const {
+    std::vector<Channel> result;
+    for (int j = 0; j < 6; ++j) {
+      Channel channel = filled(j);
+      channel.name = name + "." + model::coordinate_names[static_cast<std::size_t>(j)];
+      channel.unit = motion_unit(j);
+      channel.derivative = derivative_;
+      result.push_back(std::move(channel));
+    }
+    return result;
+  }
+
+  void set_ground(Channel& channel, const Eigen::VectorXd& on_ground) const {
+    if (!on_ground.isZero(0)) channel.ground = {on_ground.cast<std::complex<double>>(), Eigen::VectorXd::Zero(on_ground.size()), Eigen::VectorXd::Zero(on_ground.size())};
+  }
+
+  /// Component j of the rigid motion of the whole foundation, seen where and in the axes that `carry` says.
+  Channel base_motion(const Matrix6& carry, int j) const {
+    Channel channel = empty({}, {}, derivative_);
+    Eigen::VectorXd on_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
+    on_ground.head<6>() = carry.row(j).transpose();
+    set_ground(channel, on_ground);
+    return channel;
+  }
+
+  /// Motion of a point of a body, less that of the rigid foundation at the same place, body axes.
+  std::vector<Channel> relative_motion(std::size_t b, const std::string& name, const Eigen::Vector3d& at) const {
+    const spatial::Pose& pose = system_.bodies()[b].pose;
+    const Matrix6 x = spatial::rigid_motion(at);
+    const Matrix6 base = -(spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position + pose.rotation * at));
+    return motions(name, [&](int j) {
+      Channel channel = base_motion(base, j);
+      for (int i = 0; i < 6; ++i)
+        if (assembled_.layout.row(b, i) >= 0) channel.on_displacement(assembled_.layout.row(b, i)) = x(j, i);
+      return channel;
+    });
+  }
+
+  /// Motion of the N end of an element in ground axes; or how far end K moves against it beyond a rigid motion of both, in the element's axes at N.
+  std::vector<Channel> end_motion(std::size_t e, const std::string& name, bool deflection) const {
+    const ElementMap& map = assembled_.elements[e];
+    const model::Element& element = system_.elements()[e];
+    Eigen::Matrix<double, 6, 12> pick = Eigen::Matrix<double, 6, 12>::Zero();
+    const Matrix6 turn = spatial::both_blocks(model::end_in_ground(system_.bodies(), element.n).rotation);
+    if (deflection) {
+      const model::Span span = model::span(system_.bodies(), element.n, element.k);
+      const Matrix6 k_in_n = spatial::both_blocks(span.n_from_k);
+      pick.rightCols<6>() = k_in_n;
+      pick.leftCols<6>() = -spatial::rigid_motion(span.n_from_k * span.arm);
+    } else {
+      pick.leftCols<6>() = turn;
+    }
+    const Eigen::MatrixXd on_free = pick * map.ends.topRows<12>(), on_ground = pick * map.ground_ends.topRows<12>();
+    return motions(name, [&](int j) {
+      Channel channel = empty({}, {}, derivative_);
+      for (Eigen::Index c = 0; c < on_free.cols(); ++c) channel.on_displacement(map.rows[static_cast<std::size_t>(c)]) += on_free(j, c);
+      Eigen::VectorXd of_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
+      for (Eigen::Index c = 0; c < on_ground.cols(); ++c) of_ground(map.ground_rows[static_cast<std::size_t>(c)]) += on_ground(j, c);
+      set_ground(channel, of_ground);
+      return channel;
+    });
+  }
+
   struct WrenchRows {
-    Matrix6xc on_displacement;
-    Matrix6x on_velocity, on_acceleration;
+    Matrix6xc on_displacement, ground_displacement;
+    Matrix6x on_velocity, on_acceleration, ground_velocity, ground_acceleration;
     std::vector<std::pair<std::size_t, Eigen::Matrix<double, 6, 12>>> dynamic;  // element, rows on D(ω)
     spatial::Vector6 at_rest = spatial::Vector6::Zero();
 
@@ -79,14 +152,17 @@ class Builder {
       on_displacement += carry * other.on_displacement;
       on_velocity += carry * other.on_velocity;
       on_acceleration += carry * other.on_acceleration;
+      ground_displacement += carry * other.ground_displacement;
+      ground_velocity += carry * other.ground_velocity;
+      ground_acceleration += carry * other.ground_acceleration;
       for (const auto& [element, rows] : other.dynamic) dynamic.emplace_back(element, carry * rows);
       at_rest += carry * other.at_rest;
     }
   };
 
   WrenchRows no_wrench() const {
-    const Eigen::Index n = assembled_.layout.size();
-    return {Matrix6xc::Zero(6, n), Matrix6x::Zero(6, n), Matrix6x::Zero(6, n), {}, spatial::Vector6::Zero()};
+    const Eigen::Index n = assembled_.layout.size(), g = assembled_.ground.size();
+    return {Matrix6xc::Zero(6, n), Matrix6xc::Zero(6, g), Matrix6x::Zero(6, n), Matrix6x::Zero(6, n), Matrix6x::Zero(6, g), Matrix6x::Zero(6, g), {}, spatial::Vector6::Zero()};
   }
 
   /// Longest arm from which a moment of this element or on it is counted [m].
@@ -133,6 +209,15 @@ class Builder {
       rows.on_velocity.col(row) += damping.col(j);
       rows.on_acceleration.col(row) += mass.col(j);
     }
+    const auto of_ground = [&](const Eigen::MatrixXd& matrix) -> Matrix6x { return -(turn * matrix.topRows<6>() * map.ground_ends); };
+    const Matrix6x ground_stiffness = of_ground(map.matrices.stiffness), ground_damping = of_ground(map.matrices.damping),
+                   ground_mass = of_ground(map.matrices.mass);
+    for (Eigen::Index j = 0; j < map.ground_ends.cols() && !map.frequency_dependent(); ++j) {
+      const Eigen::Index row = map.ground_rows[static_cast<std::size_t>(j)];
+      rows.ground_displacement.col(row) += ground_stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
+      rows.ground_velocity.col(row) += ground_damping.col(j);
+      rows.ground_acceleration.col(row) += ground_mass.col(j);
+    }
     if (map.frequency_dependent()) {
       Eigen::Matrix<double, 6, 12> exact = Eigen::Matrix<double, 6, 12>::Zero();
       exact.leftCols<6>() = -turn;
@@ -156,7 +241,7 @@ class Builder {
     WrenchRows total = no_wrench();
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const model::End& n = system_.elements()[e].n;
-      if (!n.body) total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(e));
+      if (!n.body && !system_.elements()[e].is_foundation) total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(e));
     }
     return forces("ground", total);
   }
@@ -169,6 +254,8 @@ class Builder {
       channel.on_displacement = rows.on_displacement.row(j).transpose();
       channel.on_velocity = rows.on_velocity.row(j).transpose();
       channel.on_acceleration = rows.on_acceleration.row(j).transpose();
+      if (!rows.ground_displacement.row(j).isZero(0) || !rows.ground_velocity.row(j).isZero(0) || !rows.ground_acceleration.row(j).isZero(0))
+        channel.ground = {rows.ground_displacement.row(j).transpose(), rows.ground_velocity.row(j).transpose(), rows.ground_acceleration.row(j).transpose()};
       for (const auto& [element, exact] : rows.dynamic) channel.dynamic_forces.push_back({element, exact.row(j)});
       channel.at_rest = rows.at_rest(j);
       result.push_back(std::move(channel));
@@ -178,7 +265,7 @@ class Builder {
 
   Channel empty(std::string name, std::string unit, int derivative) const {
     const Eigen::Index n = assembled_.layout.size();
-    return {std::move(name), std::move(unit), derivative, Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), {}, 0};
+    return {std::move(name), std::move(unit), derivative, Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), {}, {}, 0};
   }
 
   const model::System& system_;
@@ -189,12 +276,15 @@ class Builder {
 }  // namespace
 
 std::vector<std::string> channel_words(const model::Description& description) {
-  std::vector<std::string> words = {"coordinates", "ground"};
+  std::vector<std::string> words = {"coordinates", "ground", "base"};
   for (const auto& body : description.bodies) {
-    words.push_back(body.name);
-    for (const auto& point : body.points) words.push_back(body.name + "." + point.name);
+    for (const char* kind : {"", ".relative"}) {
+      words.push_back(body.name + kind);
+      for (const auto& point : body.points) words.push_back(body.name + "." + point.name + kind);
+    }
   }
-  for (const auto& element : description.elements) words.push_back(element.name);
+  for (const auto& element : description.elements)
+    for (const char* kind : {"", ".deflection", ".foot"}) words.push_back(element.name + kind);
   return words;
 }
 

@@ -17,7 +17,15 @@ struct DynamicForce {
   Eigen::Matrix<double, 1, 12> row;
 };
 
-/// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity − ω² on_acceleration)ᵀ q.
+/// What the motion of the ground adds to an answer, like the terms of a channel; empty where it adds nothing.
+struct GroundTerms {
+  Eigen::VectorXcd on_displacement;
+  Eigen::VectorXd on_velocity, on_acceleration;
+  [[nodiscard]] bool empty() const { return on_displacement.size() == 0; }
+};
+
+/// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity − ω² on_acceleration)ᵀ q, and
+/// the same of the ground coordinates g.
 /// With loss factors `on_displacement` is complex (ω > 0); static answers use its real part.
 struct Channel {
   std::string name;  ///< "body.x", "body.point.rz", "element.force.x", "ground.moment.z"
@@ -27,11 +35,13 @@ struct Channel {
   Eigen::VectorXd on_velocity;
   Eigen::VectorXd on_acceleration;          ///< inertia forces of elements with mass
   std::vector<DynamicForce> dynamic_forces; ///< of frequency-dependent elements; not in the terms above
+  GroundTerms ground;
   double at_rest = 0;                       ///< what preload and gravity on the element's own mass add to a static force
 };
 
-/// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", or one full
-/// channel name. A force is what the element exerts on its N side (the ground, or the body given by `from`), in ground
+/// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", "base" (the rigid motion of
+/// the whole foundation), BODY.relative and BODY.POINT.relative (less that motion), ELEMENT.deflection (end K against N beyond a rigid motion, in
+/// the element's axes at N), ELEMENT.foot (motion of end N, ground axes), or one full channel name. A force is what the element exerts on its N side (the ground, or the body given by `from`), in ground
 /// axes, its moment about the reference point of that end; "ground" is the total on the ground about its origin.
 /// @throws foundation::InvalidInput for a word that names nothing
 [[nodiscard]] std::vector<Channel> channels(const model::System& system, const Assembled& assembled, const std::vector<std::string>& of,

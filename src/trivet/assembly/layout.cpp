@@ -3,13 +3,17 @@
 
 namespace trivet::assembly {
 
-Layout::Layout(const std::vector<model::Body>& bodies, const std::vector<Eigen::Index>& internal, const std::vector<bool>& last)
+Layout::Layout(const model::Description& description, const std::vector<Eigen::Index>& internal, const std::vector<bool>& last)
     : internal_(internal.size()) {
-  for (const auto& body : bodies) {
+  for (const auto& body : description.bodies) {
     auto& rows = rows_.emplace_back();
     for (std::size_t j = 0; j < 6; ++j) rows[j] = body.free[j] ? size_++ : -1;
   }
   of_bodies_ = size_;
+  for (const auto& foundation : description.foundations) {
+    foundations_.push_back(size_);
+    size_ += foundation.mass.rows();
+  }
   for (const bool these : {false, true}) {
     before_last_ = size_;
     for (std::size_t e = 0; e < internal.size(); ++e) {

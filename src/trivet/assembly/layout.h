@@ -8,18 +8,20 @@
 
 namespace trivet::assembly {
 
-/// Which row of the global matrices a coordinate is: bodies in their order, only free coordinates; then the internal coordinates of
-/// elements, those of frequency-dependent elements last.
+/// Which row of the global matrices a coordinate is: bodies in their order, only free coordinates; then those of foundations; then the
+/// internal coordinates of elements, those of frequency-dependent elements last.
 class Layout {
  public:
   /// `internal` is the number of internal coordinates of each element, `last` marks the elements whose come last.
-  explicit Layout(const std::vector<model::Body>& bodies, const std::vector<Eigen::Index>& internal = {}, const std::vector<bool>& last = {});
+  explicit Layout(const model::Description& description, const std::vector<Eigen::Index>& internal = {}, const std::vector<bool>& last = {});
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
   /// Coordinates of bodies: the first rows.
   [[nodiscard]] Eigen::Index of_bodies() const { return of_bodies_; }
   /// Rows before the internal coordinates of the elements that come last.
   [[nodiscard]] Eigen::Index before_last() const { return before_last_; }
+  /// First row of the coordinates of a foundation.
+  [[nodiscard]] Eigen::Index foundation_row(std::size_t foundation) const { return foundations_[foundation]; }
   /// First row of the internal coordinates of an element.
   [[nodiscard]] Eigen::Index internal_row(std::size_t element) const { return internal_[element]; }
   /// −1 for a coordinate that is not free.
@@ -37,7 +39,7 @@ class Layout {
 
  private:
   std::vector<std::array<Eigen::Index, 6>> rows_;
-  std::vector<Eigen::Index> internal_;
+  std::vector<Eigen::Index> foundations_, internal_;
   Eigen::Index of_bodies_ = 0, before_last_ = 0, size_ = 0;
 };
 

@@ -44,21 +44,78 @@ void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorX
 
 }  // namespace
 
-Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected) {
-  Eigen::VectorXcd load = Eigen::VectorXcd::Zero(layout.size());
-  const auto& forces = system.description().harmonic_forces;
-  for (const std::string& name : selected)
-    if (std::none_of(forces.begin(), forces.end(), [&](const model::HarmonicForce& force) { return force.name == name; }))
-      throw foundation::InvalidInput("\"" + name + "\" names no harmonic force of this model");
-  for (const model::HarmonicForce& force : forces) {
-    if (!selected.empty() && std::find(selected.begin(), selected.end(), force.name) == selected.end()) continue;
-    Eigen::Matrix<std::complex<double>, 6, 1> wrench;
-    const spatial::Vector6 amplitude = six(force.amplitude);
-    for (int j = 0; j < 6; ++j)
-      wrench(j) = force.phase(j) == 0 ? std::complex<double>(amplitude(j), 0) : amplitude(j) * std::exp(std::complex<double>(0, force.phase(j)));
-    add_wrench<std::complex<double>>(layout, force.body, force.at, wrench, load);
+Loading loading(const Assembled& assembled, const model::Action& action) {
+  Loading result{numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())};
+  if (action.body) {
+    Eigen::VectorXcd force = Eigen::VectorXcd::Zero(assembled.layout.size());
+    add_wrench<std::complex<double>>(assembled.layout, *action.body, action.at, action.amplitude, force);
+    result.force.add({0, action.delay, force});
+    return result;
   }
-  return load;
+  const auto add_motion = [&](double delay, Eigen::Index first, const model::Action::Amplitude& amplitude) {
+    Eigen::VectorXcd motion = Eigen::VectorXcd::Zero(assembled.ground.size());
+    motion.segment<6>(first) = amplitude;
+    result.motion.add({-action.derivative, delay, motion});
+  };
+  if (action.elements.empty() && !action.wave) {
+    // About the ground origin: what a rigid motion about `at` is there.
+    add_motion(action.delay, 0, spatial::rigid_motion(-action.at).cast<std::complex<double>>() * action.amplitude);
+    return result;
+  }
+  for (const GroundEnd& end : assembled.ground.ends) {
+    const bool moves = action.elements.empty() || std::find(action.elements.begin(), action.elements.end(), end.element) != action.elements.end();
+    if (!moves) continue;
+    const double later = action.wave ? action.wave->direction.dot(end.pose.position) / action.wave->speed : 0;
+    add_motion(action.delay + later, end.first_row, action.amplitude);
+  }
+  return result;
+}
+
+Loading harmonic_loading(const model::System& system, const Assembled& assembled, const std::vector<std::string>& selected) {
+  Loading total{numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())};
+  const auto& excitations = system.description().excitations;
+  for (const std::string& name : selected)
+    if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& excitation) {
+          return excitation.name == name && std::holds_alternative<model::Harmonic>(excitation.course);
+        }))
+      throw foundation::InvalidInput("\"" + name + "\" names no harmonic excitation of this model");
+  for (const model::Excitation& excitation : excitations) {
+    const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
+    if (!harmonic || (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end())) continue;
+    const Loading one = loading(assembled, excitation.action);
+    const double sign = harmonic->power_of_frequency == 2 ? -1 : 1;  // ω² = −s²
+    for (const auto& [from, to] : {std::pair{&one.force, &total.force}, {&one.motion, &total.motion}})
+      for (const numerics::LoadTerm& term : from->terms()) to->add({term.power + harmonic->power_of_frequency, term.delay, sign * term.value});
+  }
+  return total;
+}
+
+numerics::Load right_side(const Assembled& assembled, const Loading& loading) {
+  numerics::Load h = loading.force;
+  const Ground& ground = assembled.ground;
+  Eigen::MatrixXcd stiffness = ground.K.cast<std::complex<double>>();
+  if (ground.K_loss.size() > 0) stiffness.imag() = ground.K_loss;
+  for (const numerics::LoadTerm& term : loading.motion.terms()) {
+    h.add({term.power, term.delay, -(stiffness * term.value)});
+    h.add({term.power + 1, term.delay, -(ground.B * term.value)});
+    h.add({term.power + 2, term.delay, -(ground.A * term.value)});
+  }
+  return h;
+}
+
+Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near) {
+  const Eigen::Index n = assembled.layout.before_last();
+  Eigen::VectorXcd h = right_side(assembled, loading).head(n).at(omega);
+  if (loading.motion.vanishes()) return h;
+  const Eigen::VectorXcd g = loading.motion.at(omega);
+  for (const ElementMap& map : assembled.elements) {
+    if (!map.frequency_dependent() || map.ground_rows.empty()) continue;
+    const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
+    const Eigen::VectorXcd moved = map.moved_by_ground(g).head(12);
+    const Eigen::VectorXcd force = map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);
+    for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[static_cast<std::size_t>(j)]) -= force(j);
+  }
+  return h;
 }
 
 Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled) {

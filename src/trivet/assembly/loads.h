@@ -2,17 +2,45 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <complex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/model/system.h"
+#include "trivet/numerics/load.h"
 
 namespace trivet::assembly {
 
-/// Complex amplitudes of the generalized forces of all harmonic forces together, or of those named.
+/// What drives the system: generalized forces on its free coordinates, and the motion of the ground coordinates.
+struct Loading {
+  numerics::Load force;
+  numerics::Load motion;
+
+  template <typename Vector>
+  Loading(const Eigen::MatrixBase<Vector>& constant_force) : force(constant_force), motion(Eigen::Index{0}) {}  // NOLINT: a vector is a load
+  Loading(numerics::Load forces, numerics::Load motions) : force(std::move(forces)), motion(std::move(motions)) {}
+
+  [[nodiscard]] bool vanishes() const { return force.vanishes() && motion.vanishes(); }
+  [[nodiscard]] double longest_delay() const { return std::max(force.longest_delay(), motion.longest_delay()); }
+  /// Below 0: a motion is given by its velocity or acceleration, and has no limit at rest.
+  [[nodiscard]] int lowest_power() const { return std::min(force.lowest_power(), motion.lowest_power()); }
+};
+
+/// One action with amplitude 1 of its course: forces, or motions of the ground by powers of s = iω.
+[[nodiscard]] Loading loading(const Assembled& assembled, const model::Action& action);
+
+/// All harmonic excitations together, or those named.
 /// @throws foundation::InvalidInput for a name that is none
-[[nodiscard]] Eigen::VectorXcd harmonic_load(const model::System& system, const Layout& layout, const std::vector<std::string>& selected = {});
+[[nodiscard]] Loading harmonic_loading(const model::System& system, const Assembled& assembled, const std::vector<std::string>& selected = {});
+
+/// Right side of Z q = h for constant matrices: forces minus what the motion of the ground brings in.
+[[nodiscard]] numerics::Load right_side(const Assembled& assembled, const Loading& loading);
+
+/// The same at one ω with frequency-dependent elements, first rows of the layout.
+[[nodiscard]] Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near);
 
 /// Gravity on every body and on the mass of the elements, the preloads that already carry it, and the constant forces.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);

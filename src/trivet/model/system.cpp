@@ -73,7 +73,7 @@ foundation::Expected<System> System::checked(Description description) {
   check_names(description.bodies, "bodies", problems);
   check_names(description.elements, "elements", problems);
   std::vector<NameOnly> excitations;
-  for (const auto& force : description.harmonic_forces) excitations.push_back({force.name});
+  for (const auto& excitation : description.excitations) excitations.push_back({excitation.name});
   for (const auto& force : description.constant_forces) excitations.push_back({force.name});
   check_names(excitations, "excitations", problems);
   check_shared_names(description, problems);

@@ -10,6 +10,7 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/foundation/problems.h"
+#include "trivet/model/excitation.h"
 #include "trivet/spatial/mass_properties.h"
 #include "trivet/spatial/types.h"
 
@@ -31,11 +32,26 @@ struct Body {
   bool allow_unphysical = false;
 };
 
-/// One end of an element: on a body, or on the ground if there is none.
+/// Ground that gives, in coordinates of its own: A p̈ + B ṗ + K p = what its ends feel. One place with its impedance, or the modes of a deck.
+struct Foundation {
+  std::string name;
+  Eigen::MatrixXd mass, damping, stiffness;  ///< all r × r
+};
+
+/// How an end on a foundation follows its coordinates.
+struct OnFoundation {
+  std::size_t foundation = 0;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< motion of the end, ground axes, per unit of each coordinate
+};
+
+/// One end of an element: on a body, on a foundation, or on the ground if neither is given.
 struct End {
   std::optional<std::size_t> body;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();          ///< reference point, in the frame of the body or the ground [m]
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();    ///< local axes as columns, in the same frame
+  std::optional<OnFoundation> foundation;                ///< then `at` and `axes` are in the ground frame
+
+  [[nodiscard]] bool on_ground() const { return !body && !foundation; }
 };
 
 /// Something worth knowing of how an element was found: "spring rate", "12.3 N/mm".
@@ -66,19 +82,11 @@ struct Element {
   elements::Law law;
   bool symmetric = true;
   bool allow_residual = false;
+  bool is_foundation = false;  ///< the impedance of a ground point: what it carries stands "on the ground"
   std::vector<Fact> facts;   ///< for reading: how its law was found
   std::optional<Evidence> evidence;
   double stiffening = 1;     ///< of rubber: its stiffness here over that at rest
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
-};
-
-/// Force [N] and moment [N m] about `at`, body axes; component j is Re(amplitude_j e^{i(ωt + phase_j)}).
-struct HarmonicForce {
-  std::string name;
-  std::size_t body = 0;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  spatial::Wrench amplitude;
-  spatial::Vector6 phase = spatial::Vector6::Zero();  ///< [rad]
 };
 
 /// Constant force and moment; enters static answers only.
@@ -105,7 +113,8 @@ struct Description {
   std::vector<Body> bodies;
   std::vector<Element> elements;
   SystemDamping damping;
-  std::vector<HarmonicForce> harmonic_forces;
+  std::vector<Foundation> foundations;
+  std::vector<Excitation> excitations;
   std::vector<ConstantForce> constant_forces;
   std::optional<Eigen::Vector3d> gravity;  ///< [m/s²], ground frame
 };

@@ -51,9 +51,24 @@ double negligible_pivot(Eigen::Index n) { return 16 * static_cast<double>(n) * s
 /// LDLᵀ of Z at eight frequencies; its memory is reused from call to call.
 class PackSolver {
  public:
-  PackSolver(const DynamicMatrices& matrices, const Eigen::VectorXcd& load)
-      : m_(matrices), h_(load), n_(matrices.size()), l_(static_cast<std::size_t>(n_ * n_)), w_(static_cast<std::size_t>(n_)),
+  explicit PackSolver(const DynamicMatrices& matrices)
+      : m_(matrices), n_(matrices.size()), h_(static_cast<std::size_t>(n_)), l_(static_cast<std::size_t>(n_ * n_)), w_(static_cast<std::size_t>(n_)),
         d_(static_cast<std::size_t>(n_)), d_inverse_(static_cast<std::size_t>(n_)), q_(static_cast<std::size_t>(n_)) {}
+
+  /// The same right side for all eight.
+  void set_load(const Eigen::VectorXcd& h) {
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      broadcast(h_[at(i)].re, h(i).real());
+      broadcast(h_[at(i)].im, h(i).imag());
+    }
+  }
+
+  void set_load(int lane, const Eigen::VectorXcd& h) {
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      h_[at(i)].re[lane] = h(i).real();
+      h_[at(i)].im[lane] = h(i).imag();
+    }
+  }
 
   const std::vector<ComplexPack>& solve(const Pack& omega) {
     omega_ = omega;
@@ -61,8 +76,7 @@ class PackSolver {
     factorise();
     for (Eigen::Index i = 0; i < n_; ++i) {
       ComplexPack& x = q_[at(i)];
-      broadcast(x.re, h_(i).real());
-      broadcast(x.im, h_(i).imag());
+      x = h_[at(i)];
       for (Eigen::Index j = 0; j < i; ++j) subtract_product(x, l_[at(i, j)], q_[at(j)]);
     }
     for (Eigen::Index i = 0; i < n_; ++i) multiply(q_[at(i)], d_inverse_[at(i)]);
@@ -75,9 +89,7 @@ class PackSolver {
   Pack backward_error() const {
     Pack residual{}, norm{}, size{}, load{};
     for (Eigen::Index i = 0; i < n_; ++i) {
-      ComplexPack r, z;
-      broadcast(r.re, h_(i).real());
-      broadcast(r.im, h_(i).imag());
+      ComplexPack r = h_[at(i)], z;
       load = larger(load, one_norm(r));
       Pack row{};
       for (Eigen::Index j = 0; j < n_; ++j) {
@@ -131,10 +143,9 @@ class PackSolver {
   }
 
   const DynamicMatrices& m_;
-  const Eigen::VectorXcd& h_;
   Eigen::Index n_;
   Pack omega_{}, square_{};
-  std::vector<ComplexPack> l_, w_, d_, d_inverse_, q_;
+  std::vector<ComplexPack> h_, l_, w_, d_, d_inverse_, q_;
 };
 
 double norm_of_rows(const Eigen::MatrixXcd& z) { return z.cwiseAbs().rowwise().sum().maxCoeff(); }
@@ -157,19 +168,22 @@ double solve_pivoted(const DynamicMatrices& m, const Eigen::VectorXcd& h, double
 
 }  // namespace
 
-SweepResult sweep(const DynamicMatrices& given, const Eigen::VectorXcd& load, const std::vector<double>& omega) {
+SweepResult sweep(const DynamicMatrices& given, const Load& load, const std::vector<double>& omega) {
   const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
-  const Eigen::VectorXcd h = d.asDiagonal() * load;
+  const Load h = load.scaled(d);
+  const bool varies = !h.is_constant();
   const auto n = m.size(), count = static_cast<Eigen::Index>(omega.size());
   SweepResult result;
   result.response.resize(n, count);
   result.backward_error.setZero(count);
-  if (h.cwiseAbs().maxCoeff() == 0) {
+  if (h.vanishes()) {
     result.response.setZero();
     return result;
   }
-  PackSolver packs(m, h);
+  PackSolver packs(m);
+  const Eigen::VectorXcd constant = varies ? Eigen::VectorXcd() : h.at(0);
+  if (!varies) packs.set_load(constant);
   for (Eigen::Index first = 0; first < count; first += lanes) {
     const auto filled = static_cast<int>(std::min<Eigen::Index>(lanes, count - first));
     Pack error;
@@ -177,6 +191,7 @@ SweepResult sweep(const DynamicMatrices& given, const Eigen::VectorXcd& load, co
     if (m.symmetric) {
       Pack frequencies;
       for (int lane = 0; lane < lanes; ++lane) frequencies[lane] = omega[static_cast<std::size_t>(first + std::min(lane, filled - 1))];
+      for (int lane = 0; lane < lanes && varies; ++lane) packs.set_load(lane, h.at(frequencies[lane]));
       const std::vector<ComplexPack>& q = packs.solve(frequencies);
       error = packs.backward_error();
       for (Eigen::Index i = 0; i < n; ++i)
@@ -187,7 +202,8 @@ SweepResult sweep(const DynamicMatrices& given, const Eigen::VectorXcd& load, co
       result.backward_error(first + lane) = error[lane];
       if (error[lane] <= accepted_backward_error) continue;
       if (m.symmetric) ++result.fallbacks;
-      const double redone = solve_pivoted(m, h, omega[static_cast<std::size_t>(first + lane)], result.response.col(first + lane));
+      const double w = omega[static_cast<std::size_t>(first + lane)];
+      const double redone = solve_pivoted(m, varies ? h.at(w) : constant, w, result.response.col(first + lane));
       result.response.col(first + lane).array() *= d.array().cast<Complex>();
       if (std::isnan(redone)) ++result.singular;
       result.backward_error(first + lane) = redone;

@@ -27,7 +27,7 @@ double panel_radius(const Eigen::VectorXcd& poles, double from) {
 
 }  // namespace
 
-PanelCover cover_axis(const Eigen::VectorXcd& poles) {
+PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed) {
   PanelCover cover;
   if (poles.size() == 0) return cover;
   const Eigen::VectorXd size = poles.cwiseAbs();
@@ -46,7 +46,9 @@ PanelCover cover_axis(const Eigen::VectorXcd& poles) {
   cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same), cover.poles_on_axis.end());
   cover.lowest = rigid ? 1e-6 * smallest : 0;
 
-  const double end = largest / panel_ratio;
+  const bool turning = delayed.longest_delay > 0;
+  const double end = turning ? delayed.highest : largest / panel_ratio;
+  const double most = turning ? most_turning / delayed.longest_delay : std::numeric_limits<double>::infinity();
   double from = cover.lowest;
   auto pole = cover.poles_on_axis.begin();
   while (from < end) {
@@ -54,11 +56,11 @@ PanelCover cover_axis(const Eigen::VectorXcd& poles) {
       from = std::max(from, *pole * (1 + 4 * gap_at_pole));
       ++pole;
     }
-    const double radius = std::max(panel_radius(poles, from), 64 * std::numeric_limits<double>::epsilon() * from);
+    const double radius = std::max(std::min(panel_radius(poles, from), most), 64 * std::numeric_limits<double>::epsilon() * from);
     cover.panels.push_back({from + radius, radius, false});
     from += 2 * radius;
   }
-  cover.panels.push_back({0, 1 / from, true});
+  if (!turning) cover.panels.push_back({0, 1 / from, true});
   return cover;
 }
 

@@ -18,6 +18,14 @@ inline constexpr double panel_ratio = 0.4;
 /// A pole on the axis itself is approached to this relative distance.
 inline constexpr double gap_at_pole = 1e-7;
 
+/// A load with delays turns the response like e^{−iω delay}: panels stay short against 1/delay, and there is no panel at infinity.
+struct DelayedLoad {
+  double longest_delay = 0;   ///< [s]; 0: none
+  double highest = 0;         ///< where the cover ends then [rad/s]
+};
+/// Largest radius × delay of a panel: 5ʲ/j! falls below 1e-16 within the terms kept.
+inline constexpr double most_turning = 4;
+
 struct PanelCover {
   std::vector<Panel> panels;               ///< ascending; together with the gaps they cover [lowest, ∞)
   std::vector<double> poles_on_axis;       ///< ω > 0 where an undamped pole stands on the axis [rad/s]
@@ -25,6 +33,6 @@ struct PanelCover {
 };
 
 /// Covers ω ≥ 0 for the poles λ of a response (iω = λ).
-[[nodiscard]] PanelCover cover_axis(const Eigen::VectorXcd& poles);
+[[nodiscard]] PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed = {});
 
 }  // namespace trivet::response

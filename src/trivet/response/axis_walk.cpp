@@ -12,6 +12,7 @@
 #include "trivet/numerics/sign_changes.h"
 #include "trivet/response/curve_series.h"
 #include "trivet/response/exact_response.h"
+#include "trivet/response/frequency_response.h"
 
 namespace trivet::response {
 namespace {
@@ -23,12 +24,16 @@ constexpr double overlap = 1e-6;
 /// Below this share of the first panel's radius an extremum stands at ω = 0.
 constexpr double at_rest = 1e-7;
 
-/// |y| if all coordinates (in units of √mass) worked together.
-double possible_amplitude(const assembly::Channel& channel, const Eigen::VectorXd& scale, const Eigen::VectorXcd& q, double omega) {
+/// |y| if all coordinates (in units of √mass) and all motions of the ground worked together.
+double possible_amplitude(const assembly::Channel& channel, const Eigen::VectorXd& scale, const Eigen::VectorXcd& q, const Eigen::VectorXd& ground,
+                          double omega) {
   const double level = q.cwiseAbs().cwiseQuotient(scale).maxCoeff();
-  const double reach = (channel.on_displacement.cwiseAbs() + omega * channel.on_velocity.cwiseAbs() +
-                        omega * omega * channel.on_acceleration.cwiseAbs()).dot(scale);
-  return std::pow(omega, channel.derivative) * reach * level;
+  double reach = level * (channel.on_displacement.cwiseAbs() + omega * channel.on_velocity.cwiseAbs() +
+                          omega * omega * channel.on_acceleration.cwiseAbs()).dot(scale);
+  if (!channel.ground.empty() && ground.size() > 0)
+    reach += (channel.ground.on_displacement.cwiseAbs() + omega * channel.ground.on_velocity.cwiseAbs() +
+              omega * omega * channel.ground.on_acceleration.cwiseAbs()).dot(ground);
+  return std::pow(omega, channel.derivative) * reach;
 }
 
 void note_turnings(const CurveSeries& series, const Panel& panel, Walk& walk) {
@@ -52,12 +57,14 @@ double size_of(const CurveSeries& series) {
   return std::sqrt(largest);
 }
 
-void walk_panel(const assembly::Channel& channel, const Panel& panel, const Eigen::MatrixXcd& q, const Eigen::VectorXd& scale, Walk& walk) {
+void walk_panel(const assembly::Channel& channel, const Panel& panel, const CoordinateSeries& q, const Eigen::VectorXd& scale,
+                const Eigen::VectorXd& ground, Walk& walk) {
   const CurveSeries series = curve_series(channel, panel, q);
   if (panel.at_infinity) {
-    walk.end = series.power > 0 ? 0 : amplitude(series, panel, 0);
+    const bool grows = series.power < 0 && size_of(series) > 0;
+    walk.end = grows ? std::numeric_limits<double>::infinity() : series.power > 0 ? 0 : amplitude(series, panel, 0);
   } else {
-    const double possible = possible_amplitude(channel, scale, q.col(0), panel.centre);
+    const double possible = possible_amplitude(channel, scale, q.free.coefficients.col(0), ground, panel.centre);
     if (!(size_of(series) > vanishing_share * possible)) return;  // its ups and downs are round-off
     walk.largest_share = std::max(walk.largest_share, size_of(series) / possible);
   }
@@ -112,6 +119,10 @@ CurveSeries squared(const Eigen::RowVectorXcd& y) {
   return result;
 }
 
+void note_ends(const FrequencyResponse& at_the_end, AxisWalk& walk) {
+  for (std::size_t c = 0; c < walk.curves.size(); ++c) walk.curves[c].end = std::abs(at_the_end.curves[c].value(0));
+}
+
 double first_guess(const Eigen::VectorXcd& poles, double from) {
   const double distance = (poles.array() - Complex(0, from)).abs().minCoeff();
   return std::max(panel_ratio * distance, 1e-6 * from);
@@ -119,26 +130,34 @@ double first_guess(const Eigen::VectorXcd& poles, double from) {
 
 }  // namespace
 
-AxisWalk walk_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
-                       const Eigen::VectorXcd& poles, const foundation::Progress& progress) {
+AxisWalk walk_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                       const Eigen::VectorXcd& poles, double highest, const foundation::Progress& progress) {
   const numerics::DynamicMatrices& m = assembled.matrices;
   const Eigen::VectorXd scale = numerics::unit_scale(m);
-  PanelCover cover = cover_axis(poles);
-  AxisWalk result{std::vector<Walk>(channels.size()), std::move(cover.poles_on_axis), cover.lowest, std::numeric_limits<double>::infinity(),
-                  static_cast<int>(cover.panels.size())};
-  if (load.cwiseAbs().maxCoeff() == 0) return result;
+  const bool delayed = loading.longest_delay() > 0;
+  Eigen::VectorXcd all_poles = poles;
+  if (loading.lowest_power() < 0) {  // what is given by its acceleration grows without end at ω = 0
+    all_poles.conservativeResize(poles.size() + 1);
+    all_poles(poles.size()) = 0;
+  }
+  PanelCover cover = cover_axis(all_poles, {loading.longest_delay(), highest});
+  AxisWalk result{std::vector<Walk>(channels.size()), std::move(cover.poles_on_axis), cover.lowest,
+                  delayed ? highest : std::numeric_limits<double>::infinity(), static_cast<int>(cover.panels.size())};
+  const numerics::Load h = assembly::right_side(assembled, loading);
+  if (loading.vanishes()) return result;
   for (std::size_t p = 0; p < cover.panels.size(); ++p) {
     const Panel& panel = cover.panels[p];
-    const Eigen::MatrixXcd q = panel.at_infinity ? numerics::response_series_at_infinity(m, load, panel.radius, series_order)
-                                                 : numerics::response_series(m, load, panel.centre, panel.radius, series_order);
-    if (!q.allFinite()) continue;  // stands on an undamped pole to the last digit: the gap around it is treated as such
-    for (std::size_t c = 0; c < channels.size(); ++c) walk_panel(channels[c], panel, q, scale, result.curves[c]);
+    const CoordinateSeries q = coordinate_series(m, h, loading.motion, panel);
+    if (!q.free.coefficients.allFinite()) continue;  // stands on an undamped pole to the last digit: the gap around it is treated as such
+    const Eigen::VectorXd ground = panel.at_infinity || loading.motion.vanishes() ? Eigen::VectorXd() : loading.motion.possible(panel.centre);
+    for (std::size_t c = 0; c < channels.size(); ++c) walk_panel(channels[c], panel, q, scale, ground, result.curves[c]);
     foundation::report_progress(progress, "peaks", 0.5 * static_cast<double>(p) / static_cast<double>(cover.panels.size()));
   }
+  if (delayed) note_ends(frequency_response(assembled, channels, loading, {highest}), result);
   return result;
 }
 
-AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                           const Eigen::VectorXcd& near_poles, double highest, const foundation::Progress& progress) {
   constexpr double start_share = 1e-3, growth = 1.6, at_the_end = 1e-9, on_a_seam = 1e-10;  // the latter smaller, so that a seam is always ahead
   AxisWalk result{std::vector<Walk>(channels.size()), {}, 0, highest, 0};
@@ -147,8 +166,8 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
     if (std::abs(near_poles(k)) > 0 && near_poles(k).imag() != 0) smallest = std::min(smallest, std::abs(near_poles(k)));
   for (const assembly::ElementMap& map : assembled.elements) result.lowest = std::max(result.lowest, map.defined_from);
   if (result.lowest == 0) result.lowest = start_share * smallest;
-  if (load.cwiseAbs().maxCoeff() == 0 || !(highest > result.lowest)) return result;
-  const ExactResponse exact(assembled, channels, load);
+  if (loading.vanishes() || !(highest > result.lowest)) return result;
+  const ExactResponse exact(assembled, channels, loading);
   std::vector<double> seams = {highest};
   for (const assembly::ElementMap& map : assembled.elements) seams.insert(seams.end(), map.knots.begin(), map.knots.end());
   std::sort(seams.begin(), seams.end());

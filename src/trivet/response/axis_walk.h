@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
 #include "trivet/foundation/interruption.h"
 
 namespace trivet::response {
@@ -37,14 +38,14 @@ inline constexpr double vanishing_share = 1e-12;
 /// Relative accuracy of series taken from circles: where they are cut, and what poles just outside leave.
 inline constexpr double contour_accuracy = 1e-10;
 
-/// All extrema of all curves on 0 ≤ ω ≤ ∞, on panels laid out by the poles of the response.
+/// All extrema of all curves on 0 ≤ ω ≤ ∞, on panels laid out by the poles of the response; up to `highest` if the load is delayed.
 [[nodiscard]] AxisWalk walk_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const Eigen::VectorXcd& load, const Eigen::VectorXcd& poles, const foundation::Progress& progress);
+                                     const assembly::Loading& loading, const Eigen::VectorXcd& poles, double highest, const foundation::Progress& progress);
 
 /// All extrema up to `highest` of systems with frequency-dependent elements. `near_poles` only guide the first guess of panel sizes; each panel
 /// proves itself: samples on a circle around it must have no principal part and a decaying series.
 [[nodiscard]] AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                        const Eigen::VectorXcd& load, const Eigen::VectorXcd& near_poles, double highest,
+                                        const assembly::Loading& loading, const Eigen::VectorXcd& near_poles, double highest,
                                         const foundation::Progress& progress);
 
 }  // namespace trivet::response

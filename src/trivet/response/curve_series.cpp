@@ -19,6 +19,51 @@ Series times_linear(const Series& s, Complex a, Complex b) {
   return result;
 }
 
+/// s^power Σ coefficients_k τᵏ with s = radius τ at infinity; power 0 elsewhere.
+struct Laurent {
+  Series coefficients;
+  int power = 0;
+};
+
+/// The same with `by` fewer powers of s in front.
+Laurent lowered(const Laurent& y, int by, const Panel& panel) {
+  Laurent result{Series::Zero(y.coefficients.size()), y.power - by};
+  const Eigen::Index kept = y.coefficients.size() - by;
+  if (kept > 0) result.coefficients.tail(kept) = std::pow(panel.radius, by) * y.coefficients.head(kept);
+  return result;
+}
+
+/// Its first coefficient is 0: one more power of s in front.
+Laurent without_first(const Laurent& y, const Panel& panel) {
+  Laurent result{Series::Zero(y.coefficients.size()), y.power + 1};
+  result.coefficients.head(y.coefficients.size() - 1) = y.coefficients.tail(y.coefficients.size() - 1) / panel.radius;
+  return result;
+}
+
+Laurent sum(const Laurent& a, const Laurent& b, const Panel& panel) {
+  const int power = std::min(a.power, b.power);
+  const Laurent x = lowered(a, a.power - power, panel), y = lowered(b, b.power - power, panel);
+  return {x.coefficients + y.coefficients, power};
+}
+
+/// (on_displacement + iω on_velocity − ω² on_acceleration)ᵀ of some coordinates.
+Laurent weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
+                 const Panel& panel, const numerics::SeriesAtInfinity& of) {
+  const Complex i(0, 1);
+  Laurent y{on_displacement.transpose() * of.coefficients, of.power};
+  if (!on_velocity.isZero(0)) {
+    const Series rate = i * (on_velocity.transpose().cast<Complex>() * of.coefficients);
+    if (panel.at_infinity) y = sum(y, {rate, of.power - 1}, panel);
+    else y.coefficients += times_linear(rate, panel.centre, panel.radius);
+  }
+  if (!on_acceleration.isZero(0)) {
+    const Series inertia = -(on_acceleration.transpose().cast<Complex>() * of.coefficients);
+    if (panel.at_infinity) y = sum(y, {inertia, of.power - 2}, panel);
+    else y.coefficients += times_linear(times_linear(inertia, panel.centre, panel.radius), panel.centre, panel.radius);
+  }
+  return y;
+}
+
 std::vector<double> squared_modulus(const Series& y) {
   std::vector<double> square(static_cast<std::size_t>(y.size()), 0.0);
   for (Eigen::Index k = 0; k < y.size(); ++k)
@@ -29,24 +74,30 @@ std::vector<double> squared_modulus(const Series& y) {
 
 }  // namespace
 
-CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const Eigen::MatrixXcd& q) {
-  const Complex i(0, 1);
-  const bool viscous = channel.on_velocity.cwiseAbs().maxCoeff() > 0;
-  Series y = channel.on_displacement.transpose() * q;
-  const Series rate = viscous ? Series(channel.on_velocity.transpose().cast<Complex>() * q) : Series();
-  const bool inert = !channel.on_acceleration.isZero(0);
-  const Series force_of_mass = inert ? Series(channel.on_acceleration.transpose().cast<Complex>() * q) : Series();
-  if (panel.at_infinity) {
-    // y = (i/s)^derivative (c0 + (i/s) c1 − c2/s²) s² p(s); the powers of s are kept apart, so that the series stays regular.
-    if (viscous || inert) y = times_linear(y, 0, panel.radius);
-    if (viscous) y += i * rate;
-    if (inert) y = (times_linear(y, 0, panel.radius) - force_of_mass).eval();
-    return {squared_modulus(y), (inert ? 0 : viscous ? 1 : 2) - channel.derivative};
+CoordinateSeries coordinate_series(const numerics::DynamicMatrices& matrices, const numerics::Load& right_side,
+                                   const numerics::Load& ground_motion, const Panel& panel) {
+  const bool rests = ground_motion.vanishes();
+  if (panel.at_infinity)
+    return {numerics::response_series_at_infinity(matrices, right_side, panel.radius, series_order),
+            rests ? numerics::SeriesAtInfinity{} : numerics::load_series_at_infinity(ground_motion, panel.radius, series_order)};
+  return {{numerics::response_series(matrices, right_side, panel.centre, panel.radius, series_order), 0},
+          {rests ? Eigen::MatrixXcd() : numerics::load_series(ground_motion, panel.centre, panel.radius, series_order), 0}};
+}
+
+CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const CoordinateSeries& coordinates) {
+  Laurent y = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, panel, coordinates.free);
+  if (!channel.ground.empty() && coordinates.ground.coefficients.size() > 0) {
+    const assembly::GroundTerms& g = channel.ground;
+    y = sum(y, weighted(g.on_displacement, g.on_velocity, g.on_acceleration, panel, coordinates.ground), panel);
   }
-  if (viscous) y += times_linear(rate, i * panel.centre, i * panel.radius);
-  if (inert) y -= times_linear(times_linear(force_of_mass, panel.centre, panel.radius), panel.centre, panel.radius);
-  for (int d = 0; d < channel.derivative; ++d) y = times_linear(y, i * panel.centre, i * panel.radius);
-  return {squared_modulus(y), 0};
+  const Complex i(0, 1);
+  if (panel.at_infinity) {
+    y.power -= channel.derivative;
+    while (!y.coefficients.isZero(0) && y.coefficients(0) == Complex(0)) y = without_first(y, panel);
+    return {squared_modulus(y.coefficients), y.power};
+  }
+  for (int d = 0; d < channel.derivative; ++d) y.coefficients = times_linear(y.coefficients, i * panel.centre, i * panel.radius);
+  return {squared_modulus(y.coefficients), 0};
 }
 
 std::vector<double> slope(const CurveSeries& series) {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
+#include "trivet/numerics/response_series.h"
 #include "trivet/response/axis_panels.h"
 
 namespace trivet::response {
@@ -13,14 +15,22 @@ namespace trivet::response {
 inline constexpr int series_order = 36;
 
 /// |y|² of one curve on one panel as a power series in τ ∈ [−1, 1], ω = centre + radius τ. At infinity 1/ω = radius τ,
-/// τ ∈ (0, 1], and |y|² = (1/ω)^(2 power) Σ square[k] τᵏ.
+/// τ ∈ (0, 1], and |y|² = (1/ω)^(2 power) Σ square[k] τᵏ; a negative power grows without end.
 struct CurveSeries {
   std::vector<double> square;
   int power = 0;
 };
 
-/// From the Taylor coefficients of the coordinates (columns) on that panel.
-[[nodiscard]] CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const Eigen::MatrixXcd& coordinates);
+/// Taylor coefficients (columns) of the free and the ground coordinates on a panel; powers of 1/ω before them at infinity, else 0.
+struct CoordinateSeries {
+  numerics::SeriesAtInfinity free;
+  numerics::SeriesAtInfinity ground;   ///< no rows if the ground rests
+};
+
+[[nodiscard]] CoordinateSeries coordinate_series(const numerics::DynamicMatrices& matrices, const numerics::Load& right_side,
+                                                 const numerics::Load& ground_motion, const Panel& panel);
+
+[[nodiscard]] CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const CoordinateSeries& coordinates);
 
 /// A polynomial with the sign of d|y|²/dτ for τ > 0 at infinity, everywhere else of d|y|²/dτ itself.
 [[nodiscard]] std::vector<double> slope(const CurveSeries& series);

@@ -21,6 +21,22 @@ using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
 using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// What a motion of the ground coordinates does to the ends of one element (12 × ground coordinates), straight from the convention.
+Carrier ground_carrier(const assembly::Ground& ground, std::size_t index, const model::Element& element) {
+  Carrier t = Carrier::Zero(12, ground.size());
+  int first = 0;
+  for (const model::End* end : {&element.n, &element.k}) {
+    if (end->on_ground()) {
+      const Carrier turn = spatial::both_blocks(end->axes).transpose().cast<Extended>();
+      t.middleRows(first, 6).leftCols(6) = turn * spatial::rigid_motion(end->at).cast<Extended>();
+      for (const assembly::GroundEnd& own : ground.ends)
+        if (own.element == index && own.pose.position == end->at) t.block(first, own.first_row, 6, 6) = turn;
+    }
+    first += 6;
+  }
+  return t;
+}
+
 /// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an internal coordinate
 /// does to the coordinates of the system.
 Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal, Eigen::Index n) {
@@ -36,15 +52,18 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
         const Eigen::Matrix<Extended, 6, 6> r = spatial::both_blocks(end->axes).cast<Extended>();
         t.block<1, 6>(row, first) += (x.transpose() * r).row(j);
       }
+    if (end->foundation)
+      t.block(layout.foundation_row(end->foundation->foundation), first, end->foundation->shape.cols(), 6) +=
+          end->foundation->shape.transpose().cast<Extended>() * spatial::both_blocks(end->axes).cast<Extended>();
     first += 6;
   }
   return t;
 }
 
-Eigen::MatrixXcd fast_solutions(const assembly::Assembled& assembled, const Eigen::VectorXcd& load, const std::vector<double>& omega) {
-  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, load, omega).response;
+Eigen::MatrixXcd fast_solutions(const assembly::Assembled& assembled, const assembly::Loading& loading, const std::vector<double>& omega) {
+  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading), omega).response;
   const std::vector<assembly::Channel> none;
-  const ExactResponse exact(assembled, none, load);
+  const ExactResponse exact(assembled, none, loading);
   Eigen::MatrixXcd solutions(assembled.constant.size(), static_cast<Eigen::Index>(omega.size()));
   for (std::size_t i = 0; i < omega.size(); ++i) solutions.col(static_cast<Eigen::Index>(i)) = exact.at(omega[i]).coordinates;
   return solutions;
@@ -52,7 +71,7 @@ Eigen::MatrixXcd fast_solutions(const assembly::Assembled& assembled, const Eige
 
 }  // namespace
 
-DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXcd& load,
+DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
                      const std::vector<double>& angular_frequency) {
   const assembly::Layout& layout = assembled.layout;
   const numerics::DynamicMatrices& constant = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
@@ -60,11 +79,17 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
   const Eigen::VectorXd d = numerics::unit_scale(constant);
   ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n), mass = ExtendedMatrix::Zero(n, n);
   Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
-  std::vector<std::pair<Carrier, const elements::Law*>> dependent;
+  Eigen::MatrixXd ground_damping = Eigen::MatrixXd::Zero(n, assembled.ground.size());
+  ExtendedMatrix driven_stiffness = ground_damping.cast<Complex>(), driven_damping = driven_stiffness, driven_mass = driven_stiffness;
+  struct Dependent {
+    Carrier free, ground;
+    const elements::Law* law;
+  };
+  std::vector<Dependent> dependent;
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
     if (elements::is_frequency_dependent(element.law)) {
-      dependent.emplace_back(carrier(layout, e, element, 0, n), &element.law);
+      dependent.push_back({carrier(layout, e, element, 0, n), ground_carrier(assembled.ground, e, element), &element.law});
       continue;
     }
     const elements::Matrices m = elements::matrices(element.law);
@@ -74,10 +99,26 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     mass += carried(m.mass).cast<Complex>();
     damping += carried(m.damping).cast<Complex>();
     element_damping += carried(m.damping).cast<double>();
+    const Carrier ends = ground_carrier(assembled.ground, e, element);
+    const auto driven = [&](const Eigen::MatrixXd& local) -> Carrier { return t * local.leftCols(12).cast<Extended>() * ends; };
+    driven_stiffness += driven(m.stiffness).cast<Complex>() * Complex(1, m.loss_factor);
+    driven_mass += driven(m.mass).cast<Complex>();
+    driven_damping += driven(m.damping).cast<Complex>();
+    ground_damping += driven(m.damping).cast<double>();
+  }
+  for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
+    const model::Foundation& foundation = system.description().foundations[f];
+    const Eigen::Index row = layout.foundation_row(f), size = foundation.mass.rows();
+    stiffness.block(row, row, size, size) += foundation.stiffness.cast<Complex>();
+    damping.block(row, row, size, size) += foundation.damping.cast<Complex>();
+    mass.block(row, row, size, size) += foundation.mass.cast<Complex>();
+    element_damping.block(row, row, size, size) += foundation.damping;
   }
   // What the system as a whole adds to the damping (Rayleigh, modal ratios) has no second derivation here.
-  if (!std::holds_alternative<std::monostate>(system.description().damping))
+  if (!std::holds_alternative<std::monostate>(system.description().damping)) {
     damping += (constant.B - element_damping).cast<Complex>();
+    driven_damping += (assembled.ground.B.topRows(n) - ground_damping).cast<Complex>();
+  }
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Matrix6 a = spatial::mass_matrix(system.bodies()[b].mass);
     for (int i = 0; i < 6; ++i)
@@ -85,9 +126,8 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
         if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
   }
   stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<Complex>();
-  const Eigen::MatrixXcd fast = fast_solutions(assembled, load, angular_frequency);
+  const Eigen::MatrixXcd fast = fast_solutions(assembled, loading, angular_frequency);
   const ExtendedMatrix scale = d.cast<Complex>().asDiagonal();
-  const ExtendedVector h = scale * load.head(n).cast<Complex>();
 
   DeepCheck check;
   double worst_ratio = -1;
@@ -96,8 +136,15 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
     ExtendedMatrix z = stiffness + Complex(0, w) * damping - w * w * mass;
-    for (const auto& [t, law] : dependent)
-      z += t.cast<Complex>() * elements::dynamic_stiffness(*law, angular_frequency[i]).cast<Complex>() * t.transpose().cast<Complex>();
+    ExtendedMatrix driven = driven_stiffness + Complex(0, w) * driven_damping - w * w * driven_mass;
+    for (const auto& [t, ends, law] : dependent) {
+      const ExtendedMatrix exact = elements::dynamic_stiffness(*law, angular_frequency[i]).cast<Complex>();
+      z += t.cast<Complex>() * exact * t.transpose().cast<Complex>();
+      driven += t.cast<Complex>() * exact * ends.cast<Complex>();
+    }
+    ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<Complex>();
+    if (!loading.motion.vanishes()) h -= driven * loading.motion.at(angular_frequency[i]).cast<Complex>();
+    h = (scale * h).eval();
     z = (scale * z * scale).eval();
     const numerics::RefinedSolver direct(z);
     const ExtendedVector q = direct.solve(h);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "trivet/assembly/assembled.h"
+#include "trivet/assembly/loads.h"
 
 namespace trivet::response {
 
@@ -23,7 +23,7 @@ struct DeepCheck {
 
 /// Solves at each ω with a dynamic stiffness summed element by element in extended precision, by a pivoted solver with
 /// extended residuals, and compares with the sweep.
-[[nodiscard]] DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXcd& load,
+[[nodiscard]] DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
                                    const std::vector<double>& angular_frequency);
 
 /// Frequencies worth a check: the poles in the band and an even spread, at most `count`.

@@ -10,26 +10,39 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A channel, and the sum of the magnitudes of its terms.
-std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q, Complex omega, double near) {
+/// What terms of a channel make of coordinates, and the sum of the magnitudes of its parts.
+std::pair<Complex, double> weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
+                                    const Eigen::VectorXcd& q, Complex omega) {
   const Complex i(0, 1);
   const Eigen::Index n = q.size();
-  Complex y = channel.on_displacement.head(n).cwiseProduct(q).sum() + i * omega * channel.on_velocity.head(n).cast<Complex>().cwiseProduct(q).sum() -
-              omega * omega * channel.on_acceleration.head(n).cast<Complex>().cwiseProduct(q).sum();
+  const Complex y = on_displacement.head(n).cwiseProduct(q).sum() + i * omega * on_velocity.head(n).cast<Complex>().cwiseProduct(q).sum() -
+                    omega * omega * on_acceleration.head(n).cast<Complex>().cwiseProduct(q).sum();
   const Eigen::VectorXd size = q.cwiseAbs();
-  double possible = channel.on_displacement.head(n).cwiseAbs().dot(size) + std::abs(omega) * channel.on_velocity.head(n).cwiseAbs().dot(size) +
-                    std::norm(omega) * channel.on_acceleration.head(n).cwiseAbs().dot(size);
+  return {y, on_displacement.head(n).cwiseAbs().dot(size) + std::abs(omega) * on_velocity.head(n).cwiseAbs().dot(size) +
+                 std::norm(omega) * on_acceleration.head(n).cwiseAbs().dot(size)};
+}
+
+/// A channel, and the sum of the magnitudes of its terms. `g`: motion of the ground, no rows if it rests.
+std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q,
+                                 const Eigen::VectorXcd& g, Complex omega, double near) {
+  auto [y, possible] = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, q, omega);
+  if (g.size() > 0 && !channel.ground.empty()) {
+    const auto [of_ground, possible_of_ground] = weighted(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration, g, omega);
+    y += of_ground;
+    possible += possible_of_ground;
+  }
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
     for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[static_cast<std::size_t>(j)]);
+    if (g.size() > 0) ends += map.moved_by_ground(g).head<12>();
     const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
     const Eigen::Matrix<Complex, 12, 1> wrenches = stiffness * ends;
     possible += force.row.cwiseAbs() * (stiffness.cwiseAbs() * ends.cwiseAbs());
     y += force.row.transpose().cast<Complex>().cwiseProduct(wrenches).sum();
   }
   for (int d = 0; d < channel.derivative; ++d) {
-    y *= i * omega;
+    y *= Complex(0, 1) * omega;
     possible *= std::abs(omega);
   }
   return {y, possible};
@@ -37,16 +50,17 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
 
 }  // namespace
 
-ExactResponse::ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load)
-    : assembled_(assembled), channels_(channels), scale_(numerics::unit_scale(assembled.constant)),
-      load_(scale_.asDiagonal() * load.head(assembled.constant.size())) {}
+ExactResponse::ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading)
+    : assembled_(assembled), channels_(channels), scale_(numerics::unit_scale(assembled.constant)), loading_(loading) {}
 
 ExactSample ExactResponse::at(Complex omega, double near) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXcd z = scale_.asDiagonal() * assembled_.dynamic_stiffness(omega, near) * scale_.asDiagonal();
+  const Eigen::VectorXcd load = scale_.asDiagonal() * assembly::exact_right_side(assembled_, loading_, omega, near);
+  const Eigen::VectorXcd ground = loading_.motion.vanishes() ? Eigen::VectorXcd() : loading_.motion.at(omega);
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
-  Eigen::VectorXcd q = lu.solve(load_);
-  q += lu.solve(load_ - z * q);
+  Eigen::VectorXcd q = lu.solve(load);
+  q += lu.solve(load - z * q);
   const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
   const double negligible = 4 * static_cast<double>(z.rows()) * std::numeric_limits<double>::epsilon();
   ExactSample sample{q, Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(channels_.size()), Complex(nan, nan)),
@@ -55,12 +69,12 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
     sample.coordinates.setConstant(nan);
     return sample;
   }
-  const double size = norm * q.cwiseAbs().maxCoeff() + load_.cwiseAbs().maxCoeff();
-  sample.backward_error = size > 0 ? (load_ - z * q).cwiseAbs().maxCoeff() / size : 0;
+  const double size = norm * q.cwiseAbs().maxCoeff() + load.cwiseAbs().maxCoeff();
+  sample.backward_error = size > 0 ? (load - z * q).cwiseAbs().maxCoeff() / size : 0;
   sample.condition = 1 / lu.rcond();
   sample.coordinates = scale_.asDiagonal() * q;
   for (std::size_t c = 0; c < channels_.size(); ++c)
-    std::tie(sample.values(static_cast<Eigen::Index>(c)), sample.possible(static_cast<Eigen::Index>(c))) = value(assembled_, channels_[c], sample.coordinates, omega, near);
+    std::tie(sample.values(static_cast<Eigen::Index>(c)), sample.possible(static_cast<Eigen::Index>(c))) = value(assembled_, channels_[c], sample.coordinates, ground, omega, near);
   return sample;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
 
 namespace trivet::response {
 
@@ -18,10 +19,10 @@ struct ExactSample {
   double backward_error = 0;      ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
 };
 
-/// q(ω) = Z(ω)⁻¹ h where elements depend on ω in their own way; one pivoted factorisation a frequency. ω may be complex (Re ω ≥ 0).
+/// q(ω) = Z(ω)⁻¹ h(ω) where elements depend on ω in their own way; one pivoted factorisation a frequency. ω may be complex (Re ω ≥ 0).
 class ExactResponse {
  public:
-  ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load);
+  ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading);
 
   [[nodiscard]] ExactSample at(std::complex<double> omega, double near) const;
   [[nodiscard]] ExactSample at(double omega) const { return at(omega, omega); }
@@ -30,7 +31,7 @@ class ExactResponse {
   const assembly::Assembled& assembled_;
   const std::vector<assembly::Channel>& channels_;
   Eigen::VectorXd scale_;
-  Eigen::VectorXcd load_;
+  assembly::Loading loading_;
 };
 
 }  // namespace trivet::response

@@ -58,9 +58,9 @@ struct Sample {
   bool settled = false;  ///< the interval that starts here needs no further look
 };
 
-std::vector<Sample> sampled(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+std::vector<Sample> sampled(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                             const std::vector<double>& omega) {
-  const FrequencyResponse response = frequency_response(assembled, channels, load, omega);
+  const FrequencyResponse response = frequency_response(assembled, channels, loading, omega);
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < omega.size(); ++i) {
     Sample sample{omega[i], Eigen::VectorXcd(static_cast<Eigen::Index>(channels.size())), false};
@@ -127,17 +127,17 @@ std::vector<double> logarithmic_grid(const Band& band, int points) {
 }
 
 std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                   const Eigen::VectorXcd& load, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
+                                   const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
                                    const foundation::Progress& progress) {
   std::vector<double> grid = first_guess(poles, peaks, band);
   if (channels.empty() || !(band.to > band.from)) return grid;
-  std::vector<Sample> samples = sampled(assembled, channels, load, grid);
+  std::vector<Sample> samples = sampled(assembled, channels, loading, grid);
   for (int round = 0; round < most_rounds && samples.size() < most_points; ++round) {
     foundation::report_progress(progress, "frequency grid", static_cast<double>(round) / most_rounds);
     std::vector<double> middles;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
       if (!samples[i].settled) middles.push_back(0.5 * (samples[i].omega + samples[i + 1].omega));
-    if (middles.empty() || !refined(samples, sampled(assembled, channels, load, middles), largest(samples, peaks))) break;
+    if (middles.empty() || !refined(samples, sampled(assembled, channels, loading, middles), largest(samples, peaks))) break;
   }
   grid.clear();
   for (const Sample& sample : samples) grid.push_back(sample.omega);

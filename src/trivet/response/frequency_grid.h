@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
 #include "trivet/response/peaks.h"
 
 namespace trivet::response {
@@ -24,7 +25,7 @@ enum class Spacing { automatic, linear, logarithmic };
 /// refined until amplitudes between points are right to 0.3 % and phases turn by less than 20° per step, or until there are 6,000
 /// points beside those of the poles and extrema.
 [[nodiscard]] std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                                 const Eigen::VectorXcd& load, const Eigen::VectorXcd& poles, const Peaks& peaks,
+                                                 const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
                                                  const Band& band, const foundation::Progress& progress = {});
 
 }  // namespace trivet::response

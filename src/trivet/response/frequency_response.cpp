@@ -19,19 +19,22 @@ Complex derivative_factor(double omega, int derivative) {
   return {1, 0};
 }
 
-Eigen::VectorXcd curve_values(const assembly::Channel& channel, const Eigen::MatrixXcd& q, const std::vector<double>& omega) {
-  const Eigen::RowVectorXcd by_displacement = channel.on_displacement.transpose() * q;
-  const bool viscous = channel.on_velocity.cwiseAbs().maxCoeff() > 0;
-  const Eigen::RowVectorXcd by_velocity = viscous ? Eigen::RowVectorXcd(channel.on_velocity.transpose().cast<Complex>() * q)
-                                                  : Eigen::RowVectorXcd(Eigen::RowVectorXcd::Zero(q.cols()));
-  const Eigen::RowVectorXcd by_acceleration = channel.on_acceleration.isZero(0) ? Eigen::RowVectorXcd(Eigen::RowVectorXcd::Zero(q.cols()))
-                                                                                : Eigen::RowVectorXcd(channel.on_acceleration.transpose().cast<Complex>() * q);
-  Eigen::VectorXcd values(q.cols());
-  for (Eigen::Index i = 0; i < q.cols(); ++i) {
-    const double w = omega[static_cast<std::size_t>(i)];
-    values(i) = derivative_factor(w, channel.derivative) * (by_displacement(i) + Complex(0, w) * by_velocity(i) - w * w * by_acceleration(i));
-  }
-  return values;
+/// Columns of coordinates, weighted by the terms of a channel.
+Eigen::RowVectorXcd weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
+                             const Eigen::MatrixXcd& q, const Eigen::RowVectorXd& omega) {
+  Eigen::RowVectorXcd y = on_displacement.transpose() * q;
+  if (!on_velocity.isZero(0))
+    y += Complex(0, 1) * (on_velocity.transpose().cast<Complex>() * q).cwiseProduct(omega.cast<Complex>());
+  if (!on_acceleration.isZero(0))
+    y -= (on_acceleration.transpose().cast<Complex>() * q).cwiseProduct(omega.cwiseAbs2().cast<Complex>());
+  return y;
+}
+
+Eigen::VectorXcd curve_values(const assembly::Channel& channel, const Eigen::MatrixXcd& q, const Eigen::MatrixXcd& g, const Eigen::RowVectorXd& omega) {
+  Eigen::RowVectorXcd y = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, q, omega);
+  if (!channel.ground.empty() && g.size() > 0) y += weighted(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration, g, omega);
+  for (Eigen::Index i = 0; i < y.size(); ++i) y(i) *= derivative_factor(omega(i), channel.derivative);
+  return y.transpose();
 }
 
 void note_error(double error, double omega, SolutionCheck& check) {
@@ -43,12 +46,12 @@ void note_error(double error, double omega, SolutionCheck& check) {
 }
 
 FrequencyResponse exact_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                 const Eigen::VectorXcd& load, const std::vector<double>& omega) {
+                                 const assembly::Loading& loading, const std::vector<double>& omega) {
   FrequencyResponse result;
   result.angular_frequency = omega;
   for (const assembly::Channel& channel : channels)
     result.curves.push_back({channel.name, channel.unit, Eigen::VectorXcd(static_cast<Eigen::Index>(omega.size()))});
-  const ExactResponse exact(assembled, channels, load);
+  const ExactResponse exact(assembled, channels, loading);
   for (std::size_t i = 0; i < omega.size(); ++i) {
     const ExactSample sample = exact.at(omega[i]);
     for (std::size_t c = 0; c < channels.size(); ++c) result.curves[c].value(static_cast<Eigen::Index>(i)) = sample.values(static_cast<Eigen::Index>(c));
@@ -60,13 +63,19 @@ FrequencyResponse exact_response(const assembly::Assembled& assembled, const std
 }  // namespace
 
 FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const Eigen::VectorXcd& load, const std::vector<double>& angular_frequency) {
-  if (assembled.frequency_dependent()) return exact_response(assembled, channels, load, angular_frequency);
-  const numerics::SweepResult solved = numerics::sweep(assembled.matrices, load, angular_frequency);
+                                     const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
+  if (assembled.frequency_dependent()) return exact_response(assembled, channels, loading, angular_frequency);
+  const numerics::SweepResult solved = numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading), angular_frequency);
+  const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
+  Eigen::MatrixXcd ground;
+  if (!loading.motion.vanishes()) {
+    ground.resize(loading.motion.size(), omega.size());
+    for (Eigen::Index i = 0; i < omega.size(); ++i) ground.col(i) = loading.motion.at(omega(i));
+  }
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
   for (const assembly::Channel& channel : channels)
-    result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, angular_frequency)});
+    result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, ground, omega)});
   result.check.fallbacks = solved.fallbacks;
   for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
     note_error(solved.backward_error(i), angular_frequency[static_cast<std::size_t>(i)], result.check);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
 
 namespace trivet::response {
 
@@ -29,9 +30,9 @@ struct FrequencyResponse {
   SolutionCheck check;
 };
 
-/// Steady amplitudes under the complex load at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺.
+/// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined where a motion is given by its velocity or acceleration.
 [[nodiscard]] FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                                   const Eigen::VectorXcd& load, const std::vector<double>& angular_frequency);
+                                                   const assembly::Loading& loading, const std::vector<double>& angular_frequency);
 
 /// Phase [rad] in (−π, π]; a negative real value is +π whatever the sign of its zero imaginary part, and 0 has phase 0.
 [[nodiscard]] double phase(const std::complex<double>& value);

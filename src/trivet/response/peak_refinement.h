@@ -2,6 +2,7 @@
 #pragma once
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
 
 namespace trivet::response {
 
@@ -15,7 +16,7 @@ struct RefinedPeak {
 };
 
 /// Starts at `omega`; gives up (converged = false, values at `omega`) if a step leaves [omega − reach, omega + reach].
-[[nodiscard]] RefinedPeak refine_peak(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& load,
+[[nodiscard]] RefinedPeak refine_peak(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading,
                                       double omega, double reach);
 
 }  // namespace trivet::response

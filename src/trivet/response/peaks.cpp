@@ -42,10 +42,10 @@ double prominence(const std::vector<Turning>& turnings, std::size_t peak, double
 }
 
 /// Does |y| grow like 1/distance on both sides of an undamped pole?
-bool is_unbounded(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& load, double pole) {
+bool is_unbounded(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading, double pole) {
   const double near = 16 * gap_at_pole, far = 160 * gap_at_pole;
   const FrequencyResponse around =
-      frequency_response(assembled, {channel}, load, {pole * (1 - far), pole * (1 - near), pole * (1 + near), pole * (1 + far)});
+      frequency_response(assembled, {channel}, loading, {pole * (1 - far), pole * (1 - near), pole * (1 + near), pole * (1 + far)});
   const Eigen::VectorXd y = around.curves[0].value.cwiseAbs();
   return y(1) > 9 * y(0) && y(2) > 9 * y(3);  // a pole in reach gives 10
 }
@@ -68,22 +68,23 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
 
 }  // namespace
 
-Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
             const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
   const numerics::DynamicMatrices& m = assembled.matrices;
-  const bool loaded = load.cwiseAbs().maxCoeff() > 0;
+  const bool loaded = !loading.vanishes();
   const bool exact = assembled.frequency_dependent();
-  AxisWalk walk_along = exact ? walk_by_contours(assembled, channels, load, roots.poles, search_end(assembled, modes, roots, options), progress)
-                              : walk_by_poles(assembled, channels, load, roots.poles, progress);
+  AxisWalk walk_along = exact ? walk_by_contours(assembled, channels, loading, roots.poles, search_end(assembled, modes, roots, options), progress)
+                              : walk_by_poles(assembled, channels, loading, roots.poles, search_end(assembled, modes, roots, options), progress);
   std::vector<Walk>& walks = walk_along.curves;
   Peaks result;
   result.searched_from = walk_along.lowest;
   result.searched_to = walk_along.highest;
   result.panels = walk_along.panels;
+  result.from_circles = exact;
   result.turnings.resize(channels.size());
 
-  const bool rigid = modal::has_rigid_motion(modes) || (!exact && walk_along.lowest > 0);
-  const FrequencyResponse first = frequency_response(assembled, channels, load, {rigid || !defined_at_rest(assembled) ? walk_along.lowest : 0.0});
+  const bool rigid = modal::has_rigid_motion(modes) || loading.lowest_power() < 0 || (!exact && walk_along.lowest > 0);
+  const FrequencyResponse first = frequency_response(assembled, channels, loading, {rigid || !defined_at_rest(assembled) ? walk_along.lowest : 0.0});
   for (std::size_t c = 0; c < channels.size(); ++c) {
     CurveSummary& summary = result.curves.emplace_back(CurveSummary{channels[c].name, channels[c].unit, {}, 0, 0, false, 0});
     Walk& walk = walks[c];
@@ -92,11 +93,14 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
     summary.vanishes = !loaded || walk.largest_share <= vanishing_share;
     if (summary.vanishes) continue;
     for (const double pole : walk_along.poles_on_axis)
-      if (is_unbounded(assembled, channels[c], load, pole)) walk.turnings.push_back({pole, infinity, true, gap_at_pole * pole, 0});
+      if (is_unbounded(assembled, channels[c], loading, pole)) walk.turnings.push_back({pole, infinity, true, gap_at_pole * pole, 0});
     result.turnings[c] = alternating(std::move(walk.turnings));
 
-    double finite_top = std::max(std::isfinite(walk.start) ? walk.start : 0, walk.end);
-    summary.highest = finite_top;
+    // Towards a free motion or an unbounded motion of the ground a curve may rise without end: that is no scale for its peaks.
+    double finite_top = 0;
+    for (const double end : {rigid ? 0 : walk.start, walk.end})
+      if (std::isfinite(end)) finite_top = std::max(finite_top, end);
+    summary.highest = std::max(std::isnan(walk.start) ? 0 : walk.start, walk.end);
     summary.highest_at = walk.end > walk.start ? walk_along.highest : walk_along.lowest;
     for (const Turning& t : result.turnings[c]) {
       if (std::isfinite(t.amplitude)) finite_top = std::max(finite_top, t.amplitude);
@@ -113,7 +117,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       if (!(peak.prominence > options.min_prominence * finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
         const RefinedPeak refined = exact ? RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, contour_accuracy * t.amplitude, true}
-                                          : refine_peak(assembled, channels[c], load, t.angular_frequency, t.reach);
+                                          : refine_peak(assembled, channels[c], loading, t.angular_frequency, t.reach);
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;
           peak.angular_frequency = refined.angular_frequency;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/axis_walk.h"
@@ -43,18 +44,19 @@ struct Peaks {
   std::vector<CurveSummary> curves;
   std::vector<std::vector<Turning>> turnings;  ///< per curve: all extrema
   double searched_from = 0;             ///< [rad/s]
-  double searched_to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite where elements depend on frequency in their own way
+  double searched_to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite where elements depend on frequency in their own way, or the load is delayed
+  bool from_circles = false;            ///< frequency-dependent elements
   int panels = 0;                       ///< pieces of the axis that were searched
 };
 
 /// How a peak of these was pinned: "newton" (steps in extended precision), "circles" (series from samples around it), or "series" (Newton did not settle).
 [[nodiscard]] inline const char* method(const Peaks& peaks, const Peak& peak) {
-  return !peak.refined ? "series" : std::isfinite(peaks.searched_to) ? "circles" : "newton";
+  return !peak.refined ? "series" : peaks.from_circles ? "circles" : "newton";
 }
 
 struct PeakOptions {
   double min_prominence = 1e-6;  ///< of the curve's largest finite amplitude
-  double search_to = 0;          ///< [rad/s] with frequency-dependent elements, at least; twice the highest natural frequency where that is more
+  double search_to = 0;          ///< [rad/s] with frequency-dependent elements or delays, at least; twice the highest natural frequency where that is more
 };
 
 /// Every peak of every channel, wherever it lies. The axis is covered by discs free of poles; on each |y|² is a Taylor series
@@ -63,7 +65,7 @@ struct PeakOptions {
 /// coincident and defective roots alike.
 /// Elements that depend on frequency in their own way (exact springs, tables, fractional laws) have no finite set of poles: there the
 /// series come from samples on circles that are shrunk until nothing of a pole inside is left, up to `search_to`.
-[[nodiscard]] Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::VectorXcd& load,
+[[nodiscard]] Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                           const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options = {},
                           const foundation::Progress& progress = {});
 

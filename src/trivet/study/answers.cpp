@@ -19,16 +19,21 @@ namespace {
 constexpr int deep_check_frequencies = 64;
 constexpr double default_band_factor = 1.3;
 
+bool is_driven(const model::System& system) {
+  const auto& excitations = system.description().excitations;
+  return std::any_of(excitations.begin(), excitations.end(), [](const model::Excitation& e) { return std::holds_alternative<model::Harmonic>(e.course); });
+}
+
 /// What every question about harmonic forces shares.
 struct Loaded {
   std::vector<assembly::Channel> channels;
-  Eigen::VectorXcd load;
+  assembly::Loading load;
 };
 
 Loaded loaded(const model::System& system, const assembly::Assembled& assembled, const Wanted& wanted) {
-  if (system.description().harmonic_forces.empty())
+  if (!is_driven(system))
     throw foundation::NotComputable("response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
-  return {assembly::channels(system, assembled, wanted.of, wanted.quantity), assembly::harmonic_load(system, assembled.layout, wanted.excitations)};
+  return {assembly::channels(system, assembled, wanted.of, wanted.quantity), assembly::harmonic_loading(system, assembled, wanted.excitations)};
 }
 
 /// Up to well above the natural frequencies, but not beyond the tables of elements.
@@ -277,8 +282,13 @@ response::DeepCheck deep_check(const Case& variant) {
   const modal::Roots roots = modal::roots(variant.system, assembled, modes);
   const auto& request = variant.analyses.response;
   const response::Band band = request && request->band ? *request->band : default_band(modes, roots, assembled);
-  Eigen::VectorXcd load = assembly::harmonic_load(variant.system, assembled.layout);
-  if (load.cwiseAbs().maxCoeff() == 0) load.head(assembled.layout.of_bodies()) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(assembled.layout.of_bodies()).cast<std::complex<double>>();
+  assembly::Loading load = assembly::harmonic_loading(variant.system, assembled);
+  if (load.vanishes()) {
+    Eigen::VectorXcd everywhere = Eigen::VectorXcd::Zero(assembled.layout.size());
+    const Eigen::Index bodies = assembled.layout.of_bodies();
+    everywhere.head(bodies) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(bodies).cast<std::complex<double>>();
+    load = assembly::Loading(everywhere);
+  }
   return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));
 }
 

@@ -40,7 +40,15 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   const spatial::Wrench wrench = read_wrench(reader);
   if (type == "harmonic") {
     const spatial::Vector6 phase = read_phase(reader);
-    if (on) description.harmonic_forces.push_back({name, *on, at, wrench, phase});
+    if (!on) return reader.finish();
+    model::Action action;
+    action.body = on;
+    action.at = at;
+    for (int j = 0; j < 6; ++j) {
+      const double amplitude = j < 3 ? wrench.force(j) : wrench.moment(j - 3);
+      action.amplitude(j) = phase(j) == 0 ? std::complex<double>(amplitude) : amplitude * std::exp(std::complex<double>(0, phase(j)));
+    }
+    description.excitations.push_back({name, action, model::Harmonic{}});
   } else if (on) {
     description.constant_forces.push_back({name, *on, at, wrench});
   }

@@ -54,6 +54,19 @@ Json facts_json(const model::Element& element) {
   return list;
 }
 
+/// A real amplitude keeps its sign; a complex one is split into magnitude and phase.
+Json excitation_json(const model::Description& d, const model::Excitation& excitation) {
+  const model::Action& action = excitation.action;
+  const bool real = action.amplitude.imag().isZero(0);
+  const Eigen::VectorXd size = real ? Eigen::VectorXd(action.amplitude.real()) : Eigen::VectorXd(action.amplitude.cwiseAbs());
+  const Eigen::VectorXd phase = real ? Eigen::VectorXd(Eigen::VectorXd::Zero(6)) : Eigen::VectorXd(action.amplitude.cwiseArg());
+  Json result{{"name", excitation.name}, {"type", "harmonic"}, {"at", json::list(action.at)}, {"phase", json::list(phase)}};
+  result["on"] = action.body ? Json(d.bodies[*action.body].name) : Json(nullptr);
+  result[action.body ? "force" : "translation"] = json::list(size.head(3));
+  result[action.body ? "moment" : "rotation"] = json::list(size.tail(3));
+  return result;
+}
+
 Json model_json(const Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
@@ -76,9 +89,7 @@ Json model_json(const Case& variant) {
                                   {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)}, {"n", json::end(variant, element.n)},
                                   {"k", json::end(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
                                   {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
-  for (const auto& force : d.harmonic_forces)
-    result["excitations"].push_back({{"name", force.name}, {"type", "harmonic"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
-                                     {"force", json::list(force.amplitude.force)}, {"moment", json::list(force.amplitude.moment)}, {"phase", json::list(force.phase)}});
+  for (const model::Excitation& excitation : d.excitations) result["excitations"].push_back(excitation_json(d, excitation));
   for (const auto& force : d.constant_forces)
     result["excitations"].push_back({{"name", force.name}, {"type", "constant"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
                                      {"force", json::list(force.wrench.force)}, {"moment", json::list(force.wrench.moment)}});

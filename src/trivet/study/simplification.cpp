@@ -124,10 +124,6 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
 
 /// Highest peaks of both models, or why there are none; the modes stand without them.
 void compare_peaks(const Case& full, const Case& simple, const foundation::Progress& progress, Simplification& result) {
-  if (full.system.description().harmonic_forces.empty()) {
-    result.no_peaks = "the model has no harmonic excitation";
-    return;
-  }
   Analyses wanted;
   wanted.peaks = full.analyses.peaks.value_or(PeaksRequest{full.analyses.response ? full.analyses.response->wanted : Wanted{}});
   try {

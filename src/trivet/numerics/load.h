@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+namespace trivet::numerics {
+
+/// One term of a right side: s^power e^{−s delay} value, s = iω.
+struct LoadTerm {
+  int power = 0;        ///< 2: an unbalance; −2: a motion given by its acceleration
+  double delay = 0;     ///< [s]
+  Eigen::VectorXcd value;
+};
+
+/// The right side h(s) of Z(s) q = h as a sum of powers of s = iω, delayed or not.
+class Load {
+ public:
+  /// A constant right side.
+  template <typename Vector>
+  Load(const Eigen::MatrixBase<Vector>& constant) : size_(constant.size()) { add({0, 0, constant}); }  // NOLINT: a vector is a load
+  explicit Load(Eigen::Index size) : size_(size) {}
+
+  /// Adds to the term of the same power and delay. Zero values leave no term.
+  void add(LoadTerm term);
+
+  [[nodiscard]] Eigen::Index size() const { return size_; }
+  [[nodiscard]] const std::vector<LoadTerm>& terms() const { return terms_; }
+  [[nodiscard]] bool vanishes() const { return terms_.empty(); }
+  /// Only one term, of power 0, without delay (or none).
+  [[nodiscard]] bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_[0].power == 0 && terms_[0].delay == 0); }
+  [[nodiscard]] double longest_delay() const;
+  [[nodiscard]] int lowest_power() const;   ///< 0 without terms
+  [[nodiscard]] int highest_power() const;  ///< 0 without terms
+
+  /// h(iω), also for complex ω; at ω = 0 the negative powers must be absent.
+  [[nodiscard]] Eigen::VectorXcd at(std::complex<double> omega) const;
+  /// The same with every term by its magnitude: what h could be.
+  [[nodiscard]] Eigen::VectorXd possible(double omega) const;
+  /// Rows of another load: the first of them, or scaled.
+  [[nodiscard]] Load head(Eigen::Index rows) const;
+  [[nodiscard]] Load scaled(const Eigen::VectorXd& by) const;
+
+ private:
+  Eigen::Index size_ = 0;
+  std::vector<LoadTerm> terms_;
+};
+
+/// s^power by multiplication, exact in its zeros; s ≠ 0 where power < 0.
+template <typename Scalar>
+[[nodiscard]] std::complex<Scalar> integer_power(const std::complex<Scalar>& s, int power) {
+  std::complex<Scalar> result(1);
+  for (int k = 0; k < std::abs(power); ++k) result *= s;
+  return power < 0 ? std::complex<Scalar>(1) / result : result;
+}
+
+}  // namespace trivet::numerics
