@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/excitation/shock_spectrum.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/sign_changes.h"
+
+namespace trivet::excitation {
+namespace {
+
+/// Terms of a series over one radian: the next one is below (1 + √2)^28/28! = 2e-19 of the largest.
+constexpr std::size_t terms = 28;
+using Series = std::array<double, terms>;
+
+/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot reach outside are left alone: between its ends a function
+/// leaves their straight line by at most |f″|/8.
+void widen(double& smallest, double& largest, const Series& c) {
+  double end = 0, bound = 0;
+  for (std::size_t k = 0; k < terms; ++k) {
+    const auto order = static_cast<double>(k);
+    end += c[k];
+    bound += order * (order - 1) * std::abs(c[k]) / 8;
+  }
+  const double low = std::min(c[0], end), high = std::max(c[0], end);
+  const bool inside = low - bound >= smallest && high + bound <= largest;
+  smallest = std::min(smallest, low);
+  largest = std::max(largest, high);
+  if (inside) return;
+  std::array<double, terms - 1> derivative{};
+  for (std::size_t k = 1; k < terms; ++k) derivative[k - 1] = static_cast<double>(k) * c[k];
+  for (const numerics::SignChange& turn : numerics::sign_changes(derivative, 0, 1)) {
+    const double value = numerics::polynomial_value(c, turn.at);
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+  }
+}
+
+struct Range {
+  double smallest = 0, largest = 0;
+};
+
+/// One oscillator in the scaled time τ = ωt, y = ω²z and its rate dy/dτ, both of the unit of the base acceleration.
+class Oscillator {
+ public:
+  Oscillator(double omega, double zeta) : omega_(omega), zeta_(zeta) {}
+
+  /// Moves on over a piece of the base acceleration and widens the range of the absolute acceleration.
+  void follow(const Piece& piece, double duration, Range& absolute) {
+    const double steps = std::max(1.0, std::ceil(duration * std::max(omega_, piece.kappa)));
+    const double h = duration / steps;
+    for (double i = 0; i < steps; ++i) advance(base_series(piece, i * h, h), h, absolute);
+  }
+
+  /// The free motion about a constant base acceleration, until no later extremum can be larger: at most one period.
+  void ring_out(double base, Range& absolute) {
+    const Series constant{base};
+    const double period = 2 * std::numbers::pi / std::sqrt((1 - zeta_) * (1 + zeta_));
+    for (double tau = 0; tau < period + 1; ++tau) {
+      const double amplitude = std::hypot(y_ + base, rate_);  // its energy only falls
+      const double reach = (1 + 2 * zeta_) * amplitude;
+      if (base + reach <= absolute.largest && base - reach >= absolute.smallest && -base + amplitude <= relative_.largest &&
+          -base - amplitude >= relative_.smallest)
+        return;
+      advance(constant, 1 / omega_, absolute);
+    }
+  }
+
+  [[nodiscard]] double largest_relative() const { return std::max(relative_.largest, -relative_.smallest); }
+
+ private:
+  /// Taylor series over σ = (s − from)/h, from u‴ = −κ²u′.
+  static Series base_series(const Piece& piece, double from, double h) {
+    const SignalState start = state_on(piece, from);
+    Series a{start.value, start.rate * h, start.curvature * h * h / 2};
+    const double x = piece.kappa * piece.kappa * h * h;
+    for (std::size_t k = 3; k < terms; ++k) a[k] = -x * a[k - 2] / static_cast<double>(k * (k - 1));
+    return a;
+  }
+
+  void advance(const Series& base, double h, Range& absolute) {
+    const double angle = omega_ * h;
+    Series y{y_, angle * rate_}, acceleration{};
+    for (std::size_t k = 0; k + 2 < terms; ++k) {
+      const auto n = static_cast<double>(k);
+      y[k + 2] = -(angle * angle * (base[k] + y[k]) + 2 * zeta_ * angle * (n + 1) * y[k + 1]) / ((n + 1) * (n + 2));
+    }
+    y_ = rate_ = 0;
+    for (std::size_t k = 0; k < terms; ++k) {
+      const double rate = k + 1 < terms ? static_cast<double>(k + 1) * y[k + 1] / angle : 0;
+      acceleration[k] = -y[k] - 2 * zeta_ * rate;
+      y_ += y[k];
+      rate_ += rate;
+    }
+    widen(absolute.smallest, absolute.largest, acceleration);
+    widen(relative_.smallest, relative_.largest, y);
+  }
+
+  double omega_, zeta_, y_ = 0, rate_ = 0;
+  Range relative_;
+};
+
+}  // namespace
+
+std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<double>& angular_frequencies, double zeta,
+                                          const foundation::Progress& progress) {
+  require_valid(base);
+  if (!(zeta >= 0 && zeta < 1)) throw foundation::InvalidInput(fmt::format("damping ratio {:.6g}: it must be ≥ 0 and < 1", zeta));
+  for (const double omega : angular_frequencies)
+    if (!(omega > 0) || !std::isfinite(omega)) throw foundation::InvalidInput(fmt::format("natural frequency {:.6g} rad/s: it must be > 0", omega));
+  if (!base.pieces.empty() && (base.pieces.back().rate != 0 || base.pieces.back().curvature != 0))
+    throw foundation::InvalidInput("the last piece of the base acceleration changes for ever, and so does the response: let it end constant");
+  std::vector<ShockResponse> spectrum;
+  for (const double omega : angular_frequencies) {
+    Oscillator oscillator(omega, zeta);
+    Range primary, residual;
+    for (std::size_t i = 0; i + 1 < base.pieces.size(); ++i) {
+      const double done = static_cast<double>(i) / static_cast<double>(base.pieces.size());
+      foundation::report_progress(progress, "shock response spectrum",
+                                  (static_cast<double>(spectrum.size()) + done) / static_cast<double>(angular_frequencies.size()));
+      oscillator.follow(base.pieces[i], base.pieces[i + 1].start - base.pieces[i].start, primary);
+    }
+    if (!base.pieces.empty()) oscillator.ring_out(base.pieces.back().value, residual);
+    spectrum.push_back({omega, primary.largest, primary.smallest, residual.largest, residual.smallest,
+                        oscillator.largest_relative() / (omega * omega)});
+  }
+  return spectrum;
+}
+
+}  // namespace trivet::excitation

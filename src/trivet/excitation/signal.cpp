@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/excitation/signal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::excitation {
+namespace {
+
+/// C_n(s) = sⁿ Σ_k (−κ²s²)ᵏ/(n + 2k)!, n = 0 … 4 (Stumpff functions): cos κs, sin κs/κ, (1 − cos κs)/κ² and so on, C′_{n+1} = C_n.
+/// Powers of s where κ = 0. The recurrence loses digits for small κs, where the series takes over.
+std::array<double, 5> stumpff(double kappa, double s) {
+  const double x = kappa * kappa * s * s;
+  std::array<double, 5> c{};
+  if (x > 1) {
+    const double angle = kappa * s, half = std::sin(angle / 2);
+    c = {std::cos(angle), std::sin(angle) / angle, 2 * half * half / x, 0, 0};
+    c[3] = (1 - c[1]) / x;
+    c[4] = (0.5 - c[2]) / x;
+  } else {
+    double factorial = 1;
+    for (std::size_t n = 0; n < c.size(); ++n) {
+      if (n > 0) factorial *= static_cast<double>(n);
+      double term = 1 / factorial;
+      for (double k = static_cast<double>(n); std::abs(term) > 1e-18 / factorial; k += 2) {
+        c[n] += term;
+        term *= -x / ((k + 1) * (k + 2));
+      }
+    }
+  }
+  double power = 1;
+  for (double& value : c) value *= power, power *= s;
+  return c;
+}
+
+}  // namespace
+
+SignalState state_on(const Piece& p, double s) {
+  const auto c = stumpff(p.kappa, s);
+  return {p.value + p.rate * c[1] + p.curvature * c[2], p.rate * c[0] + p.curvature * c[1],
+          p.curvature * c[0] - p.kappa * p.kappa * p.rate * c[1]};
+}
+
+std::ptrdiff_t piece_at(const Signal& signal, double t) {
+  const auto after = std::upper_bound(signal.pieces.begin(), signal.pieces.end(), t, [](double time, const Piece& p) { return time < p.start; });
+  return after - signal.pieces.begin() - 1;
+}
+
+SignalState state(const Signal& signal, double t) {
+  const std::ptrdiff_t i = piece_at(signal, t);
+  if (i < 0) return {};
+  const Piece& piece = signal.pieces[static_cast<std::size_t>(i)];
+  return state_on(piece, t - piece.start);
+}
+
+SignalIntegrals integrals(const Signal& signal, double t) {
+  SignalIntegrals sum;
+  for (std::size_t i = 0; i < signal.pieces.size() && signal.pieces[i].start < t; ++i) {
+    const Piece& p = signal.pieces[i];
+    const double end = i + 1 < signal.pieces.size() ? std::min(t, signal.pieces[i + 1].start) : t, s = end - p.start;
+    const auto c = stumpff(p.kappa, s);
+    sum.twice += sum.once * s + p.value * s * s / 2 + p.rate * c[3] + p.curvature * c[4];
+    sum.once += p.value * s + p.rate * c[2] + p.curvature * c[3];
+  }
+  return sum;
+}
+
+Signal delayed(Signal signal, double delay) {
+  if (!std::isfinite(delay)) throw foundation::InvalidInput(fmt::format("delay {} s: it must be finite", delay));
+  for (Piece& piece : signal.pieces) piece.start += delay;
+  require_valid(signal);  // a delay so long that short pieces vanish in round-off is refused
+  return signal;
+}
+
+Signal scaled(Signal signal, double factor) {
+  if (!std::isfinite(factor)) throw foundation::InvalidInput(fmt::format("factor {}: it must be finite", factor));
+  for (Piece& piece : signal.pieces) piece.value *= factor, piece.rate *= factor, piece.curvature *= factor;
+  return signal;
+}
+
+void require_valid(const Signal& signal) {
+  for (std::size_t i = 0; i < signal.pieces.size(); ++i) {
+    const Piece& p = signal.pieces[i];
+    for (const double number : {p.start, p.value, p.rate, p.curvature, p.kappa})
+      if (!std::isfinite(number)) throw foundation::InvalidInput(fmt::format("piece {} of a signal holds {}: numbers must be finite", i + 1, number));
+    if (p.kappa < 0) throw foundation::InvalidInput(fmt::format("piece {} of a signal: κ = {:.6g} rad/s, must be ≥ 0", i + 1, p.kappa));
+    if (i > 0 && !(p.start > signal.pieces[i - 1].start))
+      throw foundation::InvalidInput(
+          fmt::format("piece {} of a signal starts at {:.9g} s, the one before at {:.9g} s: starts must increase", i + 1, p.start,
+                      signal.pieces[i - 1].start));
+  }
+}
+
+}  // namespace trivet::excitation

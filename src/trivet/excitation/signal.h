@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+/// What excites a machine, as physics alone: time histories, spectra, engines, weightings. Nothing here reads files or solves systems.
+namespace trivet::excitation {
+
+/// u on one piece, counted from its start: u‴ = −κ²u′, so κ = 0 is a parabola and κ > 0 a sine about any mean.
+struct Piece {
+  double start = 0;                            ///< [s]
+  double value = 0, rate = 0, curvature = 0;   ///< u, u̇, ü at its start [unit, unit/s, unit/s²]
+  double kappa = 0;                            ///< κ ≥ 0 [rad/s]
+};
+
+/// A time history of exact pieces: zero before the first, each piece up to the start of the next, the last one for ever. It may jump.
+struct Signal {
+  std::vector<Piece> pieces;  ///< starts increase
+};
+
+/// u, u̇, ü at one time.
+struct SignalState {
+  double value = 0, rate = 0, curvature = 0;
+};
+
+/// State at time s after the start of a piece, its neighbours not looked at.
+[[nodiscard]] SignalState state_on(const Piece& piece, double s);
+
+/// State at time t [s]; at a jump the one after it. Zero where the signal has no pieces.
+[[nodiscard]] SignalState state(const Signal& signal, double t);
+
+/// Index of the piece that holds at time t, or −1 before the first.
+[[nodiscard]] std::ptrdiff_t piece_at(const Signal& signal, double t);
+
+/// ∫u and ∬u from before the first piece up to t, in closed form: of an acceleration pulse the net change of velocity and the displacement.
+struct SignalIntegrals {
+  double once = 0;   ///< [unit s]
+  double twice = 0;  ///< [unit s²]
+};
+[[nodiscard]] SignalIntegrals integrals(const Signal& signal, double t);
+
+/// u(t − τ), any τ [s].
+[[nodiscard]] Signal delayed(Signal signal, double delay);
+
+/// factor · u(t).
+[[nodiscard]] Signal scaled(Signal signal, double factor);
+
+/// @throws foundation::InvalidInput unless all numbers are finite, starts increase and κ ≥ 0
+void require_valid(const Signal& signal);
+
+}  // namespace trivet::excitation

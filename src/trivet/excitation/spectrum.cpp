@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/excitation/spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/excitation/refusal.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::excitation {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+double density(const SpectrumPiece& p, double omega) {
+  const double factor = p.factor == 0 ? 1 : std::pow(omega, p.factor);
+  if (p.linear) return factor * (p.density_from + (p.density_to - p.density_from) * ((omega - p.from) / (p.to - p.from)));
+  return factor * p.density_from * std::pow(omega / p.from, p.exponent());
+}
+
+/// ∫ (ω/reference)^p dω from a to b. Near p = −1 it goes over into the logarithm without a step.
+double power_integral(double p, double reference, double a, double b) {
+  if (a == 0) return b * std::pow(b / reference, p) / (p + 1);
+  const double span = std::log(b / a), x = (p + 1) * span;
+  return a * std::pow(a / reference, p) * span * (x == 0 ? 1 : std::expm1(x) / x);
+}
+
+double mean_square(const SpectrumPiece& p, double a, double b) {
+  if (!p.linear) return p.density_from * std::pow(p.from, p.factor) * power_integral(p.exponent() + p.factor, p.from, a, b);
+  const double slope = (p.density_to - p.density_from) / (p.to - p.from), at_a = p.density_from + slope * (a - p.from);
+  if (p.factor == 0) return (at_a + 0.5 * slope * (b - a)) * (b - a);
+  const double scale = std::pow(b, p.factor);
+  return scale * ((p.density_from - slope * p.from) * power_integral(p.factor, b, a, b) + slope * b * power_integral(p.factor + 1, b, a, b));
+}
+
+}  // namespace
+
+double SpectrumPiece::exponent() const { return density_to == density_from ? 0 : std::log(density_to / density_from) / std::log(to / from); }
+
+double density(const Spectrum& spectrum, double omega) {
+  const auto& pieces = spectrum.pieces;
+  if (pieces.empty() || !(omega >= pieces.front().from && omega <= pieces.back().to)) return 0;
+  const auto after = std::upper_bound(pieces.begin(), pieces.end(), omega, [](double w, const SpectrumPiece& p) { return w < p.from; });
+  const SpectrumPiece& piece = *(after - 1);
+  return omega <= piece.to ? density(piece, omega) : 0;
+}
+
+std::vector<double> breakpoints(const Spectrum& spectrum) {
+  std::vector<double> points;
+  for (const SpectrumPiece& piece : spectrum.pieces) {
+    if (points.empty() || points.back() != piece.from) points.push_back(piece.from);
+    points.push_back(piece.to);
+  }
+  return points;
+}
+
+double mean_square(const Spectrum& spectrum, double from, double to) {
+  if (!(from <= to)) throw foundation::InvalidInput(fmt::format("mean square from {:.6g} to {:.6g} rad/s: the band must not be reversed", from, to));
+  double sum = 0;
+  for (const SpectrumPiece& piece : spectrum.pieces) {
+    const double a = std::max(from, piece.from), b = std::min(to, piece.to);
+    if (a < b) sum += mean_square(piece, a, b);
+  }
+  return sum;
+}
+
+double mean_square(const Spectrum& spectrum) { return mean_square(spectrum, spectrum.from(), spectrum.to()); }
+
+double rms(const Spectrum& spectrum) { return std::sqrt(mean_square(spectrum)); }
+
+Spectrum differentiated(Spectrum spectrum, int times) {
+  if (times < 0 && !spectrum.pieces.empty() && spectrum.from() == 0)
+    throw foundation::InvalidInput("a spectrum that begins at 0 Hz cannot be integrated: its displacement has no finite mean square");
+  for (SpectrumPiece& p : spectrum.pieces) {
+    if (p.linear) {
+      p.factor += 2 * times;
+    } else {
+      p.density_from *= std::pow(p.from, 2 * times);
+      p.density_to *= std::pow(p.to, 2 * times);
+    }
+  }
+  return spectrum;
+}
+
+Spectrum of_scaled_signal(Spectrum spectrum, double factor) {
+  if (!(factor != 0) || !std::isfinite(factor)) throw foundation::InvalidInput(fmt::format("factor {}: it must be finite and not 0", factor));
+  for (SpectrumPiece& p : spectrum.pieces) p.density_from *= factor * factor, p.density_to *= factor * factor;
+  return spectrum;
+}
+
+Spectrum flat_spectrum(double density, double from, double to) {
+  if (!(density > 0) || !std::isfinite(density)) throw foundation::InvalidInput(fmt::format("spectral density {:.6g}: it must be > 0", density));
+  if (!(from >= 0 && from < to) || !std::isfinite(to))
+    throw foundation::InvalidInput(fmt::format("band {:.6g} … {:.6g} Hz: it must begin at 0 or above and end later", from / two_pi, to / two_pi));
+  return {{SpectrumPiece{from, to, density, density, true}}};
+}
+
+foundation::Problems check(const SpectrumTable& table, const std::string& subject) {
+  foundation::Problems problems;
+  const std::vector<double>&f = table.frequencies_hz, &s = table.densities_per_hz;
+  if (f.size() != s.size())
+    problems.error(subject, fmt::format("{} frequencies and {} densities", f.size(), s.size()), "each frequency has one density", "complete the rows");
+  if (f.size() < 2) problems.error(subject, fmt::format("{} rows", f.size()), "a spectrum has two or more", "add rows");
+  const bool logarithmic = table.interpolation == SpectrumTable::Interpolation::logarithmic;
+  for (std::size_t i = 0; i < std::min(f.size(), s.size()); ++i) {
+    const std::string row = fmt::format("row {}", i + 1);
+    if (!std::isfinite(f[i]) || !std::isfinite(s[i]))
+      problems.error(subject, fmt::format("{}: {} Hz, {}", row, f[i], s[i]), "numbers must be finite", "fill the gap or remove the row");
+    if (s[i] < 0)
+      problems.error(subject, fmt::format("{}: density {:.6g} at {:.6g} Hz", row, s[i], f[i]),
+                     "a power spectral density is a mean square per hertz and cannot be negative", "check whether the table holds decibels");
+    if (f[i] < 0 || (logarithmic && f[i] == 0))
+      problems.error(subject, fmt::format("{}: frequency {:.6g} Hz", row, f[i]),
+                     logarithmic ? "logarithmic interpolation needs frequencies > 0" : "a one-sided spectrum has frequencies ≥ 0",
+                     logarithmic ? "begin above zero, or choose linear interpolation" : "fold the negative half onto the positive one");
+    if (i > 0 && f[i] <= f[i - 1])
+      problems.error(subject, fmt::format("{}: {:.6g} Hz after {:.6g} Hz", row, f[i], f[i - 1]), "frequencies must increase",
+                     f[i] == f[i - 1] ? "a jump needs two frequencies, however close" : "sort the rows");
+  }
+  if (!problems.has_errors() && std::all_of(s.begin(), s.end(), [](double x) { return x == 0; }))
+    problems.error(subject, "every density is 0", "a spectrum excites somewhere", "look at the unit of the table");
+  if (problems.has_errors() || !logarithmic) return problems;
+  for (std::size_t i = 1; i < s.size(); ++i)
+    if ((s[i] == 0) != (s[i - 1] == 0))
+      problems.warning(subject, fmt::format("density 0 at {:.6g} Hz", s[i] == 0 ? f[i] : f[i - 1]),
+                       "a logarithm has no zero: from the neighbour to it the density is interpolated linearly", "give a small density if that is not meant");
+  return problems;
+}
+
+Spectrum from_table(const SpectrumTable& table) {
+  refuse_errors(check(table, "spectrum"));
+  Spectrum spectrum;
+  for (std::size_t i = 0; i + 1 < table.frequencies_hz.size(); ++i) {
+    const double a = table.densities_per_hz[i] / two_pi, b = table.densities_per_hz[i + 1] / two_pi;
+    if (a == 0 && b == 0) continue;
+    const bool linear = table.interpolation == SpectrumTable::Interpolation::linear || a == 0 || b == 0;
+    spectrum.pieces.push_back({two_pi * table.frequencies_hz[i], two_pi * table.frequencies_hz[i + 1], a, b, linear});
+  }
+  return spectrum;
+}
+
+}  // namespace trivet::excitation

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/excitation/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::excitation {
+namespace {
+
+constexpr double most_parabolas = 2e7;
+
+/// Two parabolas of length g through values and rates at both ends miss a function by at most (2/81) |u‴| g³ between them.
+constexpr double two_parabolas_error = 2.0 / 81;
+
+void require_valid_sweep(const Sweep& s) {
+  const auto refuse = [](const char* name, double value, const char* unit, const char* rule) {
+    throw foundation::InvalidInput(fmt::format("sweep: {} = {:.6g} {}, {}", name, value, unit, rule));
+  };
+  const auto finite = [&](const char* name, double value, const char* unit) {
+    if (!std::isfinite(value)) refuse(name, value, unit, "must be finite");
+  };
+  finite("amplitude", s.amplitude, "");
+  finite("phase", s.phase, "rad");
+  finite("start", s.start, "s");
+  finite("from", s.from, "rad/s");
+  finite("to", s.to, "rad/s");
+  if (!(s.duration > 0) || !std::isfinite(s.duration)) refuse("duration", s.duration, "s", "must be > 0");
+  const bool logarithmic = s.law == Sweep::Law::logarithmic;
+  if (s.from < 0 || (logarithmic && s.from == 0)) refuse("from", s.from, "rad/s", logarithmic ? "must be > 0" : "must be ≥ 0");
+  if (s.to < 0 || (s.to == 0 && (logarithmic || s.amplitude_law == Sweep::Amplitude::speed_squared || s.from == 0)))
+    refuse("to", s.to, "rad/s", "must be > 0");
+}
+
+/// φ, ω, ω̇, ω̈ at s.
+struct Phase {
+  double angle, omega, rate, second_rate;
+};
+
+Phase phase_of(const Sweep& sweep, double s) {
+  if (sweep.law == Sweep::Law::linear) {
+    const double rate = (sweep.to - sweep.from) / sweep.duration;
+    return {sweep.phase + s * (sweep.from + rate * s / 2), sweep.from + rate * s, rate, 0};
+  }
+  const double growth = std::log(sweep.to / sweep.from) / sweep.duration, x = growth * s, omega = sweep.from * std::exp(x);
+  return {sweep.phase + sweep.from * s * (x == 0 ? 1 : std::expm1(x) / x), omega, omega * growth, omega * growth * growth};
+}
+
+double local_amplitude(const Sweep& sweep, double s) {
+  if (sweep.amplitude_law == Sweep::Amplitude::constant) return std::abs(sweep.amplitude);
+  const double ratio = phase_of(sweep, s).omega / sweep.to;
+  return std::abs(sweep.amplitude) * ratio * ratio;
+}
+
+/// Two parabolas over [s, s + 2g] that take over value and rate at both ends.
+std::pair<Piece, Piece> two_parabolas(const Sweep& sweep, double s, double g) {
+  const SignalState a = sweep_state(sweep, s), b = sweep_state(sweep, s + 2 * g);
+  const double middle_rate = (b.value - a.value) / g - (a.rate + b.rate) / 2;
+  const Piece first{sweep.start + s, a.value, a.rate, (middle_rate - a.rate) / g};
+  return {first, {sweep.start + s + g, state_on(first, g).value, middle_rate, (b.rate - middle_rate) / g}};
+}
+
+/// Largest difference of the two from the sweep, looked for where a cubic has its two largest.
+double error_of(const Sweep& sweep, const std::pair<Piece, Piece>& pair, double s, double g) {
+  return std::max(std::abs(state_on(pair.first, g * 2 / 3).value - sweep_state(sweep, s + g * 2 / 3).value),
+                  std::abs(state_on(pair.second, g / 3).value - sweep_state(sweep, s + g * 4 / 3).value));
+}
+
+}  // namespace
+
+SignalState sweep_state(const Sweep& sweep, double s) {
+  const Phase p = phase_of(sweep, s);
+  const double sine = std::sin(p.angle), cosine = std::cos(p.angle), A = sweep.amplitude;
+  double a = A, a1 = 0, a2 = 0;
+  if (sweep.amplitude_law == Sweep::Amplitude::speed_squared) {
+    const double scale = A / (sweep.to * sweep.to);
+    a = scale * p.omega * p.omega;
+    a1 = 2 * scale * p.omega * p.rate;
+    a2 = 2 * scale * (p.rate * p.rate + p.omega * p.second_rate);
+  }
+  return {a * sine, a1 * sine + a * p.omega * cosine, a2 * sine + (2 * a1 * p.omega + a * p.rate) * cosine - a * p.omega * p.omega * sine};
+}
+
+Signal sweep_signal(const Sweep& sweep, double tolerance) {
+  require_valid_sweep(sweep);
+  if (!(tolerance >= 1e-12 && tolerance <= 0.1))
+    throw foundation::InvalidInput(fmt::format("sweep: tolerance {:.3g}, must be between 1e-12 and 0.1", tolerance));
+  const double radians_per_piece = std::cbrt(0.9 * tolerance / two_parabolas_error);
+  if (const double count = phase_of(sweep, sweep.duration).angle / radians_per_piece; count > most_parabolas)
+    throw foundation::NotComputable(fmt::format("a sweep of {:.3g} cycles takes {:.2g} parabolas at a tolerance of {:.1g}; the most is {:.1g}",
+                                                (phase_of(sweep, sweep.duration).angle - sweep.phase) / 6.283185307179586, count, tolerance,
+                                                most_parabolas));
+  Signal signal;
+  for (double s = 0; s < sweep.duration;) {
+    const double left = sweep.duration - s;
+    const auto evenly = [&](double g) { return left / (2 * std::max(1.0, std::ceil(left / (2 * g)))); };
+    const auto fastest = [&](double g) { return std::max(phase_of(sweep, s).omega, phase_of(sweep, s + 2 * g).omega); };
+    double g = left / 2;
+    for (int i = 0; i < 2; ++i) g = evenly(std::min(left / 2, radians_per_piece / fastest(i == 0 && fastest(0) > 0 ? 0 : g)));
+    auto pair = two_parabolas(sweep, s, g);
+    while (error_of(sweep, pair, s, g) > 0.9 * tolerance * std::max(local_amplitude(sweep, s), local_amplitude(sweep, s + 2 * g)))
+      pair = two_parabolas(sweep, s, g = evenly(0.7 * g));
+    signal.pieces.push_back(pair.first);
+    signal.pieces.push_back(pair.second);
+    s = 2 * g < left ? s + 2 * g : sweep.duration;
+  }
+  signal.pieces.push_back({sweep.start + sweep.duration});
+  require_valid(signal);
+  return signal;
+}
+
+}  // namespace trivet::excitation
