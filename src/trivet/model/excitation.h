@@ -7,6 +7,10 @@
 #include <variant>
 #include <vector>
 
+#include "trivet/excitation/cross_spectrum.h"
+#include "trivet/excitation/engine_orders.h"
+#include "trivet/excitation/signal.h"
+#include "trivet/excitation/spectrum.h"
 #include "trivet/spatial/types.h"
 
 namespace trivet::model {
@@ -36,7 +40,28 @@ struct Harmonic {
   int power_of_frequency = 0;
 };
 
-using Course = std::variant<Harmonic>;
+/// Forces and moments at multiples of a shaft speed, body axes; the amplitude of the action is not used.
+struct Orders {
+  std::vector<excitation::Order> list;
+};
+
+/// Stationary random with one spectral density of what the amplitude of the action multiplies.
+struct Random {
+  excitation::Spectrum spectrum;
+  /// How it goes with other random excitations (by name); uncorrelated with all others.
+  struct Partner {
+    std::string other;
+    excitation::Coherence coherence;
+  };
+  std::vector<Partner> partners;
+};
+
+/// One run of time from rest: u(t) times the amplitude of the action, which is real.
+struct History {
+  excitation::Signal signal;
+};
+
+using Course = std::variant<Harmonic, Orders, Random, History>;
 
 /// Something that drives the system.
 struct Excitation {
