@@ -48,6 +48,8 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
   mode.kinetic_energy_share.resize(6 * bodies);
   for (Eigen::Index b = 0; b < bodies; ++b)
     mode.kinetic_energy_share.segment<6>(6 * b) = assembled.layout.of_body(static_cast<std::size_t>(b), share);
+  for (std::size_t f = 0; f < system.description().foundations.size(); ++f)
+    mode.foundation_kinetic_energy_share += share.segment(assembled.layout.foundation_row(f), system.description().foundations[f].mass.rows()).sum();
   mode.element_kinetic_energy_share.setZero(static_cast<Eigen::Index>(assembled.elements.size()));
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const assembly::ElementMap& map = assembled.elements[e];

@@ -24,6 +24,7 @@ struct Mode {
   Eigen::VectorXd shape_at_centre;           ///< at the centres of mass
   Eigen::VectorXd kinetic_energy_share;      ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1 with the next, single terms may leave 0 … 1
   Eigen::VectorXd element_kinetic_energy_share;    ///< of each element's internal coordinates, likewise; with the bodies' shares it sums to 1
+  double foundation_kinetic_energy_share = 0;      ///< of all coordinates of foundations together, likewise
   Eigen::VectorXd principal_kinetic_energy_share;  ///< of the bodies alone, along and about the central principal axes; all ≥ 0, sums to 1
   std::optional<Eigen::VectorXd> strain_energy_share;  ///< per element, sums to 1; none where ω² = 0
   std::vector<spatial::Screw> screws;        ///< per body

@@ -53,6 +53,7 @@ std::string motion_words(const spatial::Screw& screw, double size) {
 }
 
 std::string mode_name(const model::System& system, const Mode& mode) {
+  if (mode.foundation_kinetic_energy_share > inside_elements) return "motion of the foundation";
   if (mode.element_kinetic_energy_share.sum() > inside_elements) {
     std::string names;
     for (std::size_t e = 0; e < system.elements().size(); ++e)

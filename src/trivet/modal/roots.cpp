@@ -54,6 +54,11 @@ double rest_limit(const numerics::QuadraticRoots& roots, Eigen::Index most) {
 }
 
 AllRoots all_roots(const numerics::DynamicMatrices& m) {
+  if (const numerics::WithoutIdle kept = numerics::without_idle(m); kept.any) {
+    AllRoots result = all_roots(kept.matrices);
+    result.roots.vectors = (kept.recovery * result.roots.vectors).eval();
+    return result;
+  }
   const numerics::MassiveSystem massive = numerics::massive_system(m);
   const bool massless = massive.A.rows() < m.size();
   const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, m.symmetric);

@@ -93,19 +93,8 @@ void warn_of_slips(const Element& element, const std::string& subject, foundatio
                      "check the unit, or the ratio of B to K that is meant");
 }
 
-}  // namespace
-
-void check_element(const Description& description, const Element& element, foundation::Problems& problems) {
-  const std::string subject = "elements." + element.name;
-  if (!element.k.body && element.n.body) {
-    problems.error(subject, "end K is on the ground", "an element's end K is on a body, its end N on a body or on the ground", "exchange the ends");
-    return;
-  }
-  if (element.n.body == element.k.body) {
-    problems.error(subject, element.n.body ? "both ends are on the same body" : "both ends are on the ground",
-                   "an element joins two bodies, or a body and the ground", "change `on` or `from`");
-    return;
-  }
+/// What the law itself must keep, wherever the element stands.
+void check_laws(const Description& description, const Element& element, const std::string& subject, foundation::Problems& problems) {
   if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && !element.symmetric)
     problems.error(subject + ".damping", "a viscoelastic law on an unsymmetric stiffness", "its strains follow from a symmetric stiffness", "use proportional damping or a loss factor");
   if (!(element.law.scale > 0))
@@ -126,6 +115,23 @@ void check_element(const Description& description, const Element& element, found
     problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
   warn_of_slips(element, subject + ".damping", problems);
+}
+
+}  // namespace
+
+void check_element(const Description& description, const Element& element, foundation::Problems& problems) {
+  const std::string subject = "elements." + element.name;
+  if (element.is_foundation) return check_laws(description, element, subject, problems);
+  if (!element.k.body && element.n.body) {
+    problems.error(subject, "end K is on the ground", "an element's end K is on a body, its end N on a body or on the ground", "exchange the ends");
+    return;
+  }
+  if (element.n.body == element.k.body) {
+    problems.error(subject, element.n.body ? "both ends are on the same body" : "both ends are on the ground",
+                   "an element joins two bodies, or a body and the ground", "change `on` or `from`");
+    return;
+  }
+  check_laws(description, element, subject, problems);
 }
 
 }  // namespace trivet::model

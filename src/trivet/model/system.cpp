@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "trivet/model/checks.h"
@@ -19,9 +20,9 @@ void check_names(const Things& things, const std::string& kind, foundation::Prob
   std::set<std::string> seen;
   for (const auto& thing : things) {
     const bool empty = thing.name.empty();
-    if (empty || thing.name.find_first_of(".\n") != std::string::npos || thing.name == "ground" || thing.name == "coordinates")
+    if (empty || thing.name.find_first_of(".\n") != std::string::npos || thing.name == "ground" || thing.name == "base" || thing.name == "coordinates")
       problems.error(kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
-                     "a name is not empty, has no dot and no line break, and is neither \"ground\" nor \"coordinates\"", "choose another name");
+                     "a name is not empty, has no dot and no line break, and is none of \"ground\", \"base\" and \"coordinates\"", "choose another name");
     if (!seen.insert(thing.name).second)
       problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name), "names are unique", "rename one of them");
   }
@@ -49,6 +50,7 @@ void check_damping(const Description& description, foundation::Problems& problem
       for (const bool free : body.free) coordinates += free;
     for (const auto& element : description.elements)
       if (element.law.inertia) coordinates += static_cast<std::size_t>(element.law.inertia->angular_frequencies.size());
+    for (const auto& foundation : description.foundations) coordinates += static_cast<std::size_t>((foundation.mass.diagonal().array() > 0).count());
     if (modal->ratios.size() != 1 && modal->ratios.size() != coordinates)
       problems.error("damping.modal", fmt::format("{} ratios", modal->ratios.size()),
                      fmt::format("one for all modes, or one for each of the {} modes", coordinates), "complete or shorten the list");
@@ -65,23 +67,53 @@ void check_damping(const Description& description, foundation::Problems& problem
   }
 }
 
+/// Random excitations that go together must be able to: the matrix of their coherences has no negative eigenvalue.
+void check_random(const Description& description, foundation::Problems& problems) {
+  excitation::RandomInputs inputs;
+  std::vector<std::string> names;
+  for (const Excitation& excitation : description.excitations)
+    if (const auto* random = std::get_if<Random>(&excitation.course)) {
+      inputs.spectra.push_back(random->spectrum);
+      names.push_back(excitation.name);
+    }
+  bool known = true;
+  for (const Excitation& excitation : description.excitations)
+    if (const auto* random = std::get_if<Random>(&excitation.course))
+      for (const Random::Partner& partner : random->partners) {
+        const auto at = [&](const std::string& name) { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
+        if (at(partner.other) == names.size()) {
+          const std::string guess = foundation::nearest_name(partner.other, names);
+          problems.error("excitations." + excitation.name + ".coherence", "with \"" + partner.other + "\"", "no random excitation has this name",
+                         guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+          known = false;
+        } else {
+          inputs.pairs.push_back({at(partner.other), at(excitation.name), partner.coherence, 0});
+        }
+      }
+  if (known && !inputs.pairs.empty()) problems.add(excitation::check(inputs, "excitations"));
+}
+
 }  // namespace
 
 foundation::Expected<System> System::checked(Description description) {
   foundation::Problems problems;
   if (description.bodies.empty()) problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
   check_names(description.bodies, "bodies", problems);
-  check_names(description.elements, "elements", problems);
+  std::vector<NameOnly> elements;  // a foundation bears the name of the element above it
+  for (const auto& element : description.elements)
+    if (!element.is_foundation) elements.push_back({element.name});
+  check_names(elements, "elements", problems);
   std::vector<NameOnly> excitations;
   for (const auto& excitation : description.excitations) excitations.push_back({excitation.name});
   for (const auto& force : description.constant_forces) excitations.push_back({force.name});
   check_names(excitations, "excitations", problems);
+  check_random(description, problems);
   check_shared_names(description, problems);
   for (const auto& body : description.bodies) {
     check_names(body.points, "bodies." + body.name + ".points", problems);
     for (const auto& point : body.points)
       for (const char* coordinate : coordinate_names)
-        if (point.name == coordinate)
+        if (point.name == coordinate || point.name == "relative")
           problems.error("bodies." + body.name + ".points." + point.name, fmt::format("point named \"{}\"", point.name),
                          "x, y, z, rx, ry, rz name the coordinates of the pole", "choose another name");
     check_body(body, problems);

@@ -31,4 +31,25 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   return result;
 }
 
+WithoutIdle without_idle(const DynamicMatrices& m) {
+  std::vector<Eigen::Index> kept, idle;
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
+    const bool moves_itself = !m.A.row(i).isZero(0) || !m.B.row(i).isZero(0) || !m.B.col(i).isZero(0);
+    (moves_itself ? kept : idle).push_back(i);
+  }
+  if (idle.empty()) return {m, {}, false};
+  const Eigen::MatrixXcd k = m.complex_stiffness();
+  const Eigen::MatrixXcd held = k(idle, idle);
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(held);
+  if (lu.matrixLU().diagonal().cwiseAbs().minCoeff() == 0)
+    throw foundation::NotComputable("a coordinate of a foundation or an element has neither mass nor damping nor stiffness");
+  const Eigen::MatrixXcd follow = -lu.solve(k(idle, kept));
+  const Eigen::MatrixXcd condensed = k(kept, kept) + k(kept, idle) * follow;
+  WithoutIdle result{{m.A(kept, kept), m.B(kept, kept), condensed.real(), m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
+                     Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())), true};
+  for (std::size_t j = 0; j < kept.size(); ++j) result.recovery(kept[j], static_cast<Eigen::Index>(j)) = 1;
+  for (std::size_t i = 0; i < idle.size(); ++i) result.recovery.row(idle[i]) = follow.row(static_cast<Eigen::Index>(i));
+  return result;
+}
+
 }  // namespace trivet::numerics

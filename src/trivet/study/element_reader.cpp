@@ -37,7 +37,7 @@ std::vector<std::string> all_types() {
 /// Builds one element: where its ends are, then its law in their axes.
 class ElementReader {
  public:
-  ElementReader(const Node& node, const std::string& name, const model::Description& description, const Mentioned& mentioned, foundation::Problems& problems)
+  ElementReader(const Node& node, const std::string& name, const model::Description& description, Mentioned& mentioned, foundation::Problems& problems)
       : node_(node), reader_(node, "elements." + name, problems), bodies_(description), mentioned_(mentioned) {
     element_.name = name;
   }
@@ -51,6 +51,7 @@ class ElementReader {
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
     if (element_.law.scale > 0) element_.massless_up_to *= std::sqrt(element_.law.scale);
+    if (const auto foundation = reader_.text("foundation")) mentioned_.stands_on.emplace_back(element_.name, *foundation);
     const bool known_law = sized || read_law();
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();
@@ -185,7 +186,7 @@ class ElementReader {
   const Node& node_;
   TableReader reader_;
   const model::Description& bodies_;
-  const Mentioned& mentioned_;
+  Mentioned& mentioned_;
   model::Element element_;
   model::Span span_{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   bool placed_ = false;

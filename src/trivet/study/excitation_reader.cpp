@@ -1,56 +1,93 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "trivet/study/part_readers.h"
+#include <algorithm>
+
+#include "trivet/study/excitation_parts.h"
 
 namespace trivet::study {
 namespace {
 
-spatial::Wrench read_wrench(TableReader& reader) {
-  spatial::Wrench wrench;
-  wrench.force = reader.vector("force", Quantity::force).value_or(Eigen::Vector3d::Zero());
-  wrench.moment = reader.vector("moment", Quantity::moment).value_or(Eigen::Vector3d::Zero());
-  if (!reader.has("force") && !reader.has("moment"))
-    reader.error("force", "neither force nor moment", "an excitation has at least one of them", "give force = [Fx, Fy, Fz] in N");
-  return wrench;
+const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders", "random", "time", "constant"};
+
+/// A force on a body, or with `base = true` a motion of the ground; its numbers are factors.
+std::optional<model::Action> read_directed(TableReader& reader, const model::Description& description, const Mentioned& mentioned) {
+  return reader.boolean("base").value_or(false) ? read_ground_motion(reader, description, mentioned, ActionNumbers::factors)
+                                                : read_force(reader, description, mentioned, ActionNumbers::factors);
 }
 
-/// One phase for all six components, or six: three of the force, three of the moment.
-spatial::Vector6 read_phase(TableReader& reader) {
-  const Node* phase = reader.node("phase");
-  if (phase && phase->kind == Node::Kind::array) {
-    const auto values = reader.numbers("phase", Quantity::angle);
-    if (values && values->size() == 6) return Eigen::Map<const spatial::Vector6>(values->data());
-    if (values) reader.error("phase", fmt::format("{} phases", values->size()), "one phase, or six (force x y z, moment x y z)", "complete the list");
-    return spatial::Vector6::Zero();
+void read_constant(TableReader& reader, const std::string& name, model::Description& description, const Mentioned& mentioned) {
+  const auto action = read_force(reader, description, mentioned, ActionNumbers::amplitudes);
+  for (const char* key : {"phase", "delay"})
+    if (reader.has(key)) reader.error(key, std::string("a ") + key, "a constant force has none", "remove it");
+  if (!action) return;
+  spatial::Wrench wrench{action->amplitude.head<3>().real(), action->amplitude.tail<3>().real()};
+  description.constant_forces.push_back({name, *action->body, action->at, wrench});
+}
+
+/// `coherence = [{with = "NAME", value = 0.6}, …]`, or one table of it.
+std::vector<model::Random::Partner> read_partners(TableReader& reader) {
+  std::vector<model::Random::Partner> partners;
+  const Node* node = reader.node("coherence");
+  if (!node) return partners;
+  std::vector<const Node*> tables;
+  if (node->kind == Node::Kind::table) tables.push_back(node);
+  for (const Node& item : node->items)
+    if (node->kind == Node::Kind::array && item.kind == Node::Kind::table) tables.push_back(&item);
+  if (tables.empty()) reader.error("coherence", words(node->kind), "a table, or a list of tables, is wanted: {with = \"NAME\", value = 0.6}", "write it so");
+  for (const Node* one : tables) {
+    TableReader inside(*one, reader.path() + ".coherence", reader.problems());
+    model::Random::Partner partner;
+    partner.other = inside.required_text("with");
+    partner.coherence.at_zero = inside.required_number("value", Quantity::pure);
+    partner.coherence.decay = inside.number("decay", Quantity::pure).value_or(0);
+    partner.coherence.distance = inside.number("distance", Quantity::length).value_or(0);
+    partner.coherence.speed = inside.number("speed", Quantity::velocity).value_or(0);
+    inside.finish();
+    partners.push_back(partner);
   }
-  return spatial::Vector6::Constant(reader.number("phase", Quantity::angle).value_or(0));
+  return partners;
 }
 
 void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "excitations." + name, problems);
   reader.required_text("type");
-  const auto type = reader.choice("type", {"harmonic", "constant"});
-  if (!reader.has("on")) reader.missing("on", "name the body: on = \"BODY\"");
-  const auto on = body_named(reader, "on", description, mentioned);
-  const Eigen::Vector3d at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
-  if (!reader.has("at")) reader.missing("at", "give the point of action on the body: at = [x, y, z]");
-  (type == "constant" ? mentioned.constant_excitations : mentioned.harmonic_excitations).push_back(name);
-  if (!type) return;  // what else may stand here depends on the type
-  const spatial::Wrench wrench = read_wrench(reader);
-  if (type == "harmonic") {
-    const spatial::Vector6 phase = read_phase(reader);
-    if (!on) return reader.finish();
-    model::Action action;
-    action.body = on;
-    action.at = at;
-    for (int j = 0; j < 6; ++j) {
-      const double amplitude = j < 3 ? wrench.force(j) : wrench.moment(j - 3);
-      action.amplitude(j) = phase(j) == 0 ? std::complex<double>(amplitude) : amplitude * std::exp(std::complex<double>(0, phase(j)));
-    }
-    description.excitations.push_back({name, action, model::Harmonic{}});
-  } else if (on) {
-    description.constant_forces.push_back({name, *on, at, wrench});
+  const auto type = reader.choice("type", types);
+  if (type == "constant") mentioned.constant_excitations.push_back(name);
+  else if (type == "random") mentioned.random_excitations.push_back(name);
+  else if (type == "time") mentioned.time_excitations.push_back(name);
+  else if (type == "orders") mentioned.order_excitations.push_back(name);
+  else mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: no second problem where it is selected
+  if (type == "unbalance") mentioned.order_excitations.push_back(name);
+  const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
+    if (action) description.excitations.push_back({name, *action, std::move(course)});
+  };
+  if (!type) {  // what else may stand here depends on the type
+    static_cast<void>(read_place(reader, description, mentioned));
+    return;
+  }
+  if (type == "harmonic") add(read_force(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "base") add(read_ground_motion(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "constant") read_constant(reader, name, description, mentioned);
+  if (type == "unbalance") {
+    auto action = read_place(reader, description, mentioned);
+    model::Action numbers = action.value_or(model::Action{});
+    read_unbalance(reader, numbers);
+    if (action) add(numbers, model::Harmonic{2});
+  }
+  if (type == "orders") {
+    const auto action = read_place(reader, description, mentioned);
+    if (auto orders = read_orders(reader)) add(action, std::move(*orders));
+  }
+  if (type == "random") {
+    const auto action = read_directed(reader, description, mentioned);
+    auto spectrum = read_spectrum(reader, "psd", action.value_or(model::Action{}));
+    auto partners = read_partners(reader);
+    if (spectrum) add(action, model::Random{std::move(*spectrum), std::move(partners)});
+  }
+  if (type == "time") {
+    const auto action = read_directed(reader, description, mentioned);
+    if (auto signal = read_history(reader, "history", action.value_or(model::Action{}))) add(action, model::History{std::move(*signal)});
   }
   reader.finish();
 }

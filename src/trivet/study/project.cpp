@@ -8,6 +8,7 @@
 
 #include "trivet/study/changes.h"
 #include "trivet/study/document.h"
+#include "trivet/study/foundation_reader.h"
 #include "trivet/study/part_readers.h"
 #include "trivet/study/source_file.h"
 #include "trivet/study/toml_text.h"
@@ -59,6 +60,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   description.title = title;
   read_bodies(root, description, mentioned);
   read_elements(root, description, mentioned);
+  read_foundations(root, description, mentioned);
   read_system_damping(root, description);
   read_excitations(root, description, mentioned);
   Analyses analyses = read_analyses(root, mentioned);

@@ -19,6 +19,7 @@ struct FreeUnit {
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
 constexpr std::size_t longest_unit = 48;
+constexpr double standard_gravity = 9.80665;  // [m/s²]
 
 /// UDUNITS-2 with angle and energy as base dimensions and the words of rotating machinery added.
 class UnitSystem {
@@ -138,6 +139,7 @@ const char* si_unit(Quantity quantity) {
     case Quantity::damping_moment_per_angle: return "N m s/rad";
     case Quantity::pressure: return "Pa";
     case Quantity::density: return "kg/m3";
+    case Quantity::mass_length: return "kg m";
   }
   return "";
 }
@@ -149,6 +151,7 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value)) return tl::make_unexpected("it does not start with a finite number");
   const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (unit_text == "g" && quantity == Quantity::acceleration) return value * standard_gravity;  // no gram measures an acceleration
   const std::string expected = si_unit(quantity);
   if (unit_text.empty())
     return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit" : "the unit is missing");

@@ -33,7 +33,8 @@ enum class Quantity {
   damping_moment_per_length,
   damping_moment_per_angle,
   pressure,
-  density
+  density,
+  mass_length
 };
 
 [[nodiscard]] const char* si_unit(Quantity quantity);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace trivet::identification {
+
+/// Could a passive, causal structure have this mobility?
+struct MobilityVerdict {
+  double relative_rms = 0;   ///< distance from the nearest such mobility, rms of the relative distance over the rows
+  bool passes = true;        ///< within what noise explains
+  bool refused = false;      ///< so far away that its phase must be wrong
+};
+
+/// The driving-point mobility of any passive linear structure is a sum of resonators with positive weights, Y = Σ aₖ iω/(ωₖ² − ω² + 2iζₖωₖω) (ω₀ = 0: a mass;
+/// ωₖ → ∞: a spring). The nearest sum over a grid of ωₖ and ζₖ is found by non-negative least squares on relative distances.
+/// @param angular_frequencies  [rad/s] > 0, increasing
+/// @param mobility             [(m/s)/N], not 0
+[[nodiscard]] MobilityVerdict mobility_causality(const std::vector<double>& angular_frequencies, const Eigen::VectorXcd& mobility);
+
+}  // namespace trivet::identification
