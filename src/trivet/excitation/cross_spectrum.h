@@ -25,7 +25,7 @@ struct Coherence {
 /// How input `second` is related to input `first` (indices from 0): coherent by `coherence`, and later by `delay` [s].
 struct InputPair {
   std::size_t first = 0, second = 0;
-  Coherence coherence;
+  Coherence coherence = {};
   double delay = 0;
 };
 

@@ -42,6 +42,7 @@ std::complex<double> value(const Polynomial& p, std::complex<double> s) {
 }  // namespace
 
 WeightingParameters parameters(Weighting weighting) {
+  const double velocity_corner = 1 / (2 * std::numbers::pi * 0.028);  // a time constant of 28 ms
   switch (weighting) {
     case Weighting::Wb: return {0.4, 100, 16, 16, 0.55, 2.5, 0.9, 4, 0.95, 1.024};
     case Weighting::Wc: return {0.4, 100, 8, 8, 0.63, infinite, 1, infinite, 1, 1};
@@ -50,6 +51,7 @@ WeightingParameters parameters(Weighting weighting) {
     case Weighting::Wf: return {0.08, 0.63, infinite, 0.25, 0.86, 0.0625, 0.8, 0.1, 0.8, 1};
     case Weighting::Wj: return {0.4, 100, infinite, infinite, 1, 3.75, 0.91, 5.32, 0.91, 1};
     case Weighting::Wk: return {0.4, 100, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91, 1};
+    case Weighting::Wm: return {std::pow(10, -0.1), 100, velocity_corner, velocity_corner, 0.5, infinite, 1, infinite, 1, 1};
   }
   throw foundation::InvalidInput("a frequency weighting that does not exist");
 }
