@@ -27,7 +27,7 @@ struct Engine {
   double rotating_mass = 0;     ///< [kg] ≥ 0 per cylinder, at the crank radius: the big end's share of the rod, and the throw
   double counterweight = 0;     ///< [kg m] ≥ 0 per cylinder, mass × radius opposite to its throw
   int strokes = 4;              ///< 4 or 2: a cycle takes 4π or 2π of θ
-  std::vector<Cylinder> cylinders;
+  std::vector<Cylinder> cylinders = {};
 
   [[nodiscard]] double cycle() const { return strokes * std::numbers::pi; }
 };
@@ -43,7 +43,7 @@ struct EngineLayout {
   double bank_angle = 0;          ///< [rad], between the banks of a vee; a boxer has π
   double spacing = 0;             ///< [m] between neighbours of a bank
   double bank_offset = 0;         ///< [m] by which the second bank stands behind the first
-  std::vector<int> firing_order;  ///< numbers from 1. Empty: the usual one of an in-line engine of 1 … 6 or 8 cylinders with four strokes
+  std::vector<int> firing_order = {};  ///< numbers from 1. Empty: the usual one of an in-line engine of 1 … 6 or 8 cylinders with four strokes
   int strokes = 4;
 };
 
