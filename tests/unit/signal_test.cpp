@@ -55,6 +55,8 @@ TEST(Signal, ASlowSineGoesOverIntoAParabola) {
   const SignalState parabola = state_on({0, 1, 2, 3, 0}, 2), slow = state_on({0, 1, 2, 3, 1e-9}, 2);
   EXPECT_THAT(slow.value, RelativelyNear(parabola.value, round_off));
   EXPECT_THAT(slow.rate, RelativelyNear(parabola.rate, round_off));
+  const double slow_integral = integrals({{Piece{0, 1, 2, 3, 1e-5}}}, 2).twice, parabola_integral = integrals({{Piece{0, 1, 2, 3, 0}}}, 2).twice;
+  EXPECT_THAT(slow_integral, RelativelyNear(parabola_integral, 1e-9));  // κ²s² = 4e-10
   // Either side of the change from series to closed form, κs = 1.
   EXPECT_THAT(state_on({0, 1, 2, 3, 1 + 1e-14}, 1).value, RelativelyNear(state_on({0, 1, 2, 3, 1 - 1e-14}, 1).value, round_off));
 }
@@ -160,6 +162,16 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
       }
       EXPECT_EQ(state(signal, sweep.start + sweep.duration + 1e-9).value, 0);
     }
+}
+
+TEST(Sweep, StateHoldsTheDerivativesOfItsValue) {
+  const double h = 1e-5;
+  for (const auto law : {Sweep::Law::linear, Sweep::Law::logarithmic}) {
+    const Sweep sweep{2, 3, 8, 4, law, Sweep::Amplitude::speed_squared, 0.3};
+    const SignalState before = sweep_state(sweep, 1.7 - h), here = sweep_state(sweep, 1.7), after = sweep_state(sweep, 1.7 + h);
+    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);  // h² u‴/6
+    EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, 1e-7);
+  }
 }
 
 TEST(Sweep, RefusesWhatItCannotRun) {

@@ -110,6 +110,12 @@ TEST(Spectrum, FromZeroHertzItCanOnlyBeDifferentiated) {
   EXPECT_THROW((void)of_scaled_signal(s, 0), foundation::InvalidInput);
 }
 
+TEST(Spectrum, BeginsWhereItsDensityDoes) {
+  const Spectrum s = from_table({{0, 1, 2}, {0, 0, 3}, SpectrumTable::Interpolation::linear});
+  EXPECT_EQ(s.from(), two_pi);
+  EXPECT_GT(rms(differentiated(s, -2)), 0);
+}
+
 TEST(Spectrum, FindingsNameTheRow) {
   const auto first = [](const SpectrumTable& t) { return foundation::message(check(t, "psd.csv").list().at(0)); };
   EXPECT_THAT(first({{1, 2}, {1, -3}}), HasSubstr("row 2: density -3 at 2 Hz; a power spectral density"));
@@ -167,6 +173,8 @@ TEST(RandomInputs, RefuseWhatNoSignalsCanDo) {
   EXPECT_THAT(first({three, {{0, 1}, {1, 2}}}), HasSubstr("eigenvalue -0.414"));
   EXPECT_TRUE(check({three, {{0, 1, {}, 0.3}, {1, 2, {}, 0.5}, {0, 2, {}, 0.8}}}, "").list().empty());
   EXPECT_THAT(first({three, {{0, 1, {}, 0.3}, {1, 2, {}, 0.5}, {0, 2, {}, 0.7}}}), HasSubstr("delays add up"));
+  // Wrong by 2π s: right at the breakpoints 1 and 9 rad/s, and wrong between them.
+  EXPECT_TRUE(check({three, {{0, 1, {}, 0.3}, {1, 2, {}, 0.5}, {0, 2, {}, 0.8 + two_pi}}}, "").has_errors());
   EXPECT_TRUE(check({three, {{0, 1, {0.4}}, {1, 2, {0.4}}}}, "").list().empty());  // √0.4 √2 < 1
   EXPECT_THAT(first({three, {{0, 3}}}), HasSubstr("two different ones of the 3 inputs"));
   EXPECT_THAT(first({three, {{1, 1}}}), HasSubstr("two different"));

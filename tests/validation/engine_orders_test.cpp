@@ -307,6 +307,16 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   EXPECT_GT(inertia(boxer, 2).tail<3>().norm(), 1);  // the couple of the offset banks is left
 }
 
+TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {
+  const auto vee = evenly_firing_cylinders(
+      {.kind = EngineLayout::Kind::vee, .cylinders = 6, .bank_angle = 60 * degree, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 4, 2, 5, 3, 6}});
+  const double positions[] = {0.11, 0.01, -0.09, 0.09, -0.01, -0.11};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(vee[i].position, positions[i], 1e-15);
+    EXPECT_NEAR(vee[i].bank_angle, (i < 3 ? 30 : -30) * degree, 1e-15);
+  }
+}
+
 TEST(Engine, FindingsSayWhatIsWrong) {
   const auto first = [](const Engine& e) { return foundation::message(check(e, "engine").list().at(0)); };
   Engine engine = engine_of({{0, 0, 0}});

@@ -96,6 +96,16 @@ TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
   EXPECT_THAT(shock_spectrum(step(1), {5}, 0.2).at(0).relative_displacement * 25, RelativelyNear(1 + std::exp(-pi * 0.2 / std::sqrt(0.96)), digits));
 }
 
+TEST(ShockSpectrum, AnImpulseLeavesItsClosedFormBehind) {
+  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse while the absolute acceleration 2ζωV was largest in it.
+  const double duration = 1e-6;
+  for (const double zeta : {0.6, 0.8, 0.9}) {
+    const ShockResponse response = shock_spectrum(rectangular(1 / duration, duration), {1}, zeta).at(0);
+    EXPECT_THAT(response.pseudo_velocity(), RelativelyNear(std::exp(-zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta)), 10 * duration));
+    EXPECT_THAT(response.maximax(), RelativelyNear(2 * zeta, 10 * duration));
+  }
+}
+
 TEST(ShockSpectrum, RefusesWhatHasNoLargestValue) {
   EXPECT_THROW((void)shock_spectrum({{Piece{0, 0, 1}}}, {1}, 0.05), foundation::InvalidInput);
   EXPECT_THROW((void)shock_spectrum(step(1), {0}, 0.05), foundation::InvalidInput);

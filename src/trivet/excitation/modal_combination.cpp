@@ -65,7 +65,6 @@ double modal_correlation(double omega_i, double omega_j, double zeta_i, double z
   for (const double zeta : {zeta_i, zeta_j})
     if (!(zeta >= 0 && zeta < 1)) throw foundation::InvalidInput(fmt::format("damping ratio {:.6g}: it must be between 0 and 1", zeta));
   if (omega_i == omega_j && zeta_i == zeta_j) return 1;
-  if (zeta_i == 0 || zeta_j == 0) return 0;
   const double b = omega_i / omega_j, detuning = (1 - b) * (1 + b);
   return 8 * std::sqrt(zeta_i * zeta_j) * (b * zeta_i + zeta_j) * b * std::sqrt(b) /
          (detuning * detuning + 4 * zeta_i * zeta_j * b * (1 + b * b) + 4 * (zeta_i * zeta_i + zeta_j * zeta_j) * b * b);
