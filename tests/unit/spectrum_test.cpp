@@ -139,7 +139,9 @@ TEST(Road, RefusesWhatIsNoRoad) {
   EXPECT_THROW((void)road_spectrum({.roughness = 1, .waviness = 2, .wave_number_from = 0}, 20), foundation::InvalidInput);
 }
 
-RandomInputs two_inputs(double coherent, double delay) { return {{flat_spectrum(4, 1, 9), flat_spectrum(9, 1, 9)}, {{0, 1, {coherent}, delay}}}; }
+RandomInputs two_inputs(double coherent, double delay) {
+  return {{flat_spectrum(4, 1, 9), flat_spectrum(9, 1, 9)}, {{0, 1, {coherent}, delay}}};
+}
 
 TEST(RandomInputs, TheLaterInputLags) {
   const Eigen::MatrixXcd s = density_matrix(two_inputs(0.25, 0.1), 5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Piston engines against the textbook series (Taylor; Den Hartog, chapter 5), forces of five engines computed from the exact kinematics by discrete
-// Fourier transform, and whole-engine simulation in time.
+// Piston engines against the textbook series (Taylor; Den Hartog, chapter 5), forces of five engines computed from the exact kinematics by
+// discrete Fourier transform, and whole-engine simulation in time.
 #include "trivet/excitation/engine_orders.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,8 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
     for (const double phi : {0.0, 0.4, 1.3, 2.9, 4.4}) {
       const double sine = std::sin(phi), cosine = std::cos(phi), root = std::sqrt(1 - l * l * sine * sine);
       const double first = -sine - l * sine * cosine / root;  // s′/r, s″/r
-      const double second = -cosine - l * (cosine * cosine - sine * sine) / root - l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
+      const double second =
+          -cosine - l * (cosine * cosine - sine * sine) / root - l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
       double inertia = 0, product = 0;
       for (int n = 0; n <= count; ++n) inertia += all[static_cast<std::size_t>(n)] * std::cos(n * phi);
       for (int n = 0; n <= 2 * count; ++n) product += torque[static_cast<std::size_t>(n)] * std::sin(n * phi);
@@ -69,11 +70,14 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
   EXPECT_THROW((void)inertia_coefficients(0.3, 0), foundation::InvalidInput);
 }
 
-struct Placed { double crank_angle, bank_angle, position; };
+struct Placed {
+  double crank_angle, bank_angle, position;
+};
 
 Engine engine_of(std::initializer_list<Placed> cylinders) {
   Engine engine{.crank_radius = 0.045, .rod_ratio = 0.3, .oscillating_mass = 0.55};
-  for (const Placed& c : cylinders) engine.cylinders.push_back({.position = c.position, .bank_angle = c.bank_angle, .crank_angle = c.crank_angle});
+  for (const Placed& c : cylinders)
+    engine.cylinders.push_back({.position = c.position, .bank_angle = c.bank_angle, .crank_angle = c.crank_angle});
   return engine;
 }
 
@@ -90,7 +94,8 @@ void expect_order(const Engine& engine, int order, Complex vertical, Complex tra
   const double series = order == 6 ? 1e-2 : order == 4 ? 3e-4 : digits;
   const ComplexVector6 w = inertia(engine, order);
   const auto near = [&](Complex actual, Complex expected, const char* name) {
-    EXPECT_LE(std::abs(actual - expected), series * std::abs(expected) + absolute) << name << " of order " << order << ": " << actual << ", expected " << expected;
+    EXPECT_LE(std::abs(actual - expected), series * std::abs(expected) + absolute)
+        << name << " of order " << order << ": " << actual << ", expected " << expected;
   };
   near(w(2), vertical, "F_z");
   near(-w(1), transverse, "-F_y");
@@ -129,7 +134,12 @@ TEST(EngineOrders, OfAnInlineSixVanishBelowTheSixth) {
 
 TEST(EngineOrders, OfAVeeSixTurnAndTumble) {
   const double p = 30 * degree, m = -30 * degree;
-  const Engine vee = engine_of({{0, p, 0.09}, {60 * degree, m, 0.09}, {120 * degree, p, 0}, {180 * degree, m, 0}, {240 * degree, p, -0.09}, {300 * degree, m, -0.09}});
+  const Engine vee = engine_of({{0, p, 0.09},
+                                {60 * degree, m, 0.09},
+                                {120 * degree, p, 0},
+                                {180 * degree, m, 0},
+                                {240 * degree, p, -0.09},
+                                {300 * degree, m, -0.09}});
   expect_order(vee, 1, 0, 0, {164.88407852569912, 285.5876013656872}, {285.5876013656873, -164.88407852569907});
   expect_order(vee, 2, 0, 0, {-87.68986121931744, -50.62776498017381}, {50.627764980173794, -87.68986121931732});
   expect_order(vee, 4, 0, 0, {-2.0669959535588336, 1.1933806702010616}, {1.1933806702010608, 2.066995953558837});
@@ -138,15 +148,22 @@ TEST(EngineOrders, OfAVeeSixTurnAndTumble) {
 
 TEST(EngineOrders, OfACrossPlaneVeeEightAreItsPrimaryCouple) {
   const double p = 45 * degree, m = -45 * degree, q = 90 * degree;
-  const Engine vee = engine_of({{0, p, 0.135}, {0, m, 0.135}, {q, p, 0.045}, {q, m, 0.045}, {3 * q, p, -0.045}, {3 * q, m, -0.045}, {2 * q, p, -0.135}, {2 * q, m, -0.135}});
+  const Engine vee = engine_of({{0, p, 0.135},
+                                {0, m, 0.135},
+                                {q, p, 0.045},
+                                {q, m, 0.045},
+                                {3 * q, p, -0.045},
+                                {3 * q, m, -0.045},
+                                {2 * q, p, -0.135},
+                                {2 * q, m, -0.135}});
   expect_order(vee, 1, 0, 0, {659.5363141027967, 219.84543803426553}, {219.84543803426547, -659.5363141027965});
   expect_order(vee, 2, 0, 0, 0, 0);
   expect_order(vee, 4, 100.01156319242875, 0, 0, 0);
   expect_order(vee, 6, 0, 0, 0, 0);
 }
 
-/// The wrench of all cylinders at crank angle θ from the exact kinematics, one cylinder after another in vectors: pistons accelerate along their
-/// axes, throws circle, and the side force of each rod pushes its wall at the height of the piston.
+/// The wrench of all cylinders at crank angle θ from the exact kinematics, one cylinder after another in vectors: pistons accelerate along
+/// their axes, throws circle, and the side force of each rod pushes its wall at the height of the piston.
 Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double speed) {
   const double r = e.crank_radius, rod = r / e.rod_ratio;
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
@@ -158,13 +175,14 @@ Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double s
     };
     const double h = 1e-4, acceleration = (height(theta + h) - 2 * height(theta) + height(theta - h)) / (h * h) * speed * speed;
     const double phi = theta + c.crank_angle - c.bank_angle, s = height(theta);
-    const double pin_across = r * std::sin(phi);            // of the crank pin; the rod leans from the piston to it
-    const double along_rod = e.oscillating_mass * acceleration;  // axial force of the rod on the piston, no gas
+    const double pin_across = r * std::sin(phi);                            // of the crank pin; the rod leans from the piston to it
+    const double along_rod = e.oscillating_mass * acceleration;             // axial force of the rod on the piston, no gas
     const double side = -along_rod * pin_across / (s - r * std::cos(phi));  // of the rod on the piston, and so of the piston on the wall
     const Eigen::Vector3d throw_direction(0, -std::sin(theta + c.crank_angle), std::cos(theta + c.crank_angle));
     const Eigen::Vector3d at(c.position, 0, 0);
     // On the frame: the wall, and the main bearings with what the pin and the throw bring.
-    const Eigen::Vector3d wall = side * across, bearing = -along_rod * axis - side * across + (e.rotating_mass * r - e.counterweight) * speed * speed * throw_direction;
+    const Eigen::Vector3d wall = side * across, bearing = -along_rod * axis - side * across +
+                                                          (e.rotating_mass * r - e.counterweight) * speed * speed * throw_direction;
     force += wall + bearing;
     moment += (at + s * axis).cross(wall) + at.cross(bearing);
   }
@@ -175,7 +193,12 @@ Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double s
 
 TEST(EngineOrders, SumUpToTheForcesOfTheWholeEngineInTime) {
   Engine engine{.crank_radius = 0.05, .rod_ratio = 0.28, .oscillating_mass = 0.6, .rotating_mass = 0.8, .counterweight = 0.01};
-  engine.cylinders = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee, .cylinders = 4, .bank_angle = 70 * degree, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 3, 2, 4}});
+  engine.cylinders = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee,
+                                              .cylinders = 4,
+                                              .bank_angle = 70 * degree,
+                                              .spacing = 0.1,
+                                              .bank_offset = 0.02,
+                                              .firing_order = {1, 3, 2, 4}});
   const std::vector<Order> orders = inertia_orders(engine, 24);
   for (const double theta : {0.0, 0.7, 2.1, 3.9, 5.5}) {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
@@ -203,7 +226,8 @@ PressureTrace made_trace(const Engine& engine, int points) {
   PressureTrace trace;
   for (int i = 0; i < points; ++i) {
     const double phi = 4 * pi * i / points, sine = std::sin(phi);
-    const double stroke = 1 - std::cos(phi) + (1 - std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2))) / engine.rod_ratio;  // of r, from the top
+    const double stroke =
+        1 - std::cos(phi) + (1 - std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2))) / engine.rod_ratio;  // of r, from the top
     const double volume = 1 + 4.5 * stroke, closed = phi < 0.9 * pi || phi > 3.1 * pi ? 1 : 0;
     const double burnt = phi < 0.9 * pi ? 1 - std::exp(-3 * phi) : 0;
     trace.angles.push_back(phi);
@@ -247,7 +271,8 @@ TEST(GasTorque, MeanIsTheWorkOfTheCycle) {
   };
   double work = 0;
   for (std::size_t i = 0; i < 7200; ++i)
-    work += 0.5 * (trace.pressures[i] + trace.pressures[(i + 1) % 7200]) * (volume(4 * pi * static_cast<double>(i + 1) / 7200) - volume(trace.angles[i]));
+    work += 0.5 * (trace.pressures[i] + trace.pressures[(i + 1) % 7200]) *
+            (volume(4 * pi * static_cast<double>(i + 1) / 7200) - volume(trace.angles[i]));
   EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(), RelativelyNear(work, 1e-5));  // trapezoids of 0.1°
 }
 
@@ -296,8 +321,10 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   EXPECT_THAT(throws({.cylinders = 4}), ElementsAre(near(0), near(180), near(180), near(0)));
   EXPECT_THAT(throws({.cylinders = 6}), ElementsAre(near(0), near(240), near(120), near(120), near(240), near(0)));
   EXPECT_THAT(throws({.cylinders = 2}), ElementsAre(near(0), near(0)));
-  // A flat four, numbered 1 2 on one bank and 3 4 on the other, fires 1 4 3 2: opposite pistons have opposite throws, so primary forces cancel.
-  const EngineLayout flat{.kind = EngineLayout::Kind::boxer, .cylinders = 4, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 4, 3, 2}};
+  // A flat four, numbered 1 2 on one bank and 3 4 on the other, fires 1 4 3 2: opposite pistons have opposite throws, so primary forces
+  // cancel.
+  const EngineLayout flat{
+      .kind = EngineLayout::Kind::boxer, .cylinders = 4, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 4, 3, 2}};
   EXPECT_THAT(throws(flat), ElementsAre(near(90), near(270), near(270), near(90)));
   Engine boxer{.crank_radius = 0.04, .rod_ratio = 0.3, .oscillating_mass = 1};
   boxer.cylinders = evenly_firing_cylinders(flat);
@@ -308,8 +335,12 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
 }
 
 TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {
-  const auto vee = evenly_firing_cylinders(
-      {.kind = EngineLayout::Kind::vee, .cylinders = 6, .bank_angle = 60 * degree, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 4, 2, 5, 3, 6}});
+  const auto vee = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee,
+                                            .cylinders = 6,
+                                            .bank_angle = 60 * degree,
+                                            .spacing = 0.1,
+                                            .bank_offset = 0.02,
+                                            .firing_order = {1, 4, 2, 5, 3, 6}});
   const double positions[] = {0.11, 0.01, -0.09, 0.09, -0.01, -0.11};
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(vee[i].position, positions[i], 1e-15);
@@ -350,7 +381,8 @@ TEST(EngineLayout, RefusesWhatDoesNotExist) {
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 0}), foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 7}), foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::vee, .cylinders = 6}), foundation::InvalidInput);
-  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::boxer, .cylinders = 3, .firing_order = {1, 2, 3}}), foundation::InvalidInput);
+  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::boxer, .cylinders = 3, .firing_order = {1, 2, 3}}),
+               foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 4, .firing_order = {1, 3, 3, 2}}), foundation::InvalidInput);
 }
 

@@ -58,7 +58,8 @@ TEST(Balance, G63At3000PerMinuteIsTwentyMicrometres) {
 }
 
 TEST(ShockSpectrum, OfAHalfSineMeetsTwoOtherPrograms) {
-  // Half sine 50 g, 11 ms, Q = 10: an adaptive Runge–Kutta solution, and the ramp-invariant filter of ISO 18431-4 at 100 kHz, agree to 2e-3 at worst.
+  // Half sine 50 g, 11 ms, Q = 10: an adaptive Runge–Kutta solution, and the ramp-invariant filter of ISO 18431-4 at 100 kHz, agree to 2e-3
+  // at worst.
   constexpr double between_the_programs = 2e-3, of_the_positive = 2e-5;
   const double rows[][3] = {{10, 20.258752278258953, -17.31045360996183}, {20, 39.155563266296085, -33.45717124881133},
                             {40, 68.0773720328689, -58.16992848916654},   {60, 80.68026629838644, -68.18823947596796},
@@ -74,7 +75,8 @@ TEST(ShockSpectrum, OfAHalfSineMeetsTwoOtherPrograms) {
 
 TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
   constexpr double digits = 1e-11;
-  // Half sine, residual: 2β |cos(π/2β)|/(|β² − 1|) with β = f_pulse/f = 1/(2fT). Rectangle, residual: 2 |sin(πfT)|. [Harris, chapter on shock]
+  // Half sine, residual: 2β |cos(π/2β)|/(|β² − 1|) with β = f_pulse/f = 1/(2fT). Rectangle, residual: 2 |sin(πfT)|. [Harris, chapter on
+  // shock]
   for (const double fT : {0.1, 0.33, 0.81, 1.27, 2.6, 7.9}) {
     const double omega = two_pi * fT, beta = 1 / (2 * fT);  // T = 1
     const ShockResponse sine = shock_spectrum(half_sine(1, 1), {omega}, 0).at(0), box = shock_spectrum(rectangular(1, 1), {omega}, 0).at(0);
@@ -84,7 +86,8 @@ TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
     if (fT >= 0.5) {
       EXPECT_THAT(box.primary(), RelativelyNear(2, digits));
     }
-    EXPECT_THAT(sine.pseudo_velocity() * omega, RelativelyNear(sine.maximax(), digits));  // without damping ω²z is the absolute acceleration
+    EXPECT_THAT(sine.pseudo_velocity() * omega,
+                RelativelyNear(sine.maximax(), digits));  // without damping ω²z is the absolute acceleration
   }
   EXPECT_THAT(shock_spectrum(half_sine(1, 1), {two_pi * 0.81}, 0).at(0).maximax(), RelativelyNear(1.768, 5e-4));  // the well known peak
   // Exactly on resonance the half sine leaves π/2 behind.
@@ -93,11 +96,13 @@ TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
   EXPECT_THAT(shock_spectrum(step(1), {5}, 0).at(0).maximax(), RelativelyNear(2, digits));
   EXPECT_THAT(shock_spectrum(ramp(1, 1), {5}, 0).at(0).maximax(), RelativelyNear(1 + std::abs(std::sin(2.5)) / 2.5, digits));
   // A damped step: overshoot of the relative displacement e^{−πζ/√(1−ζ²)}.
-  EXPECT_THAT(shock_spectrum(step(1), {5}, 0.2).at(0).relative_displacement * 25, RelativelyNear(1 + std::exp(-pi * 0.2 / std::sqrt(0.96)), digits));
+  EXPECT_THAT(shock_spectrum(step(1), {5}, 0.2).at(0).relative_displacement * 25,
+              RelativelyNear(1 + std::exp(-pi * 0.2 / std::sqrt(0.96)), digits));
 }
 
 TEST(ShockSpectrum, AnImpulseLeavesItsClosedFormBehind) {
-  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse while the absolute acceleration 2ζωV was largest in it.
+  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse while the absolute acceleration 2ζωV was largest
+  // in it.
   const double duration = 1e-6;
   for (const double zeta : {0.6, 0.8, 0.9}) {
     const ShockResponse response = shock_spectrum(rectangular(1 / duration, duration), {1}, zeta).at(0);
@@ -117,8 +122,11 @@ TEST(ShockSpectrum, RefusesWhatHasNoLargestValue) {
 }
 
 TEST(ModalCombination, CorrelationIsThatOfTwoOscillatorsInWhiteNoise) {
-  // Exact correlation of displacements under white noise, Re ∫H_i* H_j dω / √(∫|H_i|² ∫|H_j|²), by quadrature. The published coefficient is exact.
-  const auto h = [](double omega_n, double zeta, double w) { return 1.0 / std::complex<double>(omega_n * omega_n - w * w, 2 * zeta * omega_n * w); };
+  // Exact correlation of displacements under white noise, Re ∫H_i* H_j dω / √(∫|H_i|² ∫|H_j|²), by quadrature. The published coefficient is
+  // exact.
+  const auto h = [](double omega_n, double zeta, double w) {
+    return 1.0 / std::complex<double>(omega_n * omega_n - w * w, 2 * zeta * omega_n * w);
+  };
   const auto integral = [&](double wi, double zi, double wj, double zj) {
     double sum = 0;
     constexpr int count = 400000;  // midpoints of w = tan(x): algebraic tails become smooth ends
@@ -128,8 +136,11 @@ TEST(ModalCombination, CorrelationIsThatOfTwoOscillatorsInWhiteNoise) {
     }
     return sum;
   };
-  struct Pair { double wi, wj, zi, zj; };
-  for (const auto& [wi, wj, zi, zj] : {Pair{1, 1.1, 0.05, 0.05}, Pair{1, 1.1, 0.02, 0.1}, Pair{1.3, 0.5, 0.1, 0.03}, Pair{1, 1, 0.05, 0.2}}) {
+  struct Pair {
+    double wi, wj, zi, zj;
+  };
+  for (const auto& [wi, wj, zi, zj] :
+       {Pair{1, 1.1, 0.05, 0.05}, Pair{1, 1.1, 0.02, 0.1}, Pair{1.3, 0.5, 0.1, 0.03}, Pair{1, 1, 0.05, 0.2}}) {
     const double exact = integral(wi, zi, wj, zj) / std::sqrt(integral(wi, zi, wi, zi) * integral(wj, zj, wj, zj));
     EXPECT_THAT(modal_correlation(wi, wj, zi, zj), RelativelyNear(exact, 1e-6));
     EXPECT_THAT(modal_correlation(wj, wi, zj, zi), RelativelyNear(modal_correlation(wi, wj, zi, zj), 1e-14));

@@ -23,15 +23,15 @@ enum class Weighting {
 
 /// Corner frequencies [Hz] and quality factors of H = H_h H_l H_t H_s; infinity where a part is missing. Q₁ = Q₂ = 1/√2.
 struct WeightingParameters {
-  double f1, f2;            ///< band limit: high pass and low pass of second order
-  double f3, f4, q4;        ///< transition from acceleration to velocity
-  double f5, q5, f6, q6;    ///< upward step
+  double f1, f2;          ///< band limit: high pass and low pass of second order
+  double f3, f4, q4;      ///< transition from acceleration to velocity
+  double f5, q5, f6, q6;  ///< upward step
   double gain;
 };
 [[nodiscard]] WeightingParameters parameters(Weighting weighting);
 
-/// H(s) as a ratio of two polynomials, coefficients of s⁰, s¹ …, s in rad/s: stable, and 0 at ω = 0 and ∞, so that weighted mean squares can be
-/// integrated exactly.
+/// H(s) as a ratio of two polynomials, coefficients of s⁰, s¹ …, s in rad/s: stable, and 0 at ω = 0 and ∞, so that weighted mean squares
+/// can be integrated exactly.
 struct RationalTransfer {
   std::vector<double> numerator;
   std::vector<double> denominator;
