@@ -145,12 +145,12 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
       const Signal signal = sweep_signal(sweep, tolerance);
       double worst = 0, worst_rate = 0;
       for (int i = 0; i <= 20011; ++i) {
-        const double s = sweep.duration * i / 20012, a = angle(sweep, s);
+        const double s = sweep.duration * i / 20012;
         const double omega = (sweep.law == Law::linear ? sweep.from + (sweep.to - sweep.from) * s / sweep.duration
                                                        : sweep.from * std::pow(sweep.to / sweep.from, s / sweep.duration));
         const double amplitude = sweep.amplitude * (sweep.amplitude_law == Amplitude::constant ? 1 : std::pow(omega / sweep.to, 2));
         if (i % 50 == 0) {
-          EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(a), 1e-8);  // Simpson's error
+          EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(angle(sweep, s)), 1e-8);  // Simpson's error
         }
         const SignalState state_here = state(signal, sweep.start + s), exact = sweep_state(sweep, s);
         if (omega > slowest / 2) {
