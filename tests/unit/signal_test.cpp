@@ -45,7 +45,7 @@ TEST(Signal, StateHoldsTheDerivativesOfItsValue) {
   const double h = 1e-5;
   for (const Piece& piece : {Piece{1, 2, 3, 4, 0}, Piece{1, 2, 3, 4, 5}, Piece{1, 2, 3, 4, 0.01}}) {
     const SignalState before = state_on(piece, 0.7 - h), here = state_on(piece, 0.7), after = state_on(piece, 0.7 + h);
-    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);      // h² u‴/6
+    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);  // h² u‴/6
     EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, 1e-8);
     EXPECT_NEAR((after.curvature - before.curvature) / (2 * h), -piece.kappa * piece.kappa * here.rate, 1e-7);
   }
@@ -55,6 +55,9 @@ TEST(Signal, ASlowSineGoesOverIntoAParabola) {
   const SignalState parabola = state_on({0, 1, 2, 3, 0}, 2), slow = state_on({0, 1, 2, 3, 1e-9}, 2);
   EXPECT_THAT(slow.value, RelativelyNear(parabola.value, round_off));
   EXPECT_THAT(slow.rate, RelativelyNear(parabola.rate, round_off));
+  const double slow_integral = integrals({{Piece{0, 1, 2, 3, 1e-5}}}, 2).twice,
+               parabola_integral = integrals({{Piece{0, 1, 2, 3, 0}}}, 2).twice;
+  EXPECT_THAT(slow_integral, RelativelyNear(parabola_integral, 1e-9));  // κ²s² = 4e-10
   // Either side of the change from series to closed form, κs = 1.
   EXPECT_THAT(state_on({0, 1, 2, 3, 1 + 1e-14}, 1).value, RelativelyNear(state_on({0, 1, 2, 3, 1 - 1e-14}, 1).value, round_off));
 }
@@ -90,7 +93,8 @@ TEST(Pulses, ReachTheirAmplitudeAndReturnToZero) {
   EXPECT_THAT(state(sine_burst(7, pi, 2.5, 1), 1.5).value, RelativelyNear(7, round_off));
   EXPECT_THAT(state(ramp(7, 2, 1), 2).value, RelativelyNear(3.5, round_off));
   EXPECT_THAT(state(rounded_step(7, 2, 1), 2).value, RelativelyNear(3.5, round_off));
-  for (const Signal& pulse : {half_sine(7, 2, 1), versed_sine(7, 2, 1), trapezoid(7, 1, 0.5, 0.5, 1), triangle(7, 1, 1, 1), rectangular(7, 2, 1)})
+  for (const Signal& pulse :
+       {half_sine(7, 2, 1), versed_sine(7, 2, 1), trapezoid(7, 1, 0.5, 0.5, 1), triangle(7, 1, 1, 1), rectangular(7, 2, 1)})
     EXPECT_EQ(state(pulse, 3.0001).value, 0);
   EXPECT_EQ(state(ramp(7, 2, 1), 5).value, 7);
   EXPECT_EQ(state(rounded_step(7, 2, 1), 5).value, 7);
@@ -120,29 +124,33 @@ TEST(Signal, IsDelayedAndScaled) {
 }
 
 double angle(const Sweep& sweep, double s) {  // by quadrature of the frequency
-  return sweep.phase + simpson([&](double t) {
-           const double share = t / sweep.duration;
-           return sweep.law == Sweep::Law::linear ? sweep.from + (sweep.to - sweep.from) * share : sweep.from * std::pow(sweep.to / sweep.from, share);
-         }, 0, s);
+  return sweep.phase + simpson(
+                           [&](double t) {
+                             const double share = t / sweep.duration;
+                             return sweep.law == Sweep::Law::linear ? sweep.from + (sweep.to - sweep.from) * share
+                                                                    : sweep.from * std::pow(sweep.to / sweep.from, share);
+                           },
+                           0, s);
 }
 
 TEST(Sweep, KeepsItsToleranceEverywhere) {
   using Law = Sweep::Law;
   using Amplitude = Sweep::Amplitude;
   const double slowest = 2 * pi * 2, fastest = 2 * pi * 40;
-  for (const Sweep& sweep : {Sweep{3, slowest, fastest, 4, Law::linear, Amplitude::constant, 0.3, 1}, Sweep{3, 0, fastest, 4},
-                             Sweep{3, fastest, slowest, 4, Law::logarithmic}, Sweep{3, slowest, fastest, 4, Law::logarithmic, Amplitude::speed_squared},
-                             Sweep{3, 0, fastest, 4, Law::linear, Amplitude::speed_squared}})
+  for (const Sweep& sweep :
+       {Sweep{3, slowest, fastest, 4, Law::linear, Amplitude::constant, 0.3, 1}, Sweep{3, 0, fastest, 4},
+        Sweep{3, fastest, slowest, 4, Law::logarithmic}, Sweep{3, slowest, fastest, 4, Law::logarithmic, Amplitude::speed_squared},
+        Sweep{3, 0, fastest, 4, Law::linear, Amplitude::speed_squared}})
     for (const double tolerance : {1e-3, 1e-5}) {
       const Signal signal = sweep_signal(sweep, tolerance);
       double worst = 0, worst_rate = 0;
       for (int i = 0; i <= 20011; ++i) {
-        const double s = sweep.duration * i / 20012, a = angle(sweep, s);
+        const double s = sweep.duration * i / 20012;
         const double omega = (sweep.law == Law::linear ? sweep.from + (sweep.to - sweep.from) * s / sweep.duration
                                                        : sweep.from * std::pow(sweep.to / sweep.from, s / sweep.duration));
         const double amplitude = sweep.amplitude * (sweep.amplitude_law == Amplitude::constant ? 1 : std::pow(omega / sweep.to, 2));
         if (i % 50 == 0) {
-          EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(a), 1e-8);  // Simpson's error
+          EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(angle(sweep, s)), 1e-8);  // Simpson's error
         }
         const SignalState state_here = state(signal, sweep.start + s), exact = sweep_state(sweep, s);
         if (omega > slowest / 2) {
@@ -160,6 +168,16 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
       }
       EXPECT_EQ(state(signal, sweep.start + sweep.duration + 1e-9).value, 0);
     }
+}
+
+TEST(Sweep, StateHoldsTheDerivativesOfItsValue) {
+  const double h = 1e-5;
+  for (const auto law : {Sweep::Law::linear, Sweep::Law::logarithmic}) {
+    const Sweep sweep{2, 3, 8, 4, law, Sweep::Amplitude::speed_squared, 0.3};
+    const SignalState before = sweep_state(sweep, 1.7 - h), here = sweep_state(sweep, 1.7), after = sweep_state(sweep, 1.7 + h);
+    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);  // h² u‴/6
+    EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, 1e-7);
+  }
 }
 
 TEST(Sweep, RefusesWhatItCannotRun) {

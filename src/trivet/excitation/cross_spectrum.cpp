@@ -15,7 +15,7 @@ namespace trivet::excitation {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr int points_between_breakpoints = 32;     // a delay of the wrong size shows within a fraction of a period of e^{−iωτ}
+constexpr int points_between_breakpoints = 32;         // a delay of the wrong size shows within a fraction of a period of e^{−iωτ}
 constexpr double accepted_negative_eigenvalue = 1e-9;  // of a matrix with unit diagonal
 
 foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs, const std::string& subject) {
@@ -25,13 +25,15 @@ foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs,
     problems.error(subject, fmt::format("inputs {} and {}", pair.first + 1, pair.second + 1),
                    fmt::format("a pair joins two different ones of the {} inputs", inputs), "correct the pair");
   if (!(c.at_zero >= 0 && c.at_zero <= 1))
-    problems.error(subject, fmt::format("coherence {:.6g}", c.at_zero), "γ² is between 0 (unrelated) and 1 (one follows from the other)", "correct it");
+    problems.error(subject, fmt::format("coherence {:.6g}", c.at_zero), "γ² is between 0 (unrelated) and 1 (one follows from the other)",
+                   "correct it");
   if (!(c.decay >= 0) || !std::isfinite(c.decay))
     problems.error(subject, fmt::format("decay {:.6g}", c.decay), "it must be ≥ 0", "coherence falls with distance");
   if (!(c.distance >= 0) || !std::isfinite(c.distance))
     problems.error(subject, fmt::format("distance {:.6g} m", c.distance), "it must be ≥ 0", "give its size; the delay has the sign");
   if (c.decay > 0 && (!(c.speed > 0) || !std::isfinite(c.speed)))
-    problems.error(subject, fmt::format("speed {:.6g} m/s", c.speed), "a decay per wavelength needs a speed > 0", "give the speed of the wave");
+    problems.error(subject, fmt::format("speed {:.6g} m/s", c.speed), "a decay per wavelength needs a speed > 0",
+                   "give the speed of the wave");
   if (!std::isfinite(pair.delay)) problems.error(subject, fmt::format("delay {} s", pair.delay), "it must be finite", "correct it");
   return problems;
 }
@@ -54,7 +56,8 @@ std::vector<double> test_frequencies(const RandomInputs& inputs) {
     for (const double omega : breakpoints(spectrum)) ends.insert(omega);
   std::vector<double> points(ends.begin(), ends.end());
   for (std::size_t i = 1, last = points.size(); i < last; ++i)
-    for (int k = 1; k < points_between_breakpoints; ++k) points.push_back(points[i - 1] + (points[i] - points[i - 1]) * k / points_between_breakpoints);
+    for (int k = 1; k < points_between_breakpoints; ++k)
+      points.push_back(points[i - 1] + (points[i] - points[i - 1]) * k / points_between_breakpoints);
   std::sort(points.begin(), points.end());
   return points;
 }
@@ -82,10 +85,12 @@ foundation::Problems check(const RandomInputs& inputs, const std::string& subjec
   }
   if (problems.has_errors() || inputs.pairs.empty()) return problems;
   for (const double omega : test_frequencies(inputs)) {
-    const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(correlation(inputs, omega), Eigen::EigenvaluesOnly).eigenvalues()(0);
+    const double lowest =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(correlation(inputs, omega), Eigen::EigenvaluesOnly).eigenvalues()(0);
     if (lowest >= -accepted_negative_eigenvalue) continue;
     problems.error(subject, fmt::format("at {:.6g} Hz the matrix of coherences has the eigenvalue {:.3g}", omega / two_pi, lowest),
-                   "cross-spectra of real signals are positive semidefinite: inputs that both follow a third are related to each other, and delays add up",
+                   "cross-spectra of real signals are positive semidefinite: inputs that both follow a third are related to each other, "
+                   "and delays add up",
                    "give the missing pairs, or lower the coherences");
     break;
   }

@@ -16,14 +16,18 @@ constexpr double pi = std::numbers::pi;
 constexpr double accepted_angle = 0.01 * pi / 180;  // crank angles are given in degrees with two digits
 
 std::vector<int> usual_firing_order(const EngineLayout& layout) {
-  static const std::map<int, std::vector<int>> in_line = {{1, {1}},          {2, {1, 2}},          {3, {1, 3, 2}},
-                                                         {4, {1, 3, 4, 2}}, {5, {1, 2, 4, 5, 3}}, {6, {1, 5, 3, 6, 2, 4}},
-                                                         {8, {1, 6, 2, 5, 8, 3, 7, 4}}};
+  static const std::map<int, std::vector<int>> in_line = {{1, {1}},
+                                                          {2, {1, 2}},
+                                                          {3, {1, 3, 2}},
+                                                          {4, {1, 3, 4, 2}},
+                                                          {5, {1, 2, 4, 5, 3}},
+                                                          {6, {1, 5, 3, 6, 2, 4}},
+                                                          {8, {1, 6, 2, 5, 8, 3, 7, 4}}};
   const auto usual = in_line.find(layout.cylinders);
   if (layout.kind != EngineLayout::Kind::in_line || layout.strokes != 4 || usual == in_line.end())
-    throw foundation::InvalidInput(
-        fmt::format("engine: {} cylinders without a firing order; only in-line engines of 1 … 6 or 8 cylinders with four strokes have a usual one",
-                    layout.cylinders));
+    throw foundation::InvalidInput(fmt::format(
+        "engine: {} cylinders without a firing order; only in-line engines of 1 … 6 or 8 cylinders with four strokes have a usual one",
+        layout.cylinders));
   return usual->second;
 }
 
@@ -45,8 +49,8 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
   if (!(engine.crank_radius > 0) || !std::isfinite(engine.crank_radius))
     problems.error(subject + ".crank_radius", fmt::format("{:.6g} m", engine.crank_radius), "it must be > 0", "half of the stroke");
   if (!(engine.rod_ratio > 0 && engine.rod_ratio < 1))
-    problems.error(subject + ".rod_ratio", fmt::format("{:.6g}", engine.rod_ratio), "crank radius over length of the rod must be > 0 and < 1",
-                   "0.2 to 0.35 is usual");
+    problems.error(subject + ".rod_ratio", fmt::format("{:.6g}", engine.rod_ratio),
+                   "crank radius over length of the rod must be > 0 and < 1", "0.2 to 0.35 is usual");
   not_negative("oscillating_mass", engine.oscillating_mass, "kg");
   not_negative("rotating_mass", engine.rotating_mass, "kg");
   not_negative("counterweight", engine.counterweight, "kg m");
@@ -62,7 +66,9 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
     if (!std::isfinite(c.firing_angle + c.crank_angle + c.bank_angle)) continue;
     const double from_top = std::remainder(c.firing_angle + c.crank_angle - c.bank_angle, 2 * pi);
     if (std::abs(from_top) > accepted_angle)
-      problems.error(name, fmt::format("at the firing angle of {:.6g}° its crank is {:.4g}° from top dead centre", c.firing_angle * 180 / pi, from_top * 180 / pi),
+      problems.error(name,
+                     fmt::format("at the firing angle of {:.6g}° its crank is {:.4g}° from top dead centre", c.firing_angle * 180 / pi,
+                                 from_top * 180 / pi),
                      "firing angle + crank angle − bank angle is a multiple of 360°", "correct one of the three");
   }
   return problems;
@@ -71,8 +77,10 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
 std::vector<Cylinder> evenly_firing_cylinders(const EngineLayout& layout) {
   const bool two_banks = layout.kind != EngineLayout::Kind::in_line;
   if (layout.cylinders < 1 || (two_banks && layout.cylinders % 2 != 0))
-    throw foundation::InvalidInput(fmt::format("engine: {} cylinders{}", layout.cylinders, two_banks ? ", two banks need an even number" : ", must be ≥ 1"));
-  if (layout.strokes != 2 && layout.strokes != 4) throw foundation::InvalidInput(fmt::format("engine: {} strokes, must be 2 or 4", layout.strokes));
+    throw foundation::InvalidInput(
+        fmt::format("engine: {} cylinders{}", layout.cylinders, two_banks ? ", two banks need an even number" : ", must be ≥ 1"));
+  if (layout.strokes != 2 && layout.strokes != 4)
+    throw foundation::InvalidInput(fmt::format("engine: {} strokes, must be 2 or 4", layout.strokes));
   for (const double number : {layout.bank_angle, layout.spacing, layout.bank_offset})
     if (!std::isfinite(number)) throw foundation::InvalidInput(fmt::format("engine: {} in its layout, must be finite", number));
   const std::vector<int> order = layout.firing_order.empty() ? usual_firing_order(layout) : layout.firing_order;

@@ -8,8 +8,8 @@
 
 #include "trivet/foundation/problems.h"
 
-/// Piston engines. The engine frame has its origin on the crank axis, x along the crankshaft, about which the crank turns positively (from y to z),
-/// and z up: the axis of an upright cylinder. θ is the angle of the crank from z, positive with the rotation.
+/// Piston engines. The engine frame has its origin on the crank axis, x along the crankshaft, about which the crank turns positively (from
+/// y to z), and z up: the axis of an upright cylinder. θ is the angle of the crank from z, positive with the rotation.
 namespace trivet::excitation {
 
 /// One cylinder. An axis at bank angle β points along (0, −sin β, cos β), so β counts like θ: from z with the rotation.
@@ -27,7 +27,7 @@ struct Engine {
   double rotating_mass = 0;     ///< [kg] ≥ 0 per cylinder, at the crank radius: the big end's share of the rod, and the throw
   double counterweight = 0;     ///< [kg m] ≥ 0 per cylinder, mass × radius opposite to its throw
   int strokes = 4;              ///< 4 or 2: a cycle takes 4π or 2π of θ
-  std::vector<Cylinder> cylinders;
+  std::vector<Cylinder> cylinders = {};
 
   [[nodiscard]] double cycle() const { return strokes * std::numbers::pi; }
 };
@@ -39,11 +39,12 @@ struct Engine {
 struct EngineLayout {
   enum class Kind { in_line, vee, boxer };
   Kind kind = Kind::in_line;
-  int cylinders = 1;              ///< even for vee and boxer, which number one bank first (at +β/2, its cylinders from the front), then the other
-  double bank_angle = 0;          ///< [rad], between the banks of a vee; a boxer has π
-  double spacing = 0;             ///< [m] between neighbours of a bank
-  double bank_offset = 0;         ///< [m] by which the second bank stands behind the first
-  std::vector<int> firing_order;  ///< numbers from 1. Empty: the usual one of an in-line engine of 1 … 6 or 8 cylinders with four strokes
+  int cylinders = 1;       ///< even for vee and boxer, which number one bank first (at +β/2, its cylinders from the front), then the other
+  double bank_angle = 0;   ///< [rad], between the banks of a vee; a boxer has π
+  double spacing = 0;      ///< [m] between neighbours of a bank
+  double bank_offset = 0;  ///< [m] by which the second bank stands behind the first
+  /// Numbers from 1. Empty: the usual one of an in-line engine of 1 … 6 or 8 cylinders with four strokes.
+  std::vector<int> firing_order = {};
   int strokes = 4;
 };
 

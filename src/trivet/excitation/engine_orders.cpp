@@ -87,10 +87,11 @@ std::vector<Order> gas_orders(const Engine& engine, const std::vector<TorqueHarm
       throw foundation::InvalidInput(fmt::format("engine: cylinder {} has no firing angle, so its gas torque has no phase", i + 1));
   std::map<double, Order> orders;
   for (const TorqueHarmonic& harmonic : one_cylinder) {
-    if (!(harmonic.order >= 0) || !std::isfinite(harmonic.order) || !is_harmonic(engine, harmonic.order))
-      throw foundation::InvalidInput(fmt::format("gas torque of order {}: with {} strokes orders are multiples of {}", harmonic.order, engine.strokes,
-                                                 engine.strokes == 4 ? "½" : "1"));
-    if (!std::isfinite(std::abs(harmonic.torque))) throw foundation::InvalidInput(fmt::format("gas torque of order {}: it must be finite", harmonic.order));
+    require_not_negative(harmonic.order, "order of the gas torque", "");
+    if (!is_harmonic(engine, harmonic.order))
+      throw foundation::InvalidInput(fmt::format("gas torque of order {}: with {} strokes orders are multiples of {}", harmonic.order,
+                                                 engine.strokes, engine.strokes == 4 ? "½" : "1"));
+    require_finite(std::abs(harmonic.torque), "gas torque", "N m");
     if (orders.count(harmonic.order)) throw foundation::InvalidInput(fmt::format("gas torque of order {} is given twice", harmonic.order));
     Balance balance;
     for (const Cylinder& c : engine.cylinders) {

@@ -8,7 +8,6 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/excitation/slider_crank.h"
-#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
 namespace {
@@ -43,8 +42,10 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
   foundation::Problems problems;
   const std::vector<double>&phi = trace.angles, &p = trace.pressures;
   if (phi.size() != p.size())
-    problems.error(subject, fmt::format("{} angles and {} pressures", phi.size(), p.size()), "each angle has one pressure", "complete the rows");
-  if (phi.size() < 3) problems.error(subject, fmt::format("{} points", phi.size()), "a trace has three or more", "give the pressure over a whole cycle");
+    problems.error(subject, fmt::format("{} angles and {} pressures", phi.size(), p.size()), "each angle has one pressure",
+                   "complete the rows");
+  if (phi.size() < 3)
+    problems.error(subject, fmt::format("{} points", phi.size()), "a trace has three or more", "give the pressure over a whole cycle");
   for (const auto* column : {&phi, &p})
     for (std::size_t i = 0; i < column->size(); ++i)
       if (!std::isfinite((*column)[i])) {
@@ -53,8 +54,8 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
       }
   for (std::size_t i = 1; i < phi.size() && !problems.has_errors(); ++i)
     if (!(phi[i] > phi[i - 1]))
-      problems.error(subject, fmt::format("row {}: {:.6g}° after {:.6g}°", i + 1, phi[i] * 180 / pi, phi[i - 1] * 180 / pi), "angles must increase",
-                     "sort the rows and remove repeats");
+      problems.error(subject, fmt::format("row {}: {:.6g}° after {:.6g}°", i + 1, phi[i] * 180 / pi, phi[i - 1] * 180 / pi),
+                     "angles must increase", "sort the rows and remove repeats");
   if (problems.has_errors()) return problems;
   const double gap = cycle - (phi.back() - phi.front());
   if (gap < -accepted_overlap)
@@ -73,8 +74,8 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
 std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engine& engine, double bore, double highest_order) {
   refuse_errors(check(engine, "engine"));
   refuse_errors(check(trace, engine.cycle(), "pressure"));
-  if (!(bore > 0) || !std::isfinite(bore)) throw foundation::InvalidInput(fmt::format("bore {:.6g} m: it must be > 0", bore));
-  if (!(highest_order >= 0) || !std::isfinite(highest_order)) throw foundation::InvalidInput(fmt::format("highest order {}: it must be ≥ 0", highest_order));
+  require_positive(bore, "bore", "m");
+  require_not_negative(highest_order, "highest order", "");
   const int per_turn = engine.strokes / 2, terms = negligible_order(engine.rod_ratio);
   const auto highest = static_cast<int>(std::floor(highest_order * per_turn + 1e-9));  // in steps of 1/per_turn
   const std::vector<double> a = inertia_coefficients(engine.rod_ratio, terms);
@@ -86,7 +87,8 @@ std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engi
   std::vector<TorqueHarmonic> harmonics;
   for (int k = 0; k <= highest; ++k) {
     Complex sum = 0;  // −s′/r = Σ (aₘ/m) sin mφ times the pressure
-    for (int m = 1; m <= terms; ++m) sum += a[static_cast<std::size_t>(m)] / m * (at(k - m * per_turn) - at(k + m * per_turn)) / Complex(0, 2);
+    for (int m = 1; m <= terms; ++m)
+      sum += a[static_cast<std::size_t>(m)] / m * (at(k - m * per_turn) - at(k + m * per_turn)) / Complex(0, 2);
     harmonics.push_back({static_cast<double>(k) / per_turn, force_radius * (k == 0 ? Complex(sum.real()) : 2.0 * sum)});
   }
   return harmonics;

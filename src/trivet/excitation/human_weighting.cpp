@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -42,14 +43,24 @@ std::complex<double> value(const Polynomial& p, std::complex<double> s) {
 }  // namespace
 
 WeightingParameters parameters(Weighting weighting) {
+  const double velocity_corner = 1 / (2 * std::numbers::pi * 0.028);  // a time constant of 28 ms
   switch (weighting) {
-    case Weighting::Wb: return {0.4, 100, 16, 16, 0.55, 2.5, 0.9, 4, 0.95, 1.024};
-    case Weighting::Wc: return {0.4, 100, 8, 8, 0.63, infinite, 1, infinite, 1, 1};
-    case Weighting::Wd: return {0.4, 100, 2, 2, 0.63, infinite, 1, infinite, 1, 1};
-    case Weighting::We: return {0.4, 100, 1, 1, 0.63, infinite, 1, infinite, 1, 1};
-    case Weighting::Wf: return {0.08, 0.63, infinite, 0.25, 0.86, 0.0625, 0.8, 0.1, 0.8, 1};
-    case Weighting::Wj: return {0.4, 100, infinite, infinite, 1, 3.75, 0.91, 5.32, 0.91, 1};
-    case Weighting::Wk: return {0.4, 100, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91, 1};
+    case Weighting::Wb:
+      return {0.4, 100, 16, 16, 0.55, 2.5, 0.9, 4, 0.95, 1.024};
+    case Weighting::Wc:
+      return {0.4, 100, 8, 8, 0.63, infinite, 1, infinite, 1, 1};
+    case Weighting::Wd:
+      return {0.4, 100, 2, 2, 0.63, infinite, 1, infinite, 1, 1};
+    case Weighting::We:
+      return {0.4, 100, 1, 1, 0.63, infinite, 1, infinite, 1, 1};
+    case Weighting::Wf:
+      return {0.08, 0.63, infinite, 0.25, 0.86, 0.0625, 0.8, 0.1, 0.8, 1};
+    case Weighting::Wj:
+      return {0.4, 100, infinite, infinite, 1, 3.75, 0.91, 5.32, 0.91, 1};
+    case Weighting::Wk:
+      return {0.4, 100, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91, 1};
+    case Weighting::Wm:
+      return {std::pow(10, -0.1), 100, velocity_corner, velocity_corner, 0.5, infinite, 1, infinite, 1, 1};
   }
   throw foundation::InvalidInput("a frequency weighting that does not exist");
 }
@@ -68,7 +79,7 @@ RationalTransfer rational_transfer(Weighting weighting) {
 }
 
 std::complex<double> transfer(Weighting weighting, double omega) {
-  if (!(omega >= 0) || !std::isfinite(omega)) throw foundation::InvalidInput(fmt::format("angular frequency {} rad/s: it must be ≥ 0", omega));
+  require_not_negative(omega, "angular frequency", "rad/s");
   const RationalTransfer h = rational_transfer(weighting);
   const std::complex<double> s(0, omega);
   return value(h.numerator, s) / value(h.denominator, s);
@@ -77,10 +88,14 @@ std::complex<double> transfer(Weighting weighting, double omega) {
 std::array<WeightedAxis, 6> comfort_axes(ContactPoint contact) {
   using enum Weighting;
   switch (contact) {
-    case ContactPoint::seat_surface: return {{{Wd, 1}, {Wd, 1}, {Wk, 1}, {We, 0.63}, {We, 0.4}, {We, 0.2}}};
-    case ContactPoint::backrest: return {{{Wc, 0.8}, {Wd, 0.5}, {Wd, 0.4}, {We, 0}, {We, 0}, {We, 0}}};
-    case ContactPoint::feet: return {{{Wk, 0.25}, {Wk, 0.25}, {Wk, 0.4}, {We, 0}, {We, 0}, {We, 0}}};
-    case ContactPoint::standing: return {{{Wd, 1}, {Wd, 1}, {Wk, 1}, {We, 0}, {We, 0}, {We, 0}}};
+    case ContactPoint::seat_surface:
+      return {{{Wd, 1}, {Wd, 1}, {Wk, 1}, {We, 0.63}, {We, 0.4}, {We, 0.2}}};
+    case ContactPoint::backrest:
+      return {{{Wc, 0.8}, {Wd, 0.5}, {Wd, 0.4}, {We, 0}, {We, 0}, {We, 0}}};
+    case ContactPoint::feet:
+      return {{{Wk, 0.25}, {Wk, 0.25}, {Wk, 0.4}, {We, 0}, {We, 0}, {We, 0}}};
+    case ContactPoint::standing:
+      return {{{Wd, 1}, {Wd, 1}, {Wk, 1}, {We, 0}, {We, 0}, {We, 0}}};
   }
   throw foundation::InvalidInput("a contact point that does not exist");
 }

@@ -8,7 +8,8 @@
 
 namespace trivet::excitation {
 
-/// How strongly people feel acceleration, over frequency. [ISO 2631-1:1997 annex A; Wb: ISO 2631-4; all: ISO 8041-1 table 3]
+/// How strongly people feel acceleration, over frequency. [ISO 2631-1:1997 annex A; Wb: ISO 2631-4, Wm: ISO 2631-2;
+/// all: ISO 8041-1 table 3, printed in the Larson Davis HVM200 reference manual, table 3.1]
 enum class Weighting {
   Wb,  ///< vertical, in trains
   Wc,  ///< fore-and-aft at a backrest
@@ -16,19 +17,21 @@ enum class Weighting {
   We,  ///< rotational
   Wf,  ///< motion sickness, vertical
   Wj,  ///< vertical at the head of a lying person
-  Wk   ///< vertical at a seat, all directions at the feet
+  Wk,  ///< vertical at a seat, all directions at the feet
+  Wm   ///< all directions, in buildings
 };
 
 /// Corner frequencies [Hz] and quality factors of H = H_h H_l H_t H_s; infinity where a part is missing. Q₁ = Q₂ = 1/√2.
 struct WeightingParameters {
-  double f1, f2;            ///< band limit: high pass and low pass of second order
-  double f3, f4, q4;        ///< transition from acceleration to velocity
-  double f5, q5, f6, q6;    ///< upward step
+  double f1, f2;          ///< band limit: high pass and low pass of second order
+  double f3, f4, q4;      ///< transition from acceleration to velocity
+  double f5, q5, f6, q6;  ///< upward step
   double gain;
 };
 [[nodiscard]] WeightingParameters parameters(Weighting weighting);
 
-/// H(s) = K s²… as a ratio of two polynomials in s [rad/s], coefficients of s⁰, s¹ … ; the denominator is stable and of higher degree.
+/// H(s) as a ratio of two polynomials, coefficients of s⁰, s¹ …, s in rad/s: stable, and 0 at ω = 0 and ∞, so that weighted mean squares
+/// can be integrated exactly.
 struct RationalTransfer {
   std::vector<double> numerator;
   std::vector<double> denominator;

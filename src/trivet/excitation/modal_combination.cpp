@@ -27,18 +27,20 @@ foundation::Problems check(const ResponseSpectrum& spectrum, const std::string& 
   foundation::Problems problems;
   const std::vector<double>&w = spectrum.angular_frequencies, &a = spectrum.accelerations;
   if (w.size() != a.size())
-    problems.error(subject, fmt::format("{} frequencies and {} accelerations", w.size(), a.size()), "each frequency has one", "complete the rows");
+    problems.error(subject, fmt::format("{} frequencies and {} accelerations", w.size(), a.size()), "each frequency has one",
+                   "complete the rows");
   if (w.size() < 2) problems.error(subject, fmt::format("{} rows", w.size()), "a response spectrum has two or more", "add rows");
   for (std::size_t i = 0; i < std::min(w.size(), a.size()); ++i) {
     if (!(w[i] > 0) || !std::isfinite(w[i]))
-      problems.error(subject, fmt::format("a natural frequency of {:.6g} Hz", w[i] / two_pi), "natural frequencies (and periods) must be finite and > 0",
+      problems.error(subject, fmt::format("a natural frequency of {:.6g} Hz", w[i] / two_pi),
+                     "natural frequencies (and periods) must be finite and > 0",
                      "replace a period of zero by a short one, 0.01 s for instance");
     if (!(a[i] > 0) || !std::isfinite(a[i]))
       problems.error(subject, fmt::format("acceleration {:.6g} m/s² at {:.6g} Hz", a[i], w[i] / two_pi),
                      "it must be finite and > 0: the spectrum is interpolated over logarithms", "correct the row");
     if (i > 0 && w[i] <= w[i - 1])
-      problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w[i] / two_pi, w[i - 1] / two_pi), "frequencies (and periods) must increase",
-                     "sort the rows and remove repeats");
+      problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w[i] / two_pi, w[i - 1] / two_pi),
+                     "frequencies (and periods) must increase", "sort the rows and remove repeats");
   }
   if (!(spectrum.damping_ratio >= 0 && spectrum.damping_ratio < 1))
     problems.error(subject, fmt::format("damping ratio {:.6g}", spectrum.damping_ratio), "it must be between 0 and 1", "0.05 is usual");
@@ -49,8 +51,9 @@ double spectral_acceleration(const ResponseSpectrum& spectrum, double omega) {
   refuse_errors(check(spectrum, "response spectrum"));
   const std::vector<double>&w = spectrum.angular_frequencies, &a = spectrum.accelerations;
   if (!(omega >= w.front() && omega <= w.back()))
-    throw foundation::InvalidInput(fmt::format("natural frequency {:.6g} Hz: the response spectrum covers {:.6g} … {:.6g} Hz and is not extrapolated",
-                                               omega / two_pi, w.front() / two_pi, w.back() / two_pi));
+    throw foundation::InvalidInput(
+        fmt::format("natural frequency {:.6g} Hz: the response spectrum covers {:.6g} … {:.6g} Hz and is not extrapolated", omega / two_pi,
+                    w.front() / two_pi, w.back() / two_pi));
   const auto above = std::upper_bound(w.begin() + 1, w.end() - 1, omega);
   const auto i = static_cast<std::size_t>(above - w.begin());
   const double share = std::log(omega / w[i - 1]) / std::log(w[i] / w[i - 1]);
@@ -60,12 +63,9 @@ double spectral_acceleration(const ResponseSpectrum& spectrum, double omega) {
 double square_root_of_sum_of_squares(const Eigen::VectorXd& modal_maxima) { return modal_maxima.stableNorm(); }
 
 double modal_correlation(double omega_i, double omega_j, double zeta_i, double zeta_j) {
-  for (const double omega : {omega_i, omega_j})
-    if (!(omega > 0) || !std::isfinite(omega)) throw foundation::InvalidInput(fmt::format("natural frequency {:.6g} rad/s: it must be > 0", omega));
-  for (const double zeta : {zeta_i, zeta_j})
-    if (!(zeta >= 0 && zeta < 1)) throw foundation::InvalidInput(fmt::format("damping ratio {:.6g}: it must be between 0 and 1", zeta));
+  for (const double omega : {omega_i, omega_j}) require_positive(omega, "natural frequency", "rad/s");
+  for (const double zeta : {zeta_i, zeta_j}) require_damping_ratio(zeta);
   if (omega_i == omega_j && zeta_i == zeta_j) return 1;
-  if (zeta_i == 0 || zeta_j == 0) return 0;
   const double b = omega_i / omega_j, detuning = (1 - b) * (1 + b);
   return 8 * std::sqrt(zeta_i * zeta_j) * (b * zeta_i + zeta_j) * b * std::sqrt(b) /
          (detuning * detuning + 4 * zeta_i * zeta_j * b * (1 + b * b) + 4 * (zeta_i * zeta_i + zeta_j * zeta_j) * b * b);
@@ -73,8 +73,8 @@ double modal_correlation(double omega_i, double omega_j, double zeta_i, double z
 
 double complete_quadratic_combination(const Eigen::VectorXd& r, const Eigen::VectorXd& omega, const Eigen::VectorXd& zeta) {
   if (omega.size() != r.size() || zeta.size() != r.size())
-    throw foundation::InvalidInput(fmt::format("{} modal answers, {} frequencies and {} damping ratios: there must be as many of each", r.size(),
-                                               omega.size(), zeta.size()));
+    throw foundation::InvalidInput(fmt::format("{} modal answers, {} frequencies and {} damping ratios: there must be as many of each",
+                                               r.size(), omega.size(), zeta.size()));
   double sum = 0;
   for (Eigen::Index i = 0; i < r.size(); ++i)
     for (Eigen::Index j = 0; j < r.size(); ++j) sum += r(i) * r(j) * modal_correlation(omega(i), omega(j), zeta(i), zeta(j));

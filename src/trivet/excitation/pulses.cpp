@@ -1,36 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/excitation/pulses.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <numbers>
 
-#include "trivet/foundation/invalid_input.h"
+#include "trivet/excitation/refusal.h"
 
 namespace trivet::excitation {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-void require_finite(double value, const char* name) {
-  if (!std::isfinite(value)) throw foundation::InvalidInput(fmt::format("{} = {}: it must be finite", name, value));
-}
-
-void require_positive(double value, const char* name, const char* unit) {
-  if (!(value > 0) || !std::isfinite(value)) throw foundation::InvalidInput(fmt::format("{} = {:.6g} {}: it must be > 0", name, value, unit));
-}
-
-void require_not_negative(double value, const char* name, const char* unit) {
-  if (!(value >= 0) || !std::isfinite(value)) throw foundation::InvalidInput(fmt::format("{} = {:.6g} {}: it must be ≥ 0", name, value, unit));
-}
-
 /// One piece of a duration, and what follows for ever. A duration lost in the round-off of `start` is refused.
 Signal one_piece(Piece piece, double duration, double afterwards) {
-  require_finite(piece.start, "start");
-  require_finite(piece.value, "amplitude");
-  require_finite(piece.rate, "amplitude");
-  require_finite(piece.curvature, "amplitude");
+  require_finite(piece.start, "start", "s");
+  require_finite(piece.value, "amplitude", "");
+  require_finite(piece.rate, "amplitude", "");
+  require_finite(piece.curvature, "amplitude", "");
   require_positive(duration, "duration", "s");
   Signal signal{{piece, Piece{piece.start + duration, afterwards}}};
   require_valid(signal);
@@ -40,8 +25,8 @@ Signal one_piece(Piece piece, double duration, double afterwards) {
 }  // namespace
 
 Signal step(double amplitude, double at) {
-  require_finite(amplitude, "amplitude");
-  require_finite(at, "start");
+  require_finite(amplitude, "amplitude", "");
+  require_finite(at, "start", "s");
   return {{Piece{at, amplitude}}};
 }
 
@@ -65,8 +50,8 @@ Signal versed_sine(double amplitude, double duration, double start) {
 }
 
 Signal trapezoid(double amplitude, double rise, double hold, double fall, double start) {
-  require_finite(amplitude, "amplitude");
-  require_finite(start, "start");
+  require_finite(amplitude, "amplitude", "");
+  require_finite(start, "start", "s");
   require_not_negative(rise, "rise", "s");
   require_not_negative(hold, "hold", "s");
   require_not_negative(fall, "fall", "s");

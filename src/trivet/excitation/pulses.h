@@ -3,8 +3,8 @@
 
 #include "trivet/excitation/signal.h"
 
-/// The usual steps and pulses. `amplitude` is the peak value, of any unit and sign, times are in s. All throw foundation::InvalidInput for numbers
-/// that are not finite, and for durations that are not > 0.
+/// The usual steps and pulses. `amplitude` is the peak value, of any unit and sign, times are in s. All throw foundation::InvalidInput for
+/// numbers that are not finite, and for durations that are not > 0.
 namespace trivet::excitation {
 
 /// 0, then `amplitude` for ever.

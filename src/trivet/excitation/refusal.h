@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string_view>
+
 #include "trivet/foundation/problems.h"
 
+/// Preconditions of this floor's functions: each throws foundation::InvalidInput that names thing, value with unit, and rule.
 namespace trivet::excitation {
 
-/// @throws foundation::InvalidInput with the message of the first error, if there is one
+void require_finite(double value, std::string_view thing, std::string_view unit);
+void require_positive(double value, std::string_view thing, std::string_view unit);      ///< and finite
+void require_not_negative(double value, std::string_view thing, std::string_view unit);  ///< and finite
+
+/// 0 ≤ ζ < 1.
+void require_damping_ratio(double zeta);
+
+/// Refuses data with the message of its first error, if there is one.
 void refuse_errors(const foundation::Problems& problems);
 
 }  // namespace trivet::excitation

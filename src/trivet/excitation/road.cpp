@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -22,13 +23,12 @@ RoadRoughness road_class(char letter) {
 }
 
 Spectrum road_spectrum(const RoadRoughness& road, double speed) {
-  if (!(road.roughness > 0) || !std::isfinite(road.roughness))
-    throw foundation::InvalidInput(fmt::format("road: roughness {:.6g} m³, must be > 0", road.roughness));
-  if (!std::isfinite(road.waviness)) throw foundation::InvalidInput(fmt::format("road: waviness {}, must be finite", road.waviness));
+  require_positive(road.roughness, "roughness of a road", "m³");
+  require_finite(road.waviness, "waviness of a road", "");
   if (!(road.wave_number_from > 0 && road.wave_number_from < road.wave_number_to) || !std::isfinite(road.wave_number_to))
     throw foundation::InvalidInput(
         fmt::format("road: wave numbers {:.6g} … {:.6g} 1/m, must be > 0 and ascend", road.wave_number_from, road.wave_number_to));
-  if (!(speed > 0) || !std::isfinite(speed)) throw foundation::InvalidInput(fmt::format("road: speed {:.6g} m/s, must be > 0", speed));
+  require_positive(speed, "speed", "m/s");
   const double radians_per_wave_number = 2 * std::numbers::pi * speed;
   const auto density = [&](double n) {
     return road.roughness * std::pow(n / reference_wave_number, -road.waviness) / radians_per_wave_number;

@@ -7,8 +7,8 @@ namespace trivet::excitation {
 
 /// The roughness of a road track after ISO 8608: G_d(n) = G_d(n₀) (n/n₀)^{−w} over the wave number n in cycles per metre, n₀ = 0.1 1/m.
 struct RoadRoughness {
-  double roughness = 0;          ///< G_d(n₀) [m³] > 0
-  double waviness = 2;           ///< w
+  double roughness = 0;                                    ///< G_d(n₀) [m³] > 0
+  double waviness = 2;                                     ///< w
   double wave_number_from = 0.011, wave_number_to = 2.83;  ///< [1/m], 0 < from < to: the range that the classes of ISO 8608 are stated for
 };
 

@@ -44,7 +44,8 @@ foundation::Problems check(const Samples& samples, const std::string& subject) {
                      "begin with zero, or remove the mean, if no jump is meant");
   if (u.back() != 0) {
     const bool held = samples.afterwards == Samples::Afterwards::hold;
-    problems.warning(subject, fmt::format("the last value is {:.6g}", u.back()), held ? "the last value is held" : "the signal jumps to zero after it",
+    problems.warning(subject, fmt::format("the last value is {:.6g}", u.back()),
+                     held ? "the last value is held" : "the signal jumps to zero after it",
                      held ? "end with zero, or ask for zero afterwards, if it should not last" : "end with zero if no jump is meant");
   }
   return problems;
@@ -55,8 +56,8 @@ Signal from_samples(const Samples& samples) {
   Signal signal;
   signal.pieces.reserve(samples.times.size());
   for (std::size_t i = 0; i + 1 < samples.times.size(); ++i)
-    signal.pieces.push_back({samples.times[i], samples.values[i],
-                             (samples.values[i + 1] - samples.values[i]) / (samples.times[i + 1] - samples.times[i])});
+    signal.pieces.push_back(
+        {samples.times[i], samples.values[i], (samples.values[i + 1] - samples.values[i]) / (samples.times[i + 1] - samples.times[i])});
   signal.pieces.push_back({samples.times.back(), samples.afterwards == Samples::Afterwards::hold ? samples.values.back() : 0});
   require_valid(signal);  // two times so close that the rate overflows
   return signal;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/excitation/shock_spectrum.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/sign_changes.h"
 
@@ -17,8 +16,8 @@ namespace {
 constexpr std::size_t terms = 28;
 using Series = std::array<double, terms>;
 
-/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot reach outside are left alone: between its ends a function
-/// leaves their straight line by at most |f″|/8.
+/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot reach outside are left alone: between its ends a
+/// function leaves their straight line by at most |f″|/8.
 void widen(double& smallest, double& largest, const Series& c) {
   double end = 0, bound = 0;
   for (std::size_t k = 0; k < terms; ++k) {
@@ -109,11 +108,11 @@ class Oscillator {
 std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<double>& angular_frequencies, double zeta,
                                           const foundation::Progress& progress) {
   require_valid(base);
-  if (!(zeta >= 0 && zeta < 1)) throw foundation::InvalidInput(fmt::format("damping ratio {:.6g}: it must be ≥ 0 and < 1", zeta));
-  for (const double omega : angular_frequencies)
-    if (!(omega > 0) || !std::isfinite(omega)) throw foundation::InvalidInput(fmt::format("natural frequency {:.6g} rad/s: it must be > 0", omega));
+  require_damping_ratio(zeta);
+  for (const double omega : angular_frequencies) require_positive(omega, "natural frequency", "rad/s");
   if (!base.pieces.empty() && (base.pieces.back().rate != 0 || base.pieces.back().curvature != 0))
-    throw foundation::InvalidInput("the last piece of the base acceleration changes for ever, and so does the response: let it end constant");
+    throw foundation::InvalidInput(
+        "the last piece of the base acceleration changes for ever, and so does the response: let it end constant");
   std::vector<ShockResponse> spectrum;
   for (const double omega : angular_frequencies) {
     Oscillator oscillator(omega, zeta);
@@ -125,8 +124,8 @@ std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<
       oscillator.follow(base.pieces[i], base.pieces[i + 1].start - base.pieces[i].start, primary);
     }
     if (!base.pieces.empty()) oscillator.ring_out(base.pieces.back().value, residual);
-    spectrum.push_back({omega, primary.largest, primary.smallest, residual.largest, residual.smallest,
-                        oscillator.largest_relative() / (omega * omega)});
+    spectrum.push_back(
+        {omega, primary.largest, primary.smallest, residual.largest, residual.smallest, oscillator.largest_relative() / (omega * omega)});
   }
   return spectrum;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -47,7 +48,8 @@ SignalState state_on(const Piece& p, double s) {
 }
 
 std::ptrdiff_t piece_at(const Signal& signal, double t) {
-  const auto after = std::upper_bound(signal.pieces.begin(), signal.pieces.end(), t, [](double time, const Piece& p) { return time < p.start; });
+  const auto after =
+      std::upper_bound(signal.pieces.begin(), signal.pieces.end(), t, [](double time, const Piece& p) { return time < p.start; });
   return after - signal.pieces.begin() - 1;
 }
 
@@ -71,14 +73,14 @@ SignalIntegrals integrals(const Signal& signal, double t) {
 }
 
 Signal delayed(Signal signal, double delay) {
-  if (!std::isfinite(delay)) throw foundation::InvalidInput(fmt::format("delay {} s: it must be finite", delay));
+  require_finite(delay, "delay", "s");
   for (Piece& piece : signal.pieces) piece.start += delay;
   require_valid(signal);  // a delay so long that short pieces vanish in round-off is refused
   return signal;
 }
 
 Signal scaled(Signal signal, double factor) {
-  if (!std::isfinite(factor)) throw foundation::InvalidInput(fmt::format("factor {}: it must be finite", factor));
+  require_finite(factor, "factor", "");
   for (Piece& piece : signal.pieces) piece.value *= factor, piece.rate *= factor, piece.curvature *= factor;
   return signal;
 }
@@ -86,9 +88,8 @@ Signal scaled(Signal signal, double factor) {
 void require_valid(const Signal& signal) {
   for (std::size_t i = 0; i < signal.pieces.size(); ++i) {
     const Piece& p = signal.pieces[i];
-    for (const double number : {p.start, p.value, p.rate, p.curvature, p.kappa})
-      if (!std::isfinite(number)) throw foundation::InvalidInput(fmt::format("piece {} of a signal holds {}: numbers must be finite", i + 1, number));
-    if (p.kappa < 0) throw foundation::InvalidInput(fmt::format("piece {} of a signal: κ = {:.6g} rad/s, must be ≥ 0", i + 1, p.kappa));
+    for (const double number : {p.start, p.value, p.rate, p.curvature}) require_finite(number, "a number in a piece of a signal", "");
+    require_not_negative(p.kappa, "κ of a piece of a signal", "rad/s");
     if (i > 0 && !(p.start > signal.pieces[i - 1].start))
       throw foundation::InvalidInput(
           fmt::format("piece {} of a signal starts at {:.9g} s, the one before at {:.9g} s: starts must increase", i + 1, p.start,

@@ -9,9 +9,9 @@ namespace trivet::excitation {
 
 /// u on one piece, counted from its start: u‴ = −κ²u′, so κ = 0 is a parabola and κ > 0 a sine about any mean.
 struct Piece {
-  double start = 0;                            ///< [s]
-  double value = 0, rate = 0, curvature = 0;   ///< u, u̇, ü at its start [unit, unit/s, unit/s²]
-  double kappa = 0;                            ///< κ ≥ 0 [rad/s]
+  double start = 0;                           ///< [s]
+  double value = 0, rate = 0, curvature = 0;  ///< u, u̇, ü at its start [unit, unit/s, unit/s²]
+  double kappa = 0;                           ///< κ ≥ 0 [rad/s]
 };
 
 /// A time history of exact pieces: zero before the first, each piece up to the start of the next, the last one for ever. It may jump.

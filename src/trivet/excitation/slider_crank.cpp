@@ -69,7 +69,8 @@ std::vector<double> inertia_torque_coefficients(double lambda, int highest) {
     for (int n = 1; n <= count; ++n) {
       const double share = 0.5 * a[static_cast<std::size_t>(m)] / m * a[static_cast<std::size_t>(n)];
       if (m + n <= highest) g[static_cast<std::size_t>(m + n)] += share;
-      if (const int difference = std::abs(m - n); difference <= highest && m != n) g[static_cast<std::size_t>(difference)] += m > n ? share : -share;
+      if (const int difference = std::abs(m - n); difference <= highest && m != n)
+        g[static_cast<std::size_t>(difference)] += m > n ? share : -share;
     }
   return g;
 }

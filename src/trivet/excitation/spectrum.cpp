@@ -33,12 +33,15 @@ double mean_square(const SpectrumPiece& p, double a, double b) {
   const double slope = (p.density_to - p.density_from) / (p.to - p.from), at_a = p.density_from + slope * (a - p.from);
   if (p.factor == 0) return (at_a + 0.5 * slope * (b - a)) * (b - a);
   const double scale = std::pow(b, p.factor);
-  return scale * ((p.density_from - slope * p.from) * power_integral(p.factor, b, a, b) + slope * b * power_integral(p.factor + 1, b, a, b));
+  return scale *
+         ((p.density_from - slope * p.from) * power_integral(p.factor, b, a, b) + slope * b * power_integral(p.factor + 1, b, a, b));
 }
 
 }  // namespace
 
-double SpectrumPiece::exponent() const { return density_to == density_from ? 0 : std::log(density_to / density_from) / std::log(to / from); }
+double SpectrumPiece::exponent() const {
+  return density_to == density_from ? 0 : std::log(density_to / density_from) / std::log(to / from);
+}
 
 double density(const Spectrum& spectrum, double omega) {
   const auto& pieces = spectrum.pieces;
@@ -58,7 +61,8 @@ std::vector<double> breakpoints(const Spectrum& spectrum) {
 }
 
 double mean_square(const Spectrum& spectrum, double from, double to) {
-  if (!(from <= to)) throw foundation::InvalidInput(fmt::format("mean square from {:.6g} to {:.6g} rad/s: the band must not be reversed", from, to));
+  if (!(from <= to))
+    throw foundation::InvalidInput(fmt::format("mean square from {:.6g} to {:.6g} rad/s: the band must not be reversed", from, to));
   double sum = 0;
   for (const SpectrumPiece& piece : spectrum.pieces) {
     const double a = std::max(from, piece.from), b = std::min(to, piece.to);
@@ -86,15 +90,16 @@ Spectrum differentiated(Spectrum spectrum, int times) {
 }
 
 Spectrum of_scaled_signal(Spectrum spectrum, double factor) {
-  if (!(factor != 0) || !std::isfinite(factor)) throw foundation::InvalidInput(fmt::format("factor {}: it must be finite and not 0", factor));
+  require_positive(std::abs(factor), "size of the factor", "");
   for (SpectrumPiece& p : spectrum.pieces) p.density_from *= factor * factor, p.density_to *= factor * factor;
   return spectrum;
 }
 
 Spectrum flat_spectrum(double density, double from, double to) {
-  if (!(density > 0) || !std::isfinite(density)) throw foundation::InvalidInput(fmt::format("spectral density {:.6g}: it must be > 0", density));
+  require_positive(density, "spectral density", "unit² s/rad");
   if (!(from >= 0 && from < to) || !std::isfinite(to))
-    throw foundation::InvalidInput(fmt::format("band {:.6g} … {:.6g} Hz: it must begin at 0 or above and end later", from / two_pi, to / two_pi));
+    throw foundation::InvalidInput(
+        fmt::format("band {:.6g} … {:.6g} Hz: it must begin at 0 or above and end later", from / two_pi, to / two_pi));
   return {{SpectrumPiece{from, to, density, density, true}}};
 }
 
@@ -102,7 +107,8 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
   foundation::Problems problems;
   const std::vector<double>&f = table.frequencies_hz, &s = table.densities_per_hz;
   if (f.size() != s.size())
-    problems.error(subject, fmt::format("{} frequencies and {} densities", f.size(), s.size()), "each frequency has one density", "complete the rows");
+    problems.error(subject, fmt::format("{} frequencies and {} densities", f.size(), s.size()), "each frequency has one density",
+                   "complete the rows");
   if (f.size() < 2) problems.error(subject, fmt::format("{} rows", f.size()), "a spectrum has two or more", "add rows");
   const bool logarithmic = table.interpolation == SpectrumTable::Interpolation::logarithmic;
   for (std::size_t i = 0; i < std::min(f.size(), s.size()); ++i) {
@@ -111,7 +117,8 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
       problems.error(subject, fmt::format("{}: {} Hz, {}", row, f[i], s[i]), "numbers must be finite", "fill the gap or remove the row");
     if (s[i] < 0)
       problems.error(subject, fmt::format("{}: density {:.6g} at {:.6g} Hz", row, s[i], f[i]),
-                     "a power spectral density is a mean square per hertz and cannot be negative", "check whether the table holds decibels");
+                     "a power spectral density is a mean square per hertz and cannot be negative",
+                     "check whether the table holds decibels");
     if (f[i] < 0 || (logarithmic && f[i] == 0))
       problems.error(subject, fmt::format("{}: frequency {:.6g} Hz", row, f[i]),
                      logarithmic ? "logarithmic interpolation needs frequencies > 0" : "a one-sided spectrum has frequencies ≥ 0",
@@ -126,7 +133,8 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
   for (std::size_t i = 1; i < s.size(); ++i)
     if ((s[i] == 0) != (s[i - 1] == 0))
       problems.warning(subject, fmt::format("density 0 at {:.6g} Hz", s[i] == 0 ? f[i] : f[i - 1]),
-                       "a logarithm has no zero: from the neighbour to it the density is interpolated linearly", "give a small density if that is not meant");
+                       "a logarithm has no zero: from the neighbour to it the density is interpolated linearly",
+                       "give a small density if that is not meant");
   return problems;
 }
 

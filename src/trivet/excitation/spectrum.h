@@ -8,7 +8,8 @@
 
 namespace trivet::excitation {
 
-/// One piece of a power spectral density between two frequencies: ω^`factor` times a power law through its two ends, or times a straight line.
+/// One piece of a power spectral density between two frequencies: ω^`factor` times a power law through its two ends, or times a straight
+/// line.
 struct SpectrumPiece {
   double from = 0, to = 0;  ///< [rad/s], 0 ≤ from < to; a power law has from > 0
   double density_from = 0;  ///< at `from`, without the factor

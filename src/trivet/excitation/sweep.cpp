@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -17,22 +18,13 @@ constexpr double most_parabolas = 2e7;
 constexpr double two_parabolas_error = 2.0 / 81;
 
 void require_valid_sweep(const Sweep& s) {
-  const auto refuse = [](const char* name, double value, const char* unit, const char* rule) {
-    throw foundation::InvalidInput(fmt::format("sweep: {} = {:.6g} {}, {}", name, value, unit, rule));
-  };
-  const auto finite = [&](const char* name, double value, const char* unit) {
-    if (!std::isfinite(value)) refuse(name, value, unit, "must be finite");
-  };
-  finite("amplitude", s.amplitude, "");
-  finite("phase", s.phase, "rad");
-  finite("start", s.start, "s");
-  finite("from", s.from, "rad/s");
-  finite("to", s.to, "rad/s");
-  if (!(s.duration > 0) || !std::isfinite(s.duration)) refuse("duration", s.duration, "s", "must be > 0");
-  const bool logarithmic = s.law == Sweep::Law::logarithmic;
-  if (s.from < 0 || (logarithmic && s.from == 0)) refuse("from", s.from, "rad/s", logarithmic ? "must be > 0" : "must be ≥ 0");
-  if (s.to < 0 || (s.to == 0 && (logarithmic || s.amplitude_law == Sweep::Amplitude::speed_squared || s.from == 0)))
-    refuse("to", s.to, "rad/s", "must be > 0");
+  require_finite(s.amplitude, "amplitude of a sweep", "");
+  require_finite(s.phase, "phase of a sweep", "rad");
+  require_finite(s.start, "start of a sweep", "s");
+  require_positive(s.duration, "duration of a sweep", "s");
+  const bool logarithmic = s.law == Sweep::Law::logarithmic, run_up = s.amplitude_law == Sweep::Amplitude::speed_squared;
+  (logarithmic ? require_positive : require_not_negative)(s.from, "first frequency of a sweep", "rad/s");
+  (logarithmic || run_up || s.from == 0 ? require_positive : require_not_negative)(s.to, "last frequency of a sweep", "rad/s");
 }
 
 /// φ, ω, ω̇, ω̈ at s.
@@ -90,9 +82,9 @@ Signal sweep_signal(const Sweep& sweep, double tolerance) {
     throw foundation::InvalidInput(fmt::format("sweep: tolerance {:.3g}, must be between 1e-12 and 0.1", tolerance));
   const double radians_per_piece = std::cbrt(0.9 * tolerance / two_parabolas_error);
   if (const double count = phase_of(sweep, sweep.duration).angle / radians_per_piece; count > most_parabolas)
-    throw foundation::NotComputable(fmt::format("a sweep of {:.3g} cycles takes {:.2g} parabolas at a tolerance of {:.1g}; the most is {:.1g}",
-                                                (phase_of(sweep, sweep.duration).angle - sweep.phase) / 6.283185307179586, count, tolerance,
-                                                most_parabolas));
+    throw foundation::NotComputable(
+        fmt::format("a sweep of {:.3g} cycles takes {:.2g} parabolas at a tolerance of {:.1g}; the most is {:.1g}",
+                    (phase_of(sweep, sweep.duration).angle - sweep.phase) / 6.283185307179586, count, tolerance, most_parabolas));
   Signal signal;
   for (double s = 0; s < sweep.duration;) {
     const double left = sweep.duration - s;

@@ -17,16 +17,16 @@ struct Sweep {
   double duration = 0;      ///< [s] > 0
   Law law = Law::linear;
   Amplitude amplitude_law = Amplitude::constant;
-  double phase = 0;         ///< [rad]
-  double start = 0;         ///< [s]
+  double phase = 0;  ///< [rad]
+  double start = 0;  ///< [s]
 };
 
 /// The sweep itself, for 0 ≤ s ≤ duration after its start.
 [[nodiscard]] SignalState sweep_state(const Sweep& sweep, double s);
 
-/// The sweep as parabolas, continuous with its rate: value and rate are exact at every second joint, and between them the value is off by at most
-/// `tolerance` of the local amplitude (the rate by about 4 tolerance^(2/3) of amplitude times frequency). tolerance in [1e-12, 0.1];
-/// 1e-5 takes about 85 parabolas per cycle.
+/// The sweep as parabolas, continuous with its rate: value and rate are exact at every second joint, and between them the value is off by
+/// at most `tolerance` of the local amplitude (the rate by about 4 tolerance^(2/3) of amplitude times frequency). tolerance in [1e-12,
+/// 0.1]; 1e-5 takes about 85 parabolas per cycle.
 /// @throws foundation::InvalidInput for numbers out of range, foundation::NotComputable above twenty million parabolas
 [[nodiscard]] Signal sweep_signal(const Sweep& sweep, double tolerance = 1e-5);
 

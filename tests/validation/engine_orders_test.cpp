@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Piston engines against the textbook series (Taylor; Den Hartog, chapter 5), forces of five engines computed from the exact kinematics by
+// discrete Fourier transform, and whole-engine simulation in time.
+#include "trivet/excitation/engine_orders.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "trivet/excitation/slider_crank.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::excitation;
+using Complex = std::complex<double>;
+using test::RelativelyNear;
+using ::testing::HasSubstr;
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+constexpr double omega = 314.1592653589793;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+TEST(SliderCrank, HasTheSeriesOfTheTextbooks) {
+  constexpr double l = 0.3;
+  const std::vector<double> a = inertia_coefficients(l, 8), g = inertia_torque_coefficients(l, 4);
+  EXPECT_EQ(a[1], 1);
+  EXPECT_EQ(a[3], 0);
+  // The series is cut after the fourth term: the next one is below λ⁹ for the second order, λ⁹ for the others.
+  EXPECT_NEAR(a[2], l + std::pow(l, 3) / 4 + 15 * std::pow(l, 5) / 128 + 35 * std::pow(l, 7) / 512, std::pow(l, 9));
+  EXPECT_NEAR(a[4], -(std::pow(l, 3) / 4 + 3 * std::pow(l, 5) / 16 + 35 * std::pow(l, 7) / 256), 2 * std::pow(l, 9));
+  EXPECT_NEAR(a[6], 9 * std::pow(l, 5) / 128 + 45 * std::pow(l, 7) / 512, 3 * std::pow(l, 9));
+  // Torque: −(¼λ sin φ − ½ sin 2φ − ¾λ sin 3φ − ¼λ² sin 4φ), leading terms.
+  EXPECT_NEAR(g[1], -l / 4, std::pow(l, 3));
+  EXPECT_NEAR(g[2], 0.5, std::pow(l, 4));
+  EXPECT_NEAR(g[3], 0.75 * l, std::pow(l, 3));
+  EXPECT_NEAR(g[4], l * l / 4, std::pow(l, 4));
+}
+
+TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
+  // Reference for λ = 0.3 by discrete Fourier transform of the exact motion, all digits.
+  constexpr double digits = 1e-10;
+  const std::vector<double> a = inertia_coefficients(0.3, 6);
+  EXPECT_THAT(a[2], RelativelyNear(0.3070506590621658, digits));
+  EXPECT_THAT(a[4], RelativelyNear(-0.007237694996822019, digits));
+  EXPECT_THAT(a[6], RelativelyNear(0.00019193674663644267, 1e-8));
+  for (const double l : {0.05, 0.3, 0.6, 0.9}) {  // and here: the sums must be the motion
+    const int count = negligible_order(l);
+    const std::vector<double> all = inertia_coefficients(l, count), torque = inertia_torque_coefficients(l, 2 * count);
+    for (const double phi : {0.0, 0.4, 1.3, 2.9, 4.4}) {
+      const double sine = std::sin(phi), cosine = std::cos(phi), root = std::sqrt(1 - l * l * sine * sine);
+      const double first = -sine - l * sine * cosine / root;  // s′/r, s″/r
+      const double second =
+          -cosine - l * (cosine * cosine - sine * sine) / root - l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
+      double inertia = 0, product = 0;
+      for (int n = 0; n <= count; ++n) inertia += all[static_cast<std::size_t>(n)] * std::cos(n * phi);
+      for (int n = 0; n <= 2 * count; ++n) product += torque[static_cast<std::size_t>(n)] * std::sin(n * phi);
+      EXPECT_NEAR(-inertia, second, 1e-12);
+      EXPECT_NEAR(product, first * second, 1e-12);
+    }
+  }
+  EXPECT_THROW((void)inertia_coefficients(1, 4), foundation::InvalidInput);
+  EXPECT_THROW((void)inertia_coefficients(0, 4), foundation::InvalidInput);
+  EXPECT_THROW((void)inertia_coefficients(0.3, 0), foundation::InvalidInput);
+}
+
+struct Placed {
+  double crank_angle, bank_angle, position;
+};
+
+Engine engine_of(std::initializer_list<Placed> cylinders) {
+  Engine engine{.crank_radius = 0.045, .rod_ratio = 0.3, .oscillating_mass = 0.55};
+  for (const Placed& c : cylinders)
+    engine.cylinders.push_back({.position = c.position, .bank_angle = c.bank_angle, .crank_angle = c.crank_angle});
+  return engine;
+}
+
+ComplexVector6 inertia(const Engine& engine, int order) {
+  for (const Order& entry : inertia_orders(engine, 6))
+    if (entry.order == order) return omega * omega * entry.per_speed_squared;
+  return ComplexVector6::Zero();
+}
+
+/// Reference values: amplitudes of the vertical and transverse force, and moments Σ position · force; the transverse direction is −y here.
+void expect_order(const Engine& engine, int order, Complex vertical, Complex transverse, Complex pitch, Complex yaw) {
+  constexpr double digits = 3e-6;  // the references cut the series of λ after λ⁷: 3e-6 of the second, 1e-2 of the sixth order
+  constexpr double absolute = 2e-5;
+  const double series = order == 6 ? 1e-2 : order == 4 ? 3e-4 : digits;
+  const ComplexVector6 w = inertia(engine, order);
+  const auto near = [&](Complex actual, Complex expected, const char* name) {
+    EXPECT_LE(std::abs(actual - expected), series * std::abs(expected) + absolute)
+        << name << " of order " << order << ": " << actual << ", expected " << expected;
+  };
+  near(w(2), vertical, "F_z");
+  near(-w(1), transverse, "-F_y");
+  near(-w(4), pitch, "-M_y");
+  near(-w(5), yaw, "-M_z");
+  EXPECT_EQ(w(0), 0.0);
+}
+
+TEST(EngineOrders, OfAnInlineFourAreItsSecondOrder) {
+  const Engine four = engine_of({{0, 0, 0.135}, {pi, 0, 0.045}, {pi, 0, -0.045}, {0, 0, -0.135}});
+  expect_order(four, 1, 0, 0, 0, 0);
+  expect_order(four, 2, 3000.1638506769664, 0, 0, 0);
+  expect_order(four, 4, -70.71885453043328, 0, 0, 0);
+  expect_order(four, 6, 1.8753963617404699, 0, 0, 0);
+  // In closed form with the exact coefficient: 4 m r Ω² a₂.
+  EXPECT_THAT(inertia(four, 2)(2).real(), RelativelyNear(4 * 0.55 * 0.045 * omega * omega * 0.3070506590621658, 1e-10));
+  // What cancels is exactly zero, and an order with nothing left is not listed: the torque of order 1 and 3 cancels too.
+  for (const Order& entry : inertia_orders(four, 6)) EXPECT_EQ(std::fmod(entry.order, 2), 0);
+}
+
+TEST(EngineOrders, OfAnInlineThreeAreCouples) {
+  const Engine three = engine_of({{0, 0, 0.09}, {120 * degree, 0, 0}, {240 * degree, 0, -0.09}});
+  expect_order(three, 1, 0, 0, {329.7681570513983, 190.3917342437915}, 0);
+  expect_order(three, 2, 0, 0, {101.25552996034756, -58.459907479544945}, 0);
+  expect_order(three, 4, 0, 0, {-2.3867613404021255, -1.3779973023725562}, 0);
+  expect_order(three, 6, 1.4065472713053524, 0, 0, 0);
+  EXPECT_THAT(std::abs(inertia(three, 1)(4)), RelativelyNear(380.78346848758304, 1e-12));
+}
+
+TEST(EngineOrders, OfAnInlineSixVanishBelowTheSixth) {
+  const double a = 120 * degree, b = 240 * degree;
+  const Engine six = engine_of({{0, 0, 0.225}, {a, 0, 0.135}, {b, 0, 0.045}, {b, 0, -0.045}, {a, 0, -0.135}, {0, 0, -0.225}});
+  for (const int order : {1, 2, 4}) expect_order(six, order, 0, 0, 0, 0);
+  expect_order(six, 6, 2.8130945426107052, 0, 0, 0);
+}
+
+TEST(EngineOrders, OfAVeeSixTurnAndTumble) {
+  const double p = 30 * degree, m = -30 * degree;
+  const Engine vee = engine_of({{0, p, 0.09},
+                                {60 * degree, m, 0.09},
+                                {120 * degree, p, 0},
+                                {180 * degree, m, 0},
+                                {240 * degree, p, -0.09},
+                                {300 * degree, m, -0.09}});
+  expect_order(vee, 1, 0, 0, {164.88407852569912, 285.5876013656872}, {285.5876013656873, -164.88407852569907});
+  expect_order(vee, 2, 0, 0, {-87.68986121931744, -50.62776498017381}, {50.627764980173794, -87.68986121931732});
+  expect_order(vee, 4, 0, 0, {-2.0669959535588336, 1.1933806702010616}, {1.1933806702010608, 2.066995953558837});
+  expect_order(vee, 6, -2.436211337148236, 0, 0, 0);
+}
+
+TEST(EngineOrders, OfACrossPlaneVeeEightAreItsPrimaryCouple) {
+  const double p = 45 * degree, m = -45 * degree, q = 90 * degree;
+  const Engine vee = engine_of({{0, p, 0.135},
+                                {0, m, 0.135},
+                                {q, p, 0.045},
+                                {q, m, 0.045},
+                                {3 * q, p, -0.045},
+                                {3 * q, m, -0.045},
+                                {2 * q, p, -0.135},
+                                {2 * q, m, -0.135}});
+  expect_order(vee, 1, 0, 0, {659.5363141027967, 219.84543803426553}, {219.84543803426547, -659.5363141027965});
+  expect_order(vee, 2, 0, 0, 0, 0);
+  expect_order(vee, 4, 100.01156319242875, 0, 0, 0);
+  expect_order(vee, 6, 0, 0, 0, 0);
+}
+
+/// The wrench of all cylinders at crank angle θ from the exact kinematics, one cylinder after another in vectors: pistons accelerate along
+/// their axes, throws circle, and the side force of each rod pushes its wall at the height of the piston.
+Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double speed) {
+  const double r = e.crank_radius, rod = r / e.rod_ratio;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+  for (const Cylinder& c : e.cylinders) {
+    const Eigen::Vector3d axis(0, -std::sin(c.bank_angle), std::cos(c.bank_angle)), across = Eigen::Vector3d::UnitX().cross(axis);
+    const auto height = [&](double t) {
+      const double phi = t + c.crank_angle - c.bank_angle;
+      return r * std::cos(phi) + std::sqrt(rod * rod - std::pow(r * std::sin(phi), 2));
+    };
+    const double h = 1e-4, acceleration = (height(theta + h) - 2 * height(theta) + height(theta - h)) / (h * h) * speed * speed;
+    const double phi = theta + c.crank_angle - c.bank_angle, s = height(theta);
+    const double pin_across = r * std::sin(phi);                            // of the crank pin; the rod leans from the piston to it
+    const double along_rod = e.oscillating_mass * acceleration;             // axial force of the rod on the piston, no gas
+    const double side = -along_rod * pin_across / (s - r * std::cos(phi));  // of the rod on the piston, and so of the piston on the wall
+    const Eigen::Vector3d throw_direction(0, -std::sin(theta + c.crank_angle), std::cos(theta + c.crank_angle));
+    const Eigen::Vector3d at(c.position, 0, 0);
+    // On the frame: the wall, and the main bearings with what the pin and the throw bring.
+    const Eigen::Vector3d wall = side * across, bearing = -along_rod * axis - side * across +
+                                                          (e.rotating_mass * r - e.counterweight) * speed * speed * throw_direction;
+    force += wall + bearing;
+    moment += (at + s * axis).cross(wall) + at.cross(bearing);
+  }
+  Eigen::Matrix<double, 6, 1> wrench;
+  wrench << force, moment;
+  return wrench;
+}
+
+TEST(EngineOrders, SumUpToTheForcesOfTheWholeEngineInTime) {
+  Engine engine{.crank_radius = 0.05, .rod_ratio = 0.28, .oscillating_mass = 0.6, .rotating_mass = 0.8, .counterweight = 0.01};
+  engine.cylinders = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee,
+                                              .cylinders = 4,
+                                              .bank_angle = 70 * degree,
+                                              .spacing = 0.1,
+                                              .bank_offset = 0.02,
+                                              .firing_order = {1, 3, 2, 4}});
+  const std::vector<Order> orders = inertia_orders(engine, 24);
+  for (const double theta : {0.0, 0.7, 2.1, 3.9, 5.5}) {
+    Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+    for (const Order& entry : orders) sum += omega * omega * (entry.per_speed_squared * std::polar(1.0, entry.order * theta)).real();
+    const auto exact = exact_wrench(engine, theta, omega);
+    constexpr double second_difference = 1e-7;  // h²/12 of the fourth derivative, ε/h² of round-off
+    for (Eigen::Index i = 0; i < 6; ++i) EXPECT_NEAR(sum(i), exact(i), second_difference * (i < 3 ? 20000 : 2000)) << i;
+  }
+}
+
+TEST(EngineOrders, CounterweightsOnTheThrowsBalanceTheRotatingMasses) {
+  Engine one = engine_of({{0.3, 0, 0.1}});
+  one.rotating_mass = 2;
+  one.counterweight = 2 * one.crank_radius;
+  EXPECT_EQ(inertia(one, 1)(1), 0.0);
+  one.oscillating_mass = 0;
+  one.counterweight = 0;
+  const ComplexVector6 w = inertia(one, 1);  // circles: y runs a quarter turn ahead of z towards −y
+  EXPECT_LE(std::abs(w(2) - 2 * 0.045 * omega * omega * std::polar(1.0, 0.3)), 1e-9);
+  EXPECT_LE(std::abs(w(1) - Complex(0, 1) * w(2)), 1e-9);
+}
+
+/// A made pressure: polytropic compression and expansion with combustion, over 720°, start of the cycle at firing top dead centre.
+PressureTrace made_trace(const Engine& engine, int points) {
+  PressureTrace trace;
+  for (int i = 0; i < points; ++i) {
+    const double phi = 4 * pi * i / points, sine = std::sin(phi);
+    const double stroke =
+        1 - std::cos(phi) + (1 - std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2))) / engine.rod_ratio;  // of r, from the top
+    const double volume = 1 + 4.5 * stroke, closed = phi < 0.9 * pi || phi > 3.1 * pi ? 1 : 0;
+    const double burnt = phi < 0.9 * pi ? 1 - std::exp(-3 * phi) : 0;
+    trace.angles.push_back(phi);
+    trace.pressures.push_back(closed * (2e6 + 4e6 * burnt) * std::pow(volume, -1.3) - 1e4 * (1 - closed));
+  }
+  return trace;
+}
+
+TEST(GasTorque, HarmonicsAreTheFourierIntegralsOfPressureTimesLever) {
+  const Engine engine = engine_of({{0, 0, 0}});
+  const PressureTrace trace = made_trace(engine, 90);
+  constexpr double bore = 0.08;
+  const std::vector<TorqueHarmonic> harmonics = gas_harmonics(trace, engine, bore, 6);
+  ASSERT_EQ(harmonics.size(), 13u);
+  const double area = pi * bore * bore / 4, scale = area * engine.crank_radius * 6e6;
+  for (const TorqueHarmonic& harmonic : harmonics) {
+    Complex sum = 0;
+    constexpr int per_line = 400;  // Simpson within each straight line
+    for (std::size_t i = 0; i < trace.angles.size(); ++i) {
+      const double a = trace.angles[i], b = a + 4 * pi / 90, p = trace.pressures[i], q = trace.pressures[(i + 1) % 90];
+      for (int k = 0; k <= per_line; ++k) {
+        const double share = static_cast<double>(k) / per_line, phi = a + share * (b - a), sine = std::sin(phi);
+        const double lever = sine + engine.rod_ratio * sine * std::cos(phi) / std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2));
+        const double weight = (k == 0 || k == per_line ? 1 : k % 2 ? 4 : 2) / 3.0 * (b - a) / per_line;
+        sum += weight * area * (p + share * (q - p)) * engine.crank_radius * lever * std::polar(1.0, -harmonic.order * phi);
+      }
+    }
+    sum /= harmonic.order == 0 ? 4 * pi : 2 * pi;
+    EXPECT_LE(std::abs(harmonic.torque - sum), 1e-11 * scale) << harmonic.order;
+  }
+  EXPECT_GT(harmonics[0].torque.real(), 0);  // the gas drives
+}
+
+TEST(GasTorque, MeanIsTheWorkOfTheCycle) {
+  // Mean torque · 4π = ∮ p dV, the volume of the swept cylinder being A(s(0) − s(φ)): indicator work by its own trapezoids.
+  const Engine engine = engine_of({{0, 0, 0}});
+  const PressureTrace trace = made_trace(engine, 7200);
+  const double area = pi * 0.08 * 0.08 / 4;
+  const auto volume = [&](double phi) {
+    return -area * engine.crank_radius * (std::cos(phi) + std::sqrt(1 - std::pow(engine.rod_ratio * std::sin(phi), 2)) / engine.rod_ratio);
+  };
+  double work = 0;
+  for (std::size_t i = 0; i < 7200; ++i)
+    work += 0.5 * (trace.pressures[i] + trace.pressures[(i + 1) % 7200]) *
+            (volume(4 * pi * static_cast<double>(i + 1) / 7200) - volume(trace.angles[i]));
+  EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(), RelativelyNear(work, 1e-5));  // trapezoids of 0.1°
+}
+
+TEST(GasTorque, OfEvenlyFiringCylindersAddsUpInMultiplesOfTheFiringOrder) {
+  Engine engine{.crank_radius = 0.045, .rod_ratio = 0.3};
+  engine.cylinders = evenly_firing_cylinders({.cylinders = 4, .spacing = 0.09});
+  const std::vector<TorqueHarmonic> one = {{0, 20}, {0.5, {30, 5}}, {1, {40, -3}}, {2, {25, 12}}, {4, {8, 1}}};
+  const std::vector<Order> orders = gas_orders(engine, one);
+  ASSERT_EQ(orders.size(), 2u);
+  EXPECT_EQ(orders[0].order, 2);
+  EXPECT_LE(std::abs(orders[0].fixed(3) + 4.0 * Complex(25, 12)), 1e-12);  // the block answers against the crank
+  EXPECT_EQ(orders[1].order, 4);
+  EXPECT_EQ(mean_torque(engine, one), 80);
+  EXPECT_EQ(orders[0].per_speed_squared.norm(), 0);
+}
+
+TEST(GasTorque, ALaterFiringAngleLags) {
+  Engine engine = engine_of({{0, 0, 0}});
+  engine.cylinders[0].crank_angle = -0.4;
+  engine.cylinders[0].firing_angle = 0.4;
+  EXPECT_LE(std::abs(gas_orders(engine, {{1.5, 10}}).at(0).fixed(3) + std::polar(10.0, -0.6)), 1e-13);
+}
+
+TEST(EngineOrders, JoinAddsEqualOrders) {
+  std::vector<Order> one(1), two(2);
+  one[0].order = two[1].order = 2;
+  two[0].order = 0.5;
+  one[0].fixed(3) = 1;
+  two[1].fixed(3) = 2;
+  two[1].per_speed_squared(2) = 5;
+  const std::vector<Order> all = joined(one, two);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].order, 0.5);
+  EXPECT_EQ(all[1].fixed(3), 3.0);
+  EXPECT_EQ(all[1].per_speed_squared(2), 5.0);
+}
+
+TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
+  const auto throws = [](const EngineLayout& layout) {
+    std::vector<double> degrees;
+    for (const Cylinder& c : evenly_firing_cylinders(layout)) degrees.push_back(std::remainder(c.crank_angle / degree, 360));
+    return degrees;
+  };
+  using ::testing::ElementsAre;
+  const auto near = [](double d) { return ::testing::Truly([d](double x) { return std::abs(std::remainder(x - d, 360)) < 1e-9; }); };
+  EXPECT_THAT(throws({.cylinders = 4}), ElementsAre(near(0), near(180), near(180), near(0)));
+  EXPECT_THAT(throws({.cylinders = 6}), ElementsAre(near(0), near(240), near(120), near(120), near(240), near(0)));
+  EXPECT_THAT(throws({.cylinders = 2}), ElementsAre(near(0), near(0)));
+  // A flat four, numbered 1 2 on one bank and 3 4 on the other, fires 1 4 3 2: opposite pistons have opposite throws, so primary forces
+  // cancel.
+  const EngineLayout flat{
+      .kind = EngineLayout::Kind::boxer, .cylinders = 4, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 4, 3, 2}};
+  EXPECT_THAT(throws(flat), ElementsAre(near(90), near(270), near(270), near(90)));
+  Engine boxer{.crank_radius = 0.04, .rod_ratio = 0.3, .oscillating_mass = 1};
+  boxer.cylinders = evenly_firing_cylinders(flat);
+  EXPECT_FALSE(check(boxer, "").has_errors());
+  EXPECT_EQ(inertia(boxer, 1).head<3>().norm(), 0);
+  EXPECT_EQ(inertia(boxer, 2).head<3>().norm(), 0);
+  EXPECT_GT(inertia(boxer, 2).tail<3>().norm(), 1);  // the couple of the offset banks is left
+}
+
+TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {
+  const auto vee = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee,
+                                            .cylinders = 6,
+                                            .bank_angle = 60 * degree,
+                                            .spacing = 0.1,
+                                            .bank_offset = 0.02,
+                                            .firing_order = {1, 4, 2, 5, 3, 6}});
+  const double positions[] = {0.11, 0.01, -0.09, 0.09, -0.01, -0.11};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(vee[i].position, positions[i], 1e-15);
+    EXPECT_NEAR(vee[i].bank_angle, (i < 3 ? 30 : -30) * degree, 1e-15);
+  }
+}
+
+TEST(Engine, FindingsSayWhatIsWrong) {
+  const auto first = [](const Engine& e) { return foundation::message(check(e, "engine").list().at(0)); };
+  Engine engine = engine_of({{0, 0, 0}});
+  EXPECT_TRUE(check(engine, "").list().empty());
+  EXPECT_THROW((void)gas_orders(engine, {{1, 1}}), foundation::InvalidInput);  // no firing angle
+  engine.cylinders[0].firing_angle = 90 * degree;
+  EXPECT_THAT(first(engine), HasSubstr("its crank is 90° from top dead centre"));
+  engine.cylinders[0].firing_angle = 360 * degree;
+  EXPECT_TRUE(check(engine, "").list().empty());
+  EXPECT_THROW((void)gas_orders(engine, {{0.3, 1}}), foundation::InvalidInput);
+  EXPECT_THROW((void)gas_orders(engine, {{1, 1}, {1, 1}}), foundation::InvalidInput);
+  EXPECT_THROW((void)gas_orders(engine, {{1, not_a_number}}), foundation::InvalidInput);
+  Engine wrong = engine;
+  wrong.rod_ratio = 1.2;
+  EXPECT_THAT(first(wrong), HasSubstr("rod_ratio: 1.2"));
+  EXPECT_THROW((void)inertia_orders(wrong, 4), foundation::InvalidInput);
+  wrong = engine;
+  wrong.crank_radius = not_a_number;
+  EXPECT_THAT(first(wrong), HasSubstr("crank_radius"));
+  wrong = engine;
+  wrong.oscillating_mass = -1;
+  EXPECT_THAT(first(wrong), HasSubstr("oscillating_mass: -1 kg"));
+  wrong = engine;
+  wrong.strokes = 3;
+  EXPECT_THAT(first(wrong), HasSubstr("2 or 4"));
+  wrong.cylinders.clear();
+  EXPECT_TRUE(check(wrong, "").has_errors());
+}
+
+TEST(EngineLayout, RefusesWhatDoesNotExist) {
+  EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 0}), foundation::InvalidInput);
+  EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 7}), foundation::InvalidInput);
+  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::vee, .cylinders = 6}), foundation::InvalidInput);
+  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::boxer, .cylinders = 3, .firing_order = {1, 2, 3}}),
+               foundation::InvalidInput);
+  EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 4, .firing_order = {1, 3, 3, 2}}), foundation::InvalidInput);
+}
+
+TEST(GasTorque, FindingsSayWhatIsWrong) {
+  const auto first = [](const PressureTrace& t) { return foundation::message(check(t, 4 * pi, "p.csv").list().at(0)); };
+  EXPECT_THAT(first({{0, 2, 1}, {1, 1, 1}}), HasSubstr("angles must increase"));
+  EXPECT_THAT(first({{0, 1, not_a_number}, {1, 1, 1}}), HasSubstr("row 3: nan"));
+  EXPECT_THAT(first({{0, 1, 2 * pi}, {1, 1, 1}}), HasSubstr("more than 30°"));
+  EXPECT_THAT(first({{0, 1, 5 * pi}, {1, 1, 1}}), HasSubstr("cut the trace to one cycle"));
+  EXPECT_THAT(first({{0, 1, 4 * pi}, {1, 1, 2}}), HasSubstr("here it jumps"));
+  EXPECT_THAT(first({{0, 1}, {1, 1}}), HasSubstr("2 points"));
+  EXPECT_THAT(first({{0, 1, 2}, {1, 1}}), HasSubstr("3 angles and 2 pressures"));
+  EXPECT_THROW((void)gas_harmonics(made_trace(engine_of({{0, 0, 0}}), 90), engine_of({{0, 0, 0}}), 0, 4), foundation::InvalidInput);
+}
+
+}  // namespace
