@@ -94,8 +94,9 @@ TEST(SuspensionOfABlockOnFourMounts, HasThePublishedFrequenciesAndTwoPureModes) 
 }
 
 TEST(TorqueRollAxis, IsThePublishedOneOfAPowertrain) {
-  // T. Jeong, R. Singh, Analytical methods of decoupling the automotive engine torque roll axis, J. Sound Vib. 234 (2000) 85-114: tensor in
-  // kg m² and direction as printed, six digits.
+  // T. Jeong, R. Singh, Analytical methods of decoupling the automotive engine torque roll axis, J. Sound Vib. 234 (2000) 85-114, as quoted
+  // at eng-tips.com (thread 71-351229): moments in kg m² and direction to six digits. The quotation leaves the sign convention of the products open;
+  // of the four that a turn of axes allows, the one taken here gives the direction.
   auto project = test::project(
       "trivet = 1\n[bodies.engine]\nmass = 73.2\ncenter_of_mass = [0.1, 0.2, 0.3]\n"
       "inertia = {about = \"center_of_mass\", xx = 2.519, yy = 4.458, zz = 4.409, xy = 0.1678, xz = 0.5385, yz = -0.0947}\n"
