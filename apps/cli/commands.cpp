@@ -16,9 +16,7 @@
 #include "trivet/study/units.h"
 
 namespace trivet::cli {
-namespace {
 
-/// "1,2.7,15.6" in rad/s, or each with a unit.
 std::vector<double> frequencies(const std::string& option, const std::string& text) {
   std::vector<double> result;
   std::size_t from = 0;
@@ -39,6 +37,8 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
   }
   return result;
 }
+
+namespace {
 
 study::Analyses wanted(const std::string& which, const study::Case& variant, const Options& options) {
   study::Analyses analyses;

@@ -24,6 +24,10 @@ struct Options {
   bool all = false;
   std::string picture;
   std::string output = "trivet-results";
+  std::vector<std::string> of;
+  int most = 10;
+  std::string torque;
+  std::string excitations;
 };
 
 /// Each returns the exit code.
@@ -31,6 +35,8 @@ int check_command(const Options& options);
 int answer_command(const std::string& which, const Options& options);
 int element_command(const Options& options);
 int run_command(const Options& options);
+int explain_command(const Options& options);
+int suspension_command(const Options& options);
 
 /// The command line asks for what the project does not have.
 struct BadArgument : std::runtime_error {
@@ -39,6 +45,9 @@ struct BadArgument : std::runtime_error {
 
 /// The base model, or the case of this name. @throws BadArgument if there is none
 [[nodiscard]] const study::Case& chosen_case(const study::Project& project, const std::string& name);
+
+/// "1,2.7,15.6" in rad/s, or each with a unit. @throws BadArgument, naming the option
+[[nodiscard]] std::vector<double> frequencies(const std::string& option, const std::string& text);
 
 /// The project, or nothing after its problems were printed.
 [[nodiscard]] std::optional<study::Project> read_or_complain(const Options& options);

@@ -36,6 +36,8 @@ int dispatch(const CLI::App& app, const Options& options) {
   if (which == "schema") return trivet::cli::write_output(trivet::study::schema_text), trivet::cli::done;
   if (which == "check") return trivet::cli::check_command(options);
   if (which == "element") return trivet::cli::element_command(options);
+  if (which == "explain") return trivet::cli::explain_command(options);
+  if (which == "suspension") return trivet::cli::suspension_command(options);
   if (which == "run") return trivet::cli::run_command(options);
   return trivet::cli::answer_command(which, options);
 }
@@ -60,6 +62,12 @@ int main(int argc, char** argv) {
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->excludes(at);
   add_answer(app, "peaks", "exact resonance peaks", options);
   add_answer(app, "static", "static displacements and forces", options);
+  CLI::App* explain = add_answer(app, "explain", "why each resonance peak is there, and what would change it", options);
+  explain->add_option("--of", options.of, "an answer whose peaks are explained (repeatable); those of the file's peaks by default")->allow_extra_args(false);
+  explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")->capture_default_str()->check(CLI::PositiveNumber);
+  CLI::App* suspension = add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
+  suspension->add_option("--torque", options.torque, "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default");
+  suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s");
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");

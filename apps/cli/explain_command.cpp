@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/text_table.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/explanation.h"
+
+namespace trivet::cli {
+namespace {
+
+constexpr std::size_t most_levers = 12;
+constexpr double worth_a_row = 0.005;
+
+std::string percent(double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); }
+
+/// Lines of a screen's width, the next ones indented.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 118;
+  std::string lines, line;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::size_t space = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, space - from);
+    if (!line.empty() && line.size() + word.size() > width) {
+      lines += line + "\n";
+      line = "    " + word;
+    } else {
+      line += (line.empty() ? "" : " ") + word;
+    }
+    from = space + 1;
+  }
+  return lines + line + "\n";
+}
+
+std::string change(const std::optional<double>& slope, double size) { return slope ? fmt::format("{:+.3g} %", 100 * *slope * size) : "–"; }
+
+std::string modes_table(const study::Explanation& explanation, const study::ExplainedPeak& peak) {
+  TextTable table({"mode", "share of the amplitude", "motion"});
+  int rows = 0;
+  for (const response::ModeShare& mode : peak.shares.modes) {
+    if (std::abs(mode.share) < worth_a_row) continue;
+    table.add({std::to_string(mode.mode), percent(mode.share), explanation.modes.list[static_cast<std::size_t>(mode.mode - 1)].name});
+    ++rows;
+  }
+  if (std::abs(peak.shares.beyond_modes) >= worth_a_row) table.add({"", percent(peak.shares.beyond_modes), "beyond the undamped modes"});
+  return rows > 0 ? table.text() : "";
+}
+
+std::string elements_table(const study::Case& variant, const study::ExplainedPeak& peak) {
+  TextTable table({"element", "strain energy", "along x", "y", "z", "about x", "y", "z", "dissipated"});
+  const auto& shares = peak.shares;
+  for (std::size_t e = 0; e < shares.elements.size(); ++e) {
+    std::vector<std::string> row = {variant.system.elements()[e].name, percent(shares.elements[e].stored)};
+    for (const double direction : shares.elements[e].by_direction) row.push_back(percent(direction));
+    row.push_back(percent(shares.elements[e].dissipated));
+    table.add(row);
+  }
+  if (std::abs(shares.geometric) >= worth_a_row)
+    table.add({"preload and weight where bodies turn", percent(shares.geometric), "", "", "", "", "", "", ""});
+  if (std::abs(shares.in_foundations) >= worth_a_row || std::abs(shares.by_foundations) >= worth_a_row)
+    table.add({"foundations", percent(shares.in_foundations), "", "", "", "", "", "", percent(shares.by_foundations)});
+  if (std::abs(shares.system_damping) >= worth_a_row)
+    table.add({"damping of the whole system", "", "", "", "", "", "", "", percent(shares.system_damping)});
+  return table.text();
+}
+
+std::string levers_table(const study::Explanation& explanation, const study::ExplainedPeak& peak) {
+  TextTable table({"parameter", "change", "height", "frequency"});
+  for (std::size_t i = 0; i < std::min(peak.sensitivities.size(), most_levers); ++i) {
+    const response::Sensitivity& s = peak.sensitivities[i];
+    const response::Parameter& parameter = explanation.parameters[s.parameter];
+    table.add({parameter.name, parameter.change, change(s.height, parameter.size), change(s.frequency, parameter.size)});
+  }
+  std::string text = table.text();
+  if (peak.sensitivities.size() > most_levers)
+    text += fmt::format("  (the strongest {} of {}; --csv or --json gives all)\n", most_levers, peak.sensitivities.size());
+  return text;
+}
+
+std::string explain_text(const study::Case& variant, const study::Explanation& explanation) {
+  std::string text;
+  for (const auto& problem : explanation.warnings.list()) text += foundation::message(problem) + "\n";
+  if (!text.empty()) text += "\n";
+  if (explanation.peaks.empty()) return text + "No resonance peaks: nothing to explain\n";
+  for (const study::ExplainedPeak& peak : explanation.peaks) {
+    text += wrapped(peak.sentence);
+    text += modes_table(explanation, peak) + elements_table(variant, peak) + levers_table(explanation, peak);
+    for (const std::string& note : peak.notes) text += "  note: " + note + "\n";
+    text += "\n";
+  }
+  text +=
+      "Energy by direction: deformation at each element's elastic centre, its local axes. Changes to first order, exact slopes; places "
+      "move the element as it is.\n";
+  if (explanation.left_out > 0)
+    text += fmt::format("{} further {} left out; --of NAME asks for one answer, --most N for more\n", explanation.left_out,
+                        explanation.left_out == 1 ? "peak" : "peaks");
+  return text;
+}
+
+}  // namespace
+
+int explain_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  try {
+    const study::Case& variant = chosen_case(*project, options.case_name);
+    const study::Explanation explanation = study::explanation(variant, {options.of, options.most}, progress());
+    if (options.csv) write_problems(explanation.warnings);
+    write_output(options.json  ? study::explain_json(variant, explanation)
+                 : options.csv ? study::explain_csv(explanation)
+                               : explain_text(variant, explanation));
+    return done;
+  } catch (const BadArgument& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+  } catch (const foundation::InvalidInput& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+  }
+  return wrong_input;
+}
+
+}  // namespace trivet::cli

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/text_table.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/motion_words.h"
+#include "trivet/study/suspension.h"
+
+namespace trivet::cli {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// "(0.1, 0, -0.25)": round-off of a number far below the others or below `least` is 0.
+std::string triple(const Eigen::Vector3d& v, double least) {
+  const auto number = [&](double x) {
+    return fmt::format("{:.4g}", std::abs(x) < std::max(least, 1e-9 * v.cwiseAbs().maxCoeff()) ? 0.0 : x);
+  };
+  return fmt::format("({}, {}, {})", number(v.x()), number(v.y()), number(v.z()));
+}
+
+constexpr double nanometre = 1e-9;
+
+std::string elastic_text(const model::Body& body, const modal::BodySuspension& suspension) {
+  if (!suspension.elastic) return "";
+  const elements::Character& c = *suspension.elastic;
+  std::string text = fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
+                                 triple(c.elastic_centre, nanometre), c.centre_is_unique ? "" : " (the nearest of a line of them)",
+                                 triple(body.mass.centre, nanometre), suspension.centre_distance);
+  text += fmt::format("  coupling that no point and axes remove, largest |K_ij|/√(K_ii K_jj) there: {:.3f}\n", c.coupling_at_centre);
+  TextTable table({"principal stiffness", "along", "rotational, about the elastic centre", "about"});
+  for (int i = 0; i < 3; ++i)
+    table.add({fmt::format("{:.5g} N/m", c.principal_stiffnesses(i)), modal::direction_words(c.principal_axes.col(i)),
+               fmt::format("{:.5g} N m/rad", c.principal_rotational_stiffnesses(i)),
+               modal::direction_words(c.principal_rotational_axes.col(i))});
+  return text + table.text();
+}
+
+std::string roll_text(const modal::BodySuspension& suspension) {
+  if (suspension.roll_axes.empty()) return "";
+  TextTable table({"moment about", "torque roll axis", "elastic roll axis", "through [m]", "angle", "apart [m]", "from centre of mass [m]",
+                   "torsional stiffness"});
+  for (const modal::RollAxes& axes : suspension.roll_axes) {
+    const spatial::Screw& elastic = axes.elastic_roll_axis;
+    table.add({modal::direction_words(axes.torque), triple(axes.torque_roll_axis, nanometre), triple(elastic.direction, nanometre),
+               triple(elastic.point, nanometre), fmt::format("{:.3g}°", axes.angle * 360 / turn < 1e-6 ? 0.0 : axes.angle * 360 / turn),
+               fmt::format("{:.4g}", axes.shortest_distance < nanometre ? 0.0 : axes.shortest_distance),
+               fmt::format("{:.4g}", axes.distance_at_centre < nanometre ? 0.0 : axes.distance_at_centre),
+               fmt::format("{:.5g} N m/rad", axes.torsional_stiffness)});
+  }
+  return table.text();
+}
+
+std::string decoupling_text(const modal::BodySuspension& suspension) {
+  const bool heavy_elements = std::any_of(suspension.modes.begin(), suspension.modes.end(),
+                                          [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
+  std::vector<std::string> header = {"f [Hz]", "x", "y", "z", "rx", "ry", "rz"};
+  if (heavy_elements) header.emplace_back("in elements");
+  header.emplace_back("purest");
+  header.emplace_back("decoupled");
+  TextTable table(header);
+  const auto percent = [](double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
+  for (const modal::BodyMode& mode : suspension.modes) {
+    std::vector<std::string> row = {shown(mode.angular_frequency.value_or(nothing) / turn, 5)};
+    for (const double share : mode.kinetic_energy_share) row.push_back(percent(share));
+    if (heavy_elements) row.push_back(percent(mode.in_elements));
+    row.emplace_back(model::coordinate_names[static_cast<std::size_t>(mode.purest)]);
+    row.push_back(percent(mode.decoupling()));
+    table.add(row);
+  }
+  return "  kinetic energy of its modes by coordinate at the centre of mass, body axes\n" + table.text();
+}
+
+std::string separation_text(const study::SuspensionAnswer& answer) {
+  std::vector<std::string> header = {"mode", "f [Hz]", "next / this"};
+  for (const double excitation : answer.excitations) header.push_back(fmt::format("{:.4g} Hz / this", excitation / turn));
+  TextTable table(header);
+  for (const modal::FrequencySeparation& row : answer.separation) {
+    std::vector<std::string> cells = {std::to_string(row.mode), shown(row.angular_frequency / turn, 5),
+                                      shown(row.ratio_to_next.value_or(nothing), 4)};
+    for (const double ratio : row.excitation_ratio) cells.push_back(shown(ratio, 4));
+    table.add(cells);
+  }
+  return "Frequency separation of the whole system" + std::string(answer.excitations.empty() ? "" : " (a mode isolates above √2)") + "\n" +
+         table.text();
+}
+
+std::string suspension_text(const study::Case& variant, const study::SuspensionAnswer& answer) {
+  std::string text;
+  for (const auto& problem : answer.warnings.list()) text += foundation::message(problem) + "\n";
+  if (!text.empty()) text += "\n";
+  for (const modal::BodySuspension& suspension : answer.bodies) {
+    const model::Body& body = variant.system.bodies()[suspension.body];
+    text += fmt::format("{} on its elements{}; body frame\n", body.name, answer.bodies.size() > 1 ? ", all other bodies held" : "");
+    text += elastic_text(body, suspension) + roll_text(suspension) + decoupling_text(suspension);
+    for (const std::string& note : suspension.notes) text += "  note: " + note + "\n";
+    text += "\n";
+  }
+  return text + separation_text(answer);
+}
+
+/// "x", "y", "z" or three numbers.
+std::vector<Eigen::Vector3d> torques(const std::string& text) {
+  if (text.empty()) return {};
+  for (int i = 0; i < 3; ++i)
+    if (text == std::string(1, "xyz"[i])) return {Eigen::Vector3d::Unit(i)};
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, axis(i));
+    if (error != std::errc() || (i < 2 ? next == end || *next != ',' : next != end) || !(std::abs(axis(i)) < 1e30))
+      throw BadArgument(fmt::format("--torque \"{}\": give x, y, z or three numbers like 0.9,0,0.1", text));
+    at = next + 1;
+  }
+  if (axis.isZero(0)) throw BadArgument(fmt::format("--torque \"{}\": a moment has a direction", text));
+  return {axis};
+}
+
+}  // namespace
+
+int suspension_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  try {
+    const study::Case& variant = chosen_case(*project, options.case_name);
+    const std::vector<double> excitations =
+        options.excitations.empty() ? std::vector<double>{} : frequencies("--excitation", options.excitations);
+    const study::SuspensionAnswer answer = study::suspension(variant, torques(options.torque), excitations);
+    if (options.csv) write_problems(answer.warnings);
+    write_output(options.json  ? study::suspension_json(variant, answer)
+                 : options.csv ? study::suspension_csv(variant, answer)
+                               : suspension_text(variant, answer));
+    return done;
+  } catch (const BadArgument& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+  } catch (const foundation::InvalidInput& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+  }
+  return wrong_input;
+}
+
+}  // namespace trivet::cli

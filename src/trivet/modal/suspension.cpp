@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/modal/suspension.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/motion_words.h"
+#include "trivet/numerics/massless.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::modal {
+namespace {
+
+using spatial::Matrix6;
+using spatial::Vector6;
+
+/// Rows of a body's free coordinates, and of the inner coordinates of the elements that hold it.
+struct Rows {
+  std::vector<Eigen::Index> body, inner;
+  std::vector<int> coordinates;  // of `body`, 0 … 5
+};
+
+Rows rows_of(const model::System& system, const assembly::Assembled& assembled, std::size_t body) {
+  Rows rows;
+  for (int j = 0; j < 6; ++j)
+    if (const Eigen::Index row = assembled.layout.row(body, j); row >= 0) {
+      rows.body.push_back(row);
+      rows.coordinates.push_back(j);
+    }
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    const assembly::ElementMap& map = assembled.elements[e];
+    if (element.n.body == body || element.k.body == body)
+      rows.inner.insert(rows.inner.end(), map.rows.begin() + map.end_columns, map.rows.end());
+  }
+  return rows;
+}
+
+/// K_bb − K_bi K_ii⁻¹ K_ib, spread over six coordinates.
+Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const Rows& rows) {
+  Eigen::MatrixXd free = stiffness(rows.body, rows.body);
+  if (!rows.inner.empty()) {
+    const Eigen::MatrixXd inner = stiffness(rows.inner, rows.inner), across = stiffness(rows.inner, rows.body);
+    free -= Eigen::MatrixXd(stiffness(rows.body, rows.inner)) * inner.partialPivLu().solve(across);
+  }
+  Matrix6 six = Matrix6::Zero();
+  six(rows.coordinates, rows.coordinates) = free;
+  return six;
+}
+
+elements::Character character_at_pole(const Matrix6& stiffness) {
+  elements::Matrix12 moved_end = elements::Matrix12::Zero();
+  moved_end.bottomRightCorner<6, 6>() = stiffness;
+  return elements::character(moved_end);
+}
+
+double distance_to_line(const Eigen::Vector3d& from, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+  return (from - point).cross(direction).norm();
+}
+
+RollAxes roll_axes(const model::Body& body, const Matrix6& stiffness, const Eigen::Vector3d& torque) {
+  constexpr double parallel = 1e-6;  // sine of the angle from which the crossing of two lines says nothing any more
+  RollAxes result;
+  result.torque = torque.normalized();
+  result.torque_roll_axis = body.mass.inertia_about_centre.partialPivLu().solve(result.torque).normalized();
+  Vector6 moment = Vector6::Zero();
+  moment.tail<3>() = result.torque;
+  const Vector6 motion = stiffness.partialPivLu().solve(moment);
+  result.elastic_roll_axis = spatial::screw({motion.head<3>(), motion.tail<3>()}, body_size(body), body.mass.centre);
+  result.torsional_stiffness = 1 / result.torque.dot(motion.tail<3>());
+  const spatial::Screw& elastic = result.elastic_roll_axis;
+  const Eigen::Vector3d across = result.torque_roll_axis.cross(elastic.direction);
+  result.angle = std::atan2(across.norm(), std::abs(result.torque_roll_axis.dot(elastic.direction)));
+  result.distance_at_centre = distance_to_line(body.mass.centre, elastic.point, elastic.direction);
+  result.shortest_distance =
+      across.norm() > parallel ? std::abs((elastic.point - body.mass.centre).dot(across)) / across.norm() : result.distance_at_centre;
+  return result;
+}
+
+BodyMode body_mode(const model::Body& body, const Rows& rows, const Eigen::VectorXd& shape, double lambda, double norm) {
+  Vector6 at_pole = Vector6::Zero();
+  at_pole(rows.coordinates) = shape.head(static_cast<Eigen::Index>(rows.coordinates.size()));
+  const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
+  Vector6 momentum;
+  momentum << body.mass.mass * at_centre.head<3>(), body.mass.inertia_about_centre * at_centre.tail<3>();
+  BodyMode mode;
+  if (lambda >= 0) mode.angular_frequency = std::sqrt(lambda);
+  mode.kinetic_energy_share = at_centre.cwiseProduct(momentum) / norm;
+  mode.in_elements = 1 - mode.kinetic_energy_share.sum();
+  mode.kinetic_energy_share.maxCoeff(&mode.purest);
+  return mode;
+}
+
+std::vector<BodyMode> body_modes(const model::Body& body, const numerics::DynamicMatrices& all, const Rows& rows) {
+  std::vector<Eigen::Index> both = rows.body;
+  both.insert(both.end(), rows.inner.begin(), rows.inner.end());
+  numerics::DynamicMatrices own;
+  own.A = all.A(both, both);
+  own.B = all.B(both, both);
+  own.K = all.K(both, both);
+  own.symmetric = all.symmetric;
+  const numerics::MassiveSystem massive = numerics::massive_system(own);
+  const numerics::GeneralizedModes raw = numerics::generalized_modes(massive.K, massive.A, own.symmetric);
+  std::vector<BodyMode> modes;
+  for (Eigen::Index i = 0; i < raw.lambda.size(); ++i)
+    modes.push_back(body_mode(body, rows, massive.recovery * raw.shapes.col(i), raw.lambda(i), raw.norm(i)));
+  return modes;
+}
+
+void note_elements(const model::System& system, std::size_t body, std::vector<std::string>& notes) {
+  for (const model::Element& element : system.elements()) {
+    if (element.n.body != body && element.k.body != body) continue;
+    if (element.n.body && element.k.body) {
+      const std::size_t other = element.n.body == body ? *element.k.body : *element.n.body;
+      notes.push_back(fmt::format("\"{}\" acts as if \"{}\" were the ground", element.name, system.bodies()[other].name));
+    }
+    if (element.n.foundation || element.k.foundation)
+      notes.push_back(fmt::format("\"{}\" acts as if the foundation under it did not give", element.name));
+    if (elements::is_frequency_dependent(element.law) || std::holds_alternative<elements::Viscoelastic>(element.law.damping))
+      notes.push_back(fmt::format("\"{}\" stands with its stiffness at rest; in vibration it is stiffer", element.name));
+    if (!element.symmetric)
+      notes.push_back(fmt::format("\"{}\" is unsymmetric: centre and axes are those of the symmetric part", element.name));
+  }
+}
+
+}  // namespace
+
+BodySuspension body_suspension(const model::System& system, const assembly::Assembled& assembled, std::size_t index,
+                               const std::vector<Eigen::Vector3d>& torques) {
+  constexpr double unheld = 1e-10;  // of the scaled stiffness: below, some motion is free
+  for (const Eigen::Vector3d& torque : torques)
+    if (!(torque.norm() > 0) || !torque.allFinite()) throw foundation::InvalidInput("body_suspension: the torque has no direction");
+  const model::Body& body = system.bodies().at(index);
+  const Rows rows = rows_of(system, assembled, index);
+  BodySuspension result;
+  result.body = index;
+  result.stiffness = stiffness_at_rest(assembled.matrices.K, rows);
+  result.modes = body_modes(body, assembled.matrices, rows);
+  note_elements(system, index, result.notes);
+  if (rows.body.size() < 6) {
+    result.notes.push_back(fmt::format(
+        "\"{}\" is guided: its guides hold it too, so its elements alone define no elastic centre and no roll axes", body.name));
+    return result;
+  }
+  result.elastic = character_at_pole(result.stiffness);
+  result.centre_distance = (result.elastic->elastic_centre - body.mass.centre).norm();
+  if (!(result.elastic->softest_combination > unheld))
+    result.notes.push_back("its elements leave some motion free or unstable: no roll axes under a constant moment");
+  else
+    for (const Eigen::Vector3d& torque : torques) result.roll_axes.push_back(roll_axes(body, result.stiffness, torque));
+  return result;
+}
+
+std::vector<FrequencySeparation> frequency_separation(const Modes& modes, const std::vector<double>& excitations) {
+  std::vector<FrequencySeparation> result;
+  for (const Mode& mode : modes.list) {
+    const double omega = mode.angular_frequency.value_or(0);
+    if (!(omega > 0)) continue;
+    if (!result.empty()) result.back().ratio_to_next = omega / result.back().angular_frequency;
+    FrequencySeparation& row = result.emplace_back();
+    row.mode = mode.number;
+    row.angular_frequency = omega;
+    for (const double excitation : excitations) row.excitation_ratio.push_back(excitation / omega);
+  }
+  return result;
+}
+
+}  // namespace trivet::modal

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/explanation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/element_directions.h"
+#include "trivet/study/explanation_words.h"
+
+namespace trivet::study {
+namespace {
+
+using response::Sensitivity;
+
+Wanted wanted_of(const Case& variant, const ExplainRequest& request) {
+  const Analyses& file = variant.analyses;
+  Wanted wanted = file.peaks ? file.peaks->wanted : file.response ? file.response->wanted : Wanted{};
+  if (!request.of.empty()) wanted.of = request.of;
+  return wanted;
+}
+
+response::Question question_of(const Wanted& wanted, const response::Peaks& peaks) {
+  response::Question question;
+  for (const response::CurveSummary& curve : peaks.curves) question.channels.push_back(curve.name);
+  question.quantity = wanted.quantity;
+  question.load = [excitations = wanted.excitations](const model::System& system, const assembly::Assembled& assembled) {
+    return assembly::harmonic_loading(system, assembled, excitations);
+  };
+  return question;
+}
+
+/// An undamped resonance is looked at through its mode; without one it cannot be explained.
+response::PeakPlace place_of(const response::Peak& peak) {
+  response::PeakPlace place{peak.curve, peak.angular_frequency, {}};
+  if (std::isinf(peak.amplitude)) place.unbounded_mode = peak.nearest_mode;
+  return place;
+}
+
+/// Peaks that are more than round-off of a motion which a symmetry keeps out of their channel.
+std::vector<response::Peak> above_round_off(const Case& variant, const assembly::Assembled& assembled, const response::Question& question,
+                                            const std::vector<response::Peak>& peaks) {
+  constexpr double round_off = 1e-9;
+  std::vector<response::Peak> result;
+  for (const response::Peak& peak : peaks)
+    if (response::alignment(variant.system, assembled, question, place_of(peak)) > round_off) result.push_back(peak);
+  return result;
+}
+
+/// By height over the highest bounded peak of the curve, then by prominence over it; unbounded ones are the tallest. Returned in their old
+/// order.
+std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, int most) {
+  std::vector<std::size_t> order(peaks.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto rank = [&](std::size_t i) {
+    const response::Peak& peak = peaks[i];
+    double top = 0;
+    for (const response::Peak& other : peaks)
+      if (other.curve == peak.curve && std::isfinite(other.amplitude)) top = std::max(top, other.amplitude);
+    const bool bounded = std::isfinite(peak.amplitude);
+    return bounded ? std::array{peak.amplitude / top, peak.prominence / top} : std::array{peak.amplitude, peak.prominence};
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) > rank(b); });
+  order.resize(std::min(order.size(), static_cast<std::size_t>(std::max(most, 0))));
+  std::sort(order.begin(), order.end());
+  std::vector<response::Peak> result;
+  for (const std::size_t i : order) result.push_back(peaks[i]);
+  return result;
+}
+
+/// In single precision: what is equal but for round-off keeps the order of the model.
+float strength(const Sensitivity& s, const std::vector<response::Parameter>& parameters, bool unbounded) {
+  return static_cast<float>(std::abs((unbounded ? s.frequency : s.height).value_or(0)) * parameters[s.parameter].size);
+}
+
+/// The element and direction with most of the strain energy, or the element as a whole where directions say less.
+std::optional<Trial> trial_of(const Case& variant, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+  const auto& elements = variant.system.elements();
+  std::size_t element = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if (peak.shares.elements[e].stored > peak.shares.elements[element].stored) element = e;
+  if (elements.empty() || !(peak.shares.elements[element].stored > 0)) return std::nullopt;
+  Eigen::Index direction = 0;
+  peak.shares.elements[element].by_direction.maxCoeff(&direction);
+  const std::string path = "elements." + elements[element].name + ".";
+  const std::string whole = fmt::format("the stiffness of \"{}\"", elements[element].name);
+  for (const auto& [name, words] :
+       {std::pair{fmt::format("stiffness.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
+                  fmt::format("the {} of \"{}\"", response::direction_words(elements[element], static_cast<int>(direction)),
+                              elements[element].name)},
+        {std::string("scale"), whole},
+        {std::string("stiffness"), whole}})
+    for (const response::Parameter& parameter : parameters)
+      if (parameter.name == path + name) return Trial{parameter.name, words, 0.1, {}, {}, {}, {}};
+  return std::nullopt;
+}
+
+/// The peak of the changed model that lies nearest to where it is expected.
+void solve_again(const Case& variant, const response::Question& question, const response::Parameter& parameter, const ExplainedPeak& peak,
+                 Trial& trial) {
+  constexpr double beyond_recognition = 0.2;
+  const model::System system = response::changed(variant.system, parameter, trial.amount);
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const modal::Modes modes = modal::modes(system, assembled);
+  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, {peak.name}, question.quantity);
+  const response::Peaks again =
+      response::peaks(assembled, channels, question.load(system, assembled), modes, modal::roots(system, assembled, modes));
+  const double expected = trial.predicted_angular_frequency.value_or(peak.peak.angular_frequency);
+  double best = beyond_recognition * expected;
+  for (const response::Peak& other : again.list)
+    if (const double distance = std::abs(other.angular_frequency - expected); distance < best) {
+      best = distance;
+      trial.angular_frequency = other.angular_frequency;
+      if (std::isfinite(other.amplitude)) trial.amplitude = other.amplitude;
+    }
+}
+
+/// Close modes turn into each other: heights then change faster than their slopes can tell.
+void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
+  constexpr double close = 0.02;
+  if (!peak.peak.nearest_mode) return;
+  const modal::Mode& own = modes.list[static_cast<std::size_t>(*peak.peak.nearest_mode - 1)];
+  for (const modal::Mode& mode : modes.list) {
+    const double apart = std::abs(mode.angular_frequency.value_or(0) / *own.angular_frequency - 1);
+    if (mode.number != own.number && apart < close && !own.repeated)
+      peak.notes.push_back(
+          fmt::format("mode {} stands only {:.2g} % from mode {}: small changes mix the two, and first order holds for still smaller ones",
+                      mode.number, 100 * apart, own.number));
+  }
+}
+
+void try_more(const Case& variant, const response::Question& question, const std::vector<response::Parameter>& parameters,
+              ExplainedPeak& peak) {
+  peak.trial = trial_of(variant, peak, parameters);
+  if (!peak.trial) return;
+  Trial& trial = *peak.trial;
+  for (const Sensitivity& s : peak.sensitivities) {
+    if (parameters[s.parameter].name != trial.parameter) continue;
+    if (s.height) trial.predicted_amplitude = peak.peak.amplitude * (1 + trial.amount * *s.height);
+    if (s.frequency) trial.predicted_angular_frequency = peak.peak.angular_frequency * (1 + trial.amount * *s.frequency);
+    try {
+      solve_again(variant, question, parameters[s.parameter], peak, trial);
+    } catch (const foundation::NotComputable& reason) {
+      peak.notes.emplace_back(reason.what());
+    }
+  }
+}
+
+}  // namespace
+
+Explanation explanation(const Case& variant, const ExplainRequest& request, const foundation::Progress& progress) {
+  const Wanted wanted = wanted_of(variant, request);
+  Analyses analyses;
+  analyses.peaks = PeaksRequest{wanted};
+  const Answers found = answers(variant, analyses, progress);
+  if (!found.failures.empty()) throw foundation::NotComputable(found.failures.front());
+  const response::Peaks& peaks = found.peaks->peaks;
+  const response::Question question = question_of(wanted, peaks);
+  const assembly::Assembled assembled = assembly::assemble(variant.system);
+  Explanation result;
+  result.modes = found.modes;
+  result.warnings = found.warnings;
+  for (const response::Peak& peak : peaks.list)
+    if (std::isinf(peak.amplitude) && !peak.nearest_mode)
+      throw foundation::NotComputable("explain: an unbounded peak stands at no undamped mode");
+  const std::vector<response::Peak> real = above_round_off(variant, assembled, question, peaks.list);
+  const std::vector<response::Peak> chosen = tallest(real, request.most);
+  result.left_out = static_cast<int>(real.size() - chosen.size());
+  std::vector<response::PeakPlace> places;
+  for (const response::Peak& peak : chosen) places.push_back(place_of(peak));
+  response::SensitivityTable table = response::peak_sensitivities(variant.system, assembled, question, places, progress);
+  result.parameters = std::move(table.parameters);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    foundation::report_progress(progress, "peaks solved again", static_cast<double>(i) / static_cast<double>(chosen.size()));
+    ExplainedPeak& peak = result.peaks.emplace_back();
+    peak.name = peaks.curves[chosen[i].curve].name;
+    peak.unit = peaks.curves[chosen[i].curve].unit;
+    peak.peak = chosen[i];
+    peak.shares = response::peak_shares(variant.system, assembled, question, places[i]);
+    peak.notes = table.peaks[i].notes;
+    peak.sensitivities = table.peaks[i].list;
+    const bool unbounded = std::isinf(peak.peak.amplitude);
+    std::stable_sort(peak.sensitivities.begin(), peak.sensitivities.end(), [&](const Sensitivity& a, const Sensitivity& b) {
+      return strength(a, result.parameters, unbounded) > strength(b, result.parameters, unbounded);
+    });
+    note_close_modes(result.modes, peak);
+    try_more(variant, question, result.parameters, peak);
+    peak.sentence = sentence(variant, result, peak);
+  }
+  return result;
+}
+
+}  // namespace trivet::study

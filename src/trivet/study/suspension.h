@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/modal/suspension.h"
+#include "trivet/study/project.h"
+
+namespace trivet::study {
+
+/// The suspension of every body of a case.
+struct SuspensionAnswer {
+  std::vector<modal::BodySuspension> bodies;
+  std::vector<double> excitations;                     ///< [rad/s]
+  std::vector<modal::FrequencySeparation> separation;  ///< of the whole system
+  foundation::Problems warnings;
+};
+
+/// @param torques  moments whose roll axes are asked for, body axes; x, y and z if empty
+/// @param excitations  angular frequencies to hold against the natural ones [rad/s], > 0
+[[nodiscard]] SuspensionAnswer suspension(const Case& variant, const std::vector<Eigen::Vector3d>& torques = {},
+                                          const std::vector<double>& excitations = {});
+
+/// JSON (docs/json.md), and one CSV row per body and mode.
+[[nodiscard]] std::string suspension_json(const Case& variant, const SuspensionAnswer& answer);
+[[nodiscard]] std::string suspension_csv(const Case& variant, const SuspensionAnswer& answer);
+
+}  // namespace trivet::study

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`trivet explain` and `trivet suspension` as text, JSON and CSV."""
+import csv
+import io
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
+PAPER = str(SOURCE / "examples/paper/corrected.toml")
+BOGIE = str(SOURCE / "examples/bogie/loaded_frame.toml")
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=120)
+    assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
+    return done.stdout, done.stderr
+
+
+class Explain(unittest.TestCase):
+    def test_shares_and_sensitivities_of_the_paper_agree_with_a_changed_model(self):
+        peak = json.loads(run("explain", PAPER, "--of", "aggregate.x", "--most", "1", "--json")[0])["peaks"][0]
+        shares = peak["shares"]
+        self.assertAlmostEqual(sum(m["share"] for m in shares["modes"]) + shares["beyond_modes"], 1, places=9)
+        self.assertAlmostEqual(sum(e["stored"] for e in shares["elements"]) + shares["geometric_stiffness"], 1, places=9)
+        slopes = {s["parameter"]: s for s in peak["sensitivities"]}
+        changed = {}
+        for sign in (1, -1):
+            found = json.loads(run("peaks", PAPER, "--json", "--set", f"bodies.aggregate.mass={205.176 * (1 + sign * 1e-4)}",
+                                   # the inertia is given about the pole: keep that about the centre of mass
+                                   *sum((["--set", s] for s in inertia_about_pole(1 + sign * 1e-4)), []))[0])["peaks"]
+            changed[sign] = next(p for p in found if p["name"] == "aggregate.x" and abs(p["angular_frequency"] / peak["angular_frequency"] - 1) < 0.01)
+        for name, key in (("height", "amplitude"), ("frequency", "angular_frequency")):
+            difference = (changed[1][key] - changed[-1][key]) / (2e-4 * peak[key])
+            self.assertAlmostEqual(slopes["bodies.aggregate.mass"][name], difference, delta=1e-5 * abs(difference))
+
+    def test_the_sentence_names_mode_element_direction_and_what_ten_percent_do(self):
+        text = " ".join(run("explain", BOGIE, "--of", "frame.z")[0].split())
+        for words in ("frame.z:", "Mode 3", "% of the strain energy is in \"spring", "axial stiffness", "+10 % on", "solved again"):
+            self.assertIn(words, text)
+
+    def test_an_undamped_peak_has_a_frequency_to_change_but_no_height(self):
+        answer = json.loads(run("explain", PAPER, "--set", "elements.suspension.damping.proportional=0", "--most", "2", "--json")[0])
+        for peak in answer["peaks"]:
+            self.assertTrue(peak["unbounded"])
+            self.assertIsNone(peak["amplitude"])
+            scale = next(s for s in peak["sensitivities"] if s["parameter"] == "elements.suspension.scale")
+            self.assertIsNone(scale["height"])
+            self.assertAlmostEqual(scale["frequency"], 0.5, places=9)  # ω ~ √K
+            self.assertIn("no height", peak["notes"][0])
+
+    def test_a_peak_that_is_round_off_of_a_symmetry_is_left_out(self):
+        answer = json.loads(run("explain", str(SOURCE / "examples/rubber_mounts/compressor.toml"), "--json", "--most", "50")[0])
+        self.assertTrue(answer["peaks"])
+        self.assertFalse([p["name"] for p in answer["peaks"] if p["amplitude"] < 1e-12])
+
+    def test_csv_has_a_row_for_each_peak_and_parameter(self):
+        rows = list(csv.DictReader(io.StringIO(run("explain", PAPER, "--most", "2", "--csv")[0])))
+        self.assertEqual(len(rows), 2 * 21)
+        self.assertTrue(all(float(row["relative height change"]) for row in rows))
+
+    def test_an_unknown_answer_is_wrong_input(self):
+        self.assertIn("nonsense", run("explain", PAPER, "--of", "nonsense", code=2)[1])
+
+    def test_without_an_excitation_nothing_is_to_be_explained(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "still.toml"
+            path.write_text("trivet = 1\n[bodies.m]\nmass = 1\nfree = [\"x\"]\n[elements.k]\ntype = \"three_springs\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n")
+            self.assertIn("excitation", run("explain", str(path), code=1)[1])
+
+
+def inertia_about_pole(factor):
+    """The paper's inertia about the pole for another mass and the same inertia about the centre of mass."""
+    x, y, z = -0.624, -0.502, -0.226
+    more = 205.176 * (factor - 1)
+    values = {"xx": 66.289 + more * (y * y + z * z), "yy": 91.643 + more * (x * x + z * z), "zz": 135.853 + more * (x * x + y * y),
+              "xy": 65.194 + more * x * y, "xz": 28.935 + more * x * z, "yz": 23.973 + more * y * z}
+    return [f"bodies.aggregate.inertia.{name}={value!r}" for name, value in values.items()]
+
+
+class Suspension(unittest.TestCase):
+    def test_numbers_of_the_bogie(self):
+        answer = json.loads(run("suspension", BOGIE, "--torque", "x", "--excitation", "10Hz", "--json")[0])
+        frame = answer["bodies"][0]
+        self.assertAlmostEqual(frame["elastic"]["center"][2], -0.166, delta=1e-3)
+        self.assertEqual(len(frame["roll_axes"]), 1)
+        self.assertEqual([m["purest"] for m in frame["modes"]], ["y", "x", "z", "rx", "rz", "ry"])
+        for mode in frame["modes"]:
+            self.assertAlmostEqual(sum(mode["kinetic_energy_share"]) + mode["in_elements"], 1, places=9)
+        for row in answer["frequency_separation"]:
+            self.assertAlmostEqual(row["excitation_ratio"][0] * row["angular_frequency"], 62.83185307, places=6)
+
+    def test_text_and_csv(self):
+        text = run("suspension", PAPER)[0]
+        for words in ("elastic centre", "torque roll axis", "torsional stiffness", "decoupled", "Frequency separation"):
+            self.assertIn(words, text)
+        self.assertEqual(len(run("suspension", PAPER, "--csv")[0].splitlines()), 7)
+
+    def test_a_moment_needs_a_direction(self):
+        for wrong in ("0,0,0", "1,2", "up", "1,2,nan"):
+            self.assertIn("--torque", run("suspension", PAPER, "--torque", wrong, code=2)[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
