@@ -66,8 +66,8 @@ struct TransientResponse {
 /// ground acts through its dampers as the impulse that it is. Method and limits: docs/transient.md.
 /// @throws foundation::NotComputable with the reason: loss factors, frequency-dependent elements, a motion that outgrows all numbers
 /// @throws foundation::InvalidInput for signals, times or loads out of range
-[[nodiscard]] TransientResponse transient_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                                   const std::vector<TimeInput>& inputs, const TransientOptions& options = {},
-                                                   const foundation::Progress& progress = {});
+[[nodiscard]] TransientResponse transient_response(const model::System& system, const assembly::Assembled& assembled,
+                                                   const std::vector<assembly::Channel>& channels, const std::vector<TimeInput>& inputs,
+                                                   const TransientOptions& options = {}, const foundation::Progress& progress = {});
 
 }  // namespace trivet::response
