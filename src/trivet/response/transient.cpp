@@ -28,7 +28,8 @@ struct Inputs {
 };
 
 void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inputs& all) {
-  if (input.loading.force.size() != assembled.layout.size() || input.loading.motion.size() != assembled.ground.size())
+  if (input.loading.force.size() != assembled.layout.size() ||
+      (!input.loading.motion.vanishes() && input.loading.motion.size() != assembled.ground.size()))
     throw foundation::InvalidInput(fmt::format("input \"{}\": its loading belongs to another model", input.name));
   excitation::require_valid(input.signal);
   std::vector<double> delays;
