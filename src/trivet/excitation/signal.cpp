@@ -42,6 +42,7 @@ std::array<double, 5> stumpff(double kappa, double s) {
 }  // namespace
 
 SignalState state_on(const Piece& p, double s) {
+  if (p.kappa == 0) return {p.value + s * (p.rate + s / 2 * p.curvature), p.rate + s * p.curvature, p.curvature};
   const auto c = stumpff(p.kappa, s);
   return {p.value + p.rate * c[1] + p.curvature * c[2], p.rate * c[0] + p.curvature * c[1],
           p.curvature * c[0] - p.kappa * p.kappa * p.rate * c[1]};
@@ -65,11 +66,17 @@ SignalIntegrals integrals(const Signal& signal, double t) {
   for (std::size_t i = 0; i < signal.pieces.size() && signal.pieces[i].start < t; ++i) {
     const Piece& p = signal.pieces[i];
     const double end = i + 1 < signal.pieces.size() ? std::min(t, signal.pieces[i + 1].start) : t, s = end - p.start;
-    const auto c = stumpff(p.kappa, s);
-    sum.twice += sum.once * s + p.value * s * s / 2 + p.rate * c[3] + p.curvature * c[4];
-    sum.once += p.value * s + p.rate * c[2] + p.curvature * c[3];
+    const SignalIntegrals more = integrals_on(p, s);
+    sum.twice += sum.once * s + more.twice;
+    sum.once += more.once;
   }
   return sum;
+}
+
+SignalIntegrals integrals_on(const Piece& p, double s) {
+  if (p.kappa == 0) return {s * (p.value + s / 2 * (p.rate + s / 3 * p.curvature)), s * s / 2 * (p.value + s / 3 * (p.rate + s / 4 * p.curvature))};
+  const auto c = stumpff(p.kappa, s);
+  return {p.value * s + p.rate * c[2] + p.curvature * c[3], p.value * s * s / 2 + p.rate * c[3] + p.curvature * c[4]};
 }
 
 Signal delayed(Signal signal, double delay) {

@@ -40,6 +40,9 @@ struct SignalIntegrals {
 };
 [[nodiscard]] SignalIntegrals integrals(const Signal& signal, double t);
 
+/// The same on one piece alone, from its start to time s after it.
+[[nodiscard]] SignalIntegrals integrals_on(const Piece& piece, double s);
+
 /// u(t − τ), any τ [s].
 [[nodiscard]] Signal delayed(Signal signal, double delay);
 

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long are 100,000 steps of a machine of six coordinates under a measured force? The paper's example, answers of all coordinates, of the
+// forces of every element and of the ground, with extremes; beside it Newmark's average acceleration with Eigen's fixed-size matrices (coordinates
+// only, its step the same and so not exact), and scipy.signal.lsim where the system's Python has it. Answers are compared before anything is timed.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/excitation/sampled_signal.h"
+#include "trivet/foundation/child_process.h"
+#include "trivet/foundation/temporary_folder.h"
+#include "trivet/response/transient.h"
+#include "trivet/study/project.h"
+
+namespace {
+
+using namespace trivet;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+constexpr Eigen::Index steps = 100000;
+constexpr double step = 0.002;
+
+struct Machine {
+  study::Project project = study::read_project(TRIVET_PAPER).value();
+  const model::System& system = project.base().system;
+  assembly::Assembled assembled = assembly::assemble(system);
+  std::vector<assembly::Channel> coordinates = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
+  std::vector<assembly::Channel> everything = all_channels();
+  Vector6 direction = {0.3, -0.7, 1, 0.1, 0.2, -0.05};
+  std::vector<double> samples;
+  std::vector<response::TimeInput> inputs;
+  response::TransientOptions options;
+
+  Machine() {
+    excitation::Samples history;
+    for (Eigen::Index i = 0; i <= steps; ++i) {
+      const double t = step * static_cast<double>(i);
+      history.times.push_back(t);
+      history.values.push_back(100 * std::sin(3 * t + 0.01 * t * t) + 30 * std::sin(41 * t));
+    }
+    samples = history.values;
+    inputs.push_back({"measured", excitation::from_samples(history), assembly::Loading(direction.cast<std::complex<double>>().eval())});
+    options.to = step * static_cast<double>(steps);
+    options.step = step;
+  }
+
+  std::vector<assembly::Channel> all_channels() const {
+    std::vector<std::string> words = {"coordinates", "ground"};
+    for (const model::Element& element : system.elements()) words.push_back(element.name);
+    return assembly::channels(system, assembled, words, assembly::Quantity::displacement);
+  }
+};
+
+const Machine& machine() {
+  static const Machine m;
+  return m;
+}
+
+Eigen::MatrixXd by_trivet() {
+  const Machine& m = machine();
+  const response::TransientResponse r = response::transient_response(m.system, m.assembled, m.coordinates, m.inputs, m.options);
+  Eigen::MatrixXd q(6, r.time.size());
+  for (Eigen::Index k = 0; k < 6; ++k) q.row(k) = r.curves[static_cast<std::size_t>(k)].values.transpose();
+  return q;
+}
+
+/// Average acceleration (β = 1/4, γ = 1/2), `parts` steps between two samples.
+Eigen::MatrixXd by_newmark(int parts) {
+  const Machine& machine_ = machine();
+  const Matrix6 A = machine_.assembled.matrices.A, B = machine_.assembled.matrices.B, K = machine_.assembled.matrices.K;
+  const double h = step / parts;
+  const Matrix6 inverse = Matrix6(A + h / 2 * B + h * h / 4 * K).inverse();
+  Eigen::MatrixXd result(6, steps + 1);
+  Vector6 q = Vector6::Zero(), v = Vector6::Zero(), a = A.inverse() * (machine_.direction * machine_.samples[0]);
+  result.col(0) = q;
+  for (Eigen::Index i = 0; i < steps; ++i) {
+    const double from = machine_.samples[static_cast<std::size_t>(i)], to = machine_.samples[static_cast<std::size_t>(i + 1)];
+    for (int part = 1; part <= parts; ++part) {
+      const Vector6 q_ahead = q + h * v + h * h / 4 * a, v_ahead = v + h / 2 * a;
+      a = inverse * (machine_.direction * (from + (to - from) * part / parts) - B * v_ahead - K * q_ahead);
+      q = q_ahead + h * h / 4 * a;
+      v = v_ahead + h / 2 * a;
+    }
+    result.col(i + 1) = q;
+  }
+  return result;
+}
+
+double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  double worst = 0;
+  for (Eigen::Index k = 0; k < 6; ++k) worst = std::max(worst, (a.row(k) - b.row(k)).cwiseAbs().maxCoeff() / a.row(k).cwiseAbs().maxCoeff());
+  return worst;
+}
+
+constexpr const char* script = R"(
+import sys, time, numpy as np
+try:
+    from scipy.signal import lsim
+except ImportError:
+    sys.exit(0)
+d = np.loadtxt(sys.argv[1])
+A, B, K, h, q = d[0:36].reshape(6, 6), d[36:72].reshape(6, 6), d[72:108].reshape(6, 6), d[108:114], d[114:]
+q = q.reshape(-1, 7)
+u, q = q[:, 0], q[:, 1:]
+I, O = np.eye(6), np.zeros((6, 6))
+F = np.block([[O, I], [-np.linalg.solve(A, K), -np.linalg.solve(A, B)]])
+G = np.concatenate([np.zeros(6), np.linalg.solve(A, h)])[:, None]
+t = float(sys.argv[2]) * np.arange(len(u))
+best = 1e9
+for _ in range(5):
+    begin = time.perf_counter()
+    _, y, _ = lsim((F, G, np.hstack([I, O]), np.zeros((6, 1))), u, t)
+    best = min(best, time.perf_counter() - begin)
+print("scipy.signal.lsim, coordinates only: %.1f ms, largest relative difference %.1e" % (1e3 * best, np.max(np.abs(y - q).max(0) / np.abs(q).max(0))))
+)";
+
+void compare_with_scipy(const Eigen::MatrixXd& q) {
+  constexpr const char* python = "/usr/bin/python3";
+  if (!std::ifstream(python)) return;
+  const foundation::TemporaryFolder folder;
+  std::ofstream data(folder.path() / "data.txt"), code(folder.path() / "lsim.py");
+  data.precision(17);
+  const auto& m = machine().assembled.matrices;
+  for (const Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K}) data << matrix->transpose().reshaped() << "\n";
+  data << machine().direction << "\n";
+  for (Eigen::Index i = 0; i <= steps; ++i) {
+    data << machine().samples[static_cast<std::size_t>(i)] << "\n";
+    for (Eigen::Index k = 0; k < 6; ++k) data << q(k, i) << "\n";
+  }
+  code << script;
+  data.close();
+  code.close();
+  const foundation::CommandOutcome outcome =
+      foundation::run({python, {(folder.path() / "lsim.py").string(), (folder.path() / "data.txt").string(), std::to_string(step)}});
+  std::printf("%s", outcome.output.c_str());
+  if (!outcome.succeeded()) std::exit(1);
+}
+
+void compare_answers() {
+  const Eigen::MatrixXd exact = by_trivet();
+  const double coarse = difference(exact, by_newmark(1)), fine = difference(exact, by_newmark(8));
+  std::printf("Newmark with the same step is off by %.1e of the largest, with an eighth of it by %.1e (ratio %.1f, 64 expected)\n", coarse, fine, coarse / fine);
+  if (!(coarse / fine > 50 && coarse / fine < 80)) std::exit(1);
+  compare_with_scipy(exact);
+}
+
+void ExactSteps(benchmark::State& state) {
+  const Machine& m = machine();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(response::transient_response(m.system, m.assembled, state.range(0) ? m.everything : m.coordinates, m.inputs, m.options).curves.data());
+  state.counters["answers"] = static_cast<double>(state.range(0) ? m.everything.size() : m.coordinates.size());
+}
+BENCHMARK(ExactSteps)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+void Newmark(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(by_newmark(1).data());
+}
+BENCHMARK(Newmark)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  compare_answers();
+  benchmark::RunSpecifiedBenchmarks();
+}

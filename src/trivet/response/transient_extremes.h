@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/response/time_grid.h"
+#include "trivet/response/transient.h"
+#include "trivet/response/transient_walk.h"
+
+namespace trivet::response {
+
+/// States from which a walk can be taken up again: one for every `every` points.
+struct Checkpoints {
+  Eigen::Index every = 1;
+  std::vector<WalkState> states;
+};
+
+/// Raises the extremes found at the points and corners to those of the motion between its points: around the highest of them the walk is taken
+/// again, and zeros of the derivative are searched in it. Where two points are less than half a period apart no extremum is missed that
+/// exceeds the points by more than 1e-9 of it.
+/// @param row  of one answer
+void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid, const Checkpoints& checkpoints,
+                           TimeCurve& curve);
+
+}  // namespace trivet::response

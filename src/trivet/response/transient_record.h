@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/response/time_grid.h"
+#include "trivet/response/transient.h"
+#include "trivet/response/transient_extremes.h"
+#include "trivet/response/transient_walk.h"
+
+namespace trivet::response {
+
+/// Walks over the grid and keeps the answers: values at its points, extremes at the points and on both sides of every jump.
+class TransientRecord {
+ public:
+  TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid);
+
+  /// From the first point, where `state` stands, to the last.
+  /// @throws foundation::NotComputable if the motion leaves the range of numbers
+  void run(WalkState state, const foundation::Progress& progress);
+
+  [[nodiscard]] const Eigen::MatrixXd& values() const { return values_; }  ///< points × answers
+  [[nodiscard]] const Checkpoints& checkpoints() const { return checkpoints_; }
+  [[nodiscard]] Extreme largest(Eigen::Index answer) const;
+  [[nodiscard]] Extreme smallest(Eigen::Index answer) const;
+
+ private:
+  void to_next_point(WalkState& state, double to);
+  [[nodiscard]] bool answers_jump(const WalkState& state, double corner) const;
+  void note(const WalkState& state);
+
+  TransientWalk& walk_;
+  const std::vector<InputCourse>& courses_;
+  LinearRows rows_;
+  const TimeGrid& grid_;
+  std::vector<std::vector<bool>> jumps_;   ///< per course and piece: do answers jump where it begins?
+  Eigen::MatrixXd values_;
+  std::vector<Extreme> largest_, smallest_;  ///< at jumps
+  Checkpoints checkpoints_;
+  Eigen::VectorXd inputs_;
+};
+
+}  // namespace trivet::response
