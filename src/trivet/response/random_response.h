@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/assembly/loads.h"
+#include "trivet/excitation/cross_spectrum.h"
+#include "trivet/excitation/human_weighting.h"
+#include "trivet/excitation/spectrum.h"
+#include "trivet/foundation/interruption.h"
+#include "trivet/foundation/problems.h"
+
+/// Stationary random vibration: formulas, accuracy and refusals in docs/random.md.
+namespace trivet::response {
+
+/// One stationary random input of zero mean: an action of amplitude 1, and the one-sided spectrum of its course.
+struct RandomInput {
+  std::string name;
+  assembly::Loading loading;       ///< may hold powers of s and delays (a wave under several ground points)
+  excitation::Spectrum spectrum;   ///< [unit²/(rad/s)], where `unit` is that of the action: N, m, m/s², …
+};
+
+/// Inputs that act together. Pairs that are not named are uncorrelated.
+struct RandomLoading {
+  std::vector<RandomInput> inputs;
+  std::vector<excitation::InputPair> pairs;
+};
+
+/// All random excitations together, or those named.
+/// @throws foundation::InvalidInput for a name that is none
+[[nodiscard]] RandomLoading random_loading(const model::System& system, const assembly::Assembled& assembled,
+                                           const std::vector<std::string>& selected = {});
+
+/// Errors: no input, an input that acts on nothing or has an empty spectrum, pairs that no random process has.
+[[nodiscard]] foundation::Problems check(const RandomLoading& loading, const std::string& subject);
+
+/// A motion whose acceleration is to be weighted for people; the channel may be a displacement, velocity or acceleration.
+struct WeightedChannel {
+  std::size_t channel = 0;
+  excitation::Weighting weighting = excitation::Weighting::Wk;
+};
+
+struct RandomOptions {
+  std::vector<WeightedChannel> weighted;
+  double accuracy = 1e-8;     ///< relative, of each variance: what the pole–residue form must hold, and what the quadrature works to
+  int most_solutions = 200000;  ///< of the quadrature, over all inputs
+};
+
+/// The mean square of one answer y over the band of the spectra, and what follows from it.
+struct RandomAnswer {
+  std::string name;
+  std::string unit;
+  bool vanishes = false;                         ///< below round-off of what the coordinates could make of it: all numbers are 0 or none
+  std::optional<double> rms;                     ///< σ_y; none where it is infinite, see `reason`
+  std::optional<double> three_sigma;             ///< 3 σ_y
+  std::optional<double> rms_of_derivative;       ///< σ_ẏ [unit/s]
+  std::optional<double> zero_crossings;          ///< ν₀ = σ_ẏ/(2π σ_y), crossings of zero from below per second
+  std::optional<double> weighted_rms;            ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
+  std::vector<double> variance_share;            ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
+  double estimated_error = 0;                    ///< relative, of the variance
+  std::string reason;                            ///< why a number is missing
+};
+
+/// How the variances were found.
+enum class RandomMethod {
+  poles,      ///< pole–residue form and its integrals, held to direct solutions
+  quadrature  ///< adaptive, over panels graded toward the poles
+};
+[[nodiscard]] const char* name(RandomMethod method);
+
+struct RandomResponse {
+  std::vector<RandomAnswer> answers;   ///< one per channel
+  RandomMethod method = RandomMethod::poles;
+  std::string remark;                  ///< why the quadrature was taken, else empty
+  int solutions = 0;                   ///< direct solutions Z q = h, for the check or the quadrature
+  double from = 0, to = 0;             ///< band of the spectra together [rad/s]
+};
+
+/// Variances ∫ Σ_jk H_j* S_jk H_k dω of every channel, of its derivative, and of its weighted acceleration, within the band of the spectra.
+/// Nothing is read off a grid: docs/random.md.
+/// @throws foundation::InvalidInput for what `check` calls an error, a weighted channel that does not exist or is no motion
+[[nodiscard]] RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                             const RandomLoading& loading, const RandomOptions& options = {},
+                                             const foundation::Progress& progress = {});
+
+/// One-sided power spectral densities of the channels, [unit²/(rad/s)]; times 2π per hertz.
+struct RandomCurves {
+  std::vector<double> angular_frequency;         ///< [rad/s]
+  std::vector<std::vector<double>> density;      ///< per channel; NaN where the dynamic stiffness is singular
+};
+
+/// Over the given ω, or, if there are none, over a grid of the spectra's band that is dense around the poles and holds every breakpoint.
+/// For pictures: the variances come from `random_response`.
+[[nodiscard]] RandomCurves random_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                         const RandomLoading& loading, std::vector<double> angular_frequency = {},
+                                         const foundation::Progress& progress = {});
+
+}  // namespace trivet::response
