@@ -77,7 +77,6 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
       const Eigen::VectorXcd d = element_motion(assembled.elements[e], motion), wrench = element_wrenches(assembled.elements[e], d, omega);
       flow.dissipated(static_cast<Eigen::Index>(e), i) = mean_power(wrench, d, omega);
       if (element.n.on_ground()) flow.by_ground(i) += mean_power(wrench.head<6>(), d.head<6>(), omega);
-      if (element.k.on_ground()) flow.by_ground(i) += mean_power(wrench.segment<6>(6), d.segment<6>(6), omega);
       for (std::size_t m = 0; m < standing.size(); ++m)
         if (standing[m] == e) flow.into_ground(static_cast<Eigen::Index>(m), i) = -mean_power(wrench.head<6>(), d.head<6>(), omega);
     }

@@ -76,8 +76,8 @@ const model::Body& body_of(const model::System& system, const std::string& word)
   throw foundation::InvalidInput("transmissibility: \"" + word + "\" names no body and no point of one");
 }
 
-/// |T| counts as above 1 from here on: at rest it is 1 but for round-off.
-constexpr double above_one = 1 + 1e-9;
+/// |T| this close to 1 counts as 1: at rest, and towards ω = ∞ where a relative motion ends.
+constexpr double like_one = 1e-9;
 
 /// Root of |T| = 1 between `above` (|T| > 1) and `below` (|T| ≤ 1), where |T| is monotonic.
 template <typename Size>
@@ -160,8 +160,8 @@ std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Tr
     double far = peaks.searched_to;
     if (std::isinf(far)) far = far_above * std::max({places.back().first, peaks.searched_from, 1.0});
     places.emplace_back(far, size(far));
-    const auto last = std::find_if(places.rbegin(), places.rend(), [](const auto& place) { return place.second > above_one; });
-    if (last == places.rbegin()) crossover.angular_frequency.reset();
+    const auto last = std::find_if(places.rbegin(), places.rend(), [](const auto& place) { return place.second > 1 + like_one; });
+    if (!(places.back().second < 1 - like_one)) crossover.angular_frequency.reset();
     else if (last != places.rend()) crossover.angular_frequency = root_between(last->first, std::prev(last)->first, size);
   }
   return result;

@@ -49,7 +49,7 @@ struct Transmission {
 /// From where a curve isolates.
 struct Crossover {
   std::string name;
-  /// Above it |T| < 1 for good [rad/s]: root of the exact response, not of a grid; 0 if |T| ≤ 1 everywhere, none if it does not stay below 1.
+  /// Above it |T| < 1 for good [rad/s]: root of the exact response, not of a grid; 0 if |T| ≤ 1 everywhere, none if it does not end below 1.
   std::optional<double> angular_frequency;
   double proven_to = 0;  ///< [rad/s], infinite where the search for extrema was
 };
