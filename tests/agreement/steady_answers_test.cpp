@@ -138,6 +138,8 @@ TEST(Transmissibility, OfForceIsThatOfDisplacement) {
       const auto followed = response::frequency_response(assembled, motion.channels, motion.loading, frequencies);
       for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(frequencies.size()); ++i)
         EXPECT_NEAR(std::abs(felt.curves[0].value(i) - followed.curves[0].value(i)), 0, digits * (1 + std::abs(felt.curves[0].value(i))));
+      const auto slowly = response::frequency_response(assembled, force.channels, force.loading, {1e-3});
+      EXPECT_NEAR(std::abs(slowly.curves[0].value(0) - here.axis.normalized().dot(there.axis.normalized())), 0, 1e-6) << "at rest the ground answers the load; (ω/ω1)²";
       if (rotation) continue;
       const Complex mounts = felt.curves[1].value(0) + felt.curves[2].value(0);
       EXPECT_NEAR(std::abs(felt.curves[0].value(0) - mounts), 0, digits) << "the mounts add up to the total";

@@ -33,7 +33,7 @@ struct Solved {
   std::vector<assembly::Channel> channels(const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
-  response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 0) const {
+  response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 101) const {
     return response::run_up(assembled, channels(of), response::order_loadings(system, assembled), modes, roots, {speed, 1e-6, points});
   }
   response::Peaks peaks(const std::vector<assembly::Channel>& of, const assembly::Loading& loading) const {
@@ -66,6 +66,7 @@ TEST(UnbalanceRunUp, PeaksAboveTheNaturalFrequency) {
     EXPECT_THAT(critical.amplitude, RelativelyNear(unbalance / mass / (2 * ratio * std::sqrt(1 - ratio * ratio)), digits)) << ratio;
     EXPECT_EQ(critical.order, 1);
     EXPECT_EQ(critical.nearest_mode, 1);
+    EXPECT_EQ(critical.relative_height, 1);
     EXPECT_THAT(amplitude_at(found, 0, 0, critical.speed), RelativelyNear(critical.amplitude, digits)) << "the peak is on the grid";
     EXPECT_THAT(found.overall[0].highest_rms, RelativelyNear(critical.amplitude / std::numbers::sqrt2, digits));
     EXPECT_THAT(found.overall[0].highest_rms_at, RelativelyNear(critical.speed, frequency_digits));
@@ -123,6 +124,41 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
   }
   ASSERT_EQ(found.critical.size(), 1u);
   EXPECT_NEAR(found.critical[0].speed, natural / 2, 1) << "order 2 meets the natural frequency at half its speed";
+}
+
+TEST(RunUp, TellsTallPeaksFromSmallOnes) {
+  // The same force at orders 1 and 2, and 0.9 % and 0.1 % of it at orders 3 and 4: all peak at ω0√(1 − 2ζ²).
+  constexpr double natural = 60, ratio = 0.02;
+  model::Description d = test::guided_mass(2, natural, ratio);
+  model::Action action;
+  action.body = 0;
+  std::vector<excitation::Order> orders;
+  for (const double force : {1.0, 1.0, 0.009, 0.001}) {
+    excitation::Order& order = orders.emplace_back();
+    order.order = static_cast<double>(orders.size());
+    order.fixed(2) = force;
+  }
+  d.excitations = {{"shaft", action, model::Orders{orders}}};
+  const Solved solved(d);
+  const response::RunUp found = solved.run_up({"machine"}, {10, 70}, 7);
+  ASSERT_EQ(found.critical.size(), 4u);
+  const double peak = natural * std::sqrt(1 - 2 * ratio * ratio);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double order = 4 - static_cast<double>(i), height = order < 3 ? 1 : order < 4 ? 0.009 : 0.001;
+    EXPECT_EQ(found.critical[i].order, order);
+    EXPECT_THAT(found.critical[i].speed, RelativelyNear(peak / order, frequency_digits));
+    EXPECT_THAT(found.critical[i].relative_height, RelativelyNear(height, digits));
+    const bool on_grid = std::find(found.speed.begin(), found.speed.end(), found.critical[i].speed) != found.speed.end();
+    EXPECT_EQ(on_grid, order < 3) << "from 1 % of the highest";
+  }
+  EXPECT_THROW(solved.run_up({"machine"}, {10, 10}), foundation::InvalidInput);
+  EXPECT_THROW(solved.run_up({"machine"}, {10, 70}, 1), foundation::InvalidInput);
+  orders[0].order = 0;
+  d.excitations[0].course = model::Orders{orders};
+  const Solved still(test::guided_mass(2, natural, ratio));
+  EXPECT_THROW(still.run_up({"machine"}, {10, 70}), foundation::InvalidInput) << "nothing goes with a shaft";
+  const model::System resting = test::checked(d);
+  EXPECT_THROW((void)response::order_loadings(resting, assembly::assemble(resting)), foundation::InvalidInput) << "order 0";
 }
 
 TEST(Waterfall, HasALineForEveryOrderOfEverySpectrum) {
@@ -329,6 +365,7 @@ TEST(LimitLine, HoldsItsLowerValueAtAStep) {
   const response::LimitLine line{"step", "m/s", false, {1, 35, 35, 1000}, {10, 10, 0.1, 0.1}};
   EXPECT_EQ(response::zero_to_peak_limit(line, 35), 0.1);
   EXPECT_EQ(response::zero_to_peak_limit(line, 34), 10);
+  EXPECT_EQ(response::zero_to_peak_limit({"step up", "m/s", false, {1, 35, 35, 1000}, {0.1, 0.1, 10, 10}}, 35), 0.1);
   EXPECT_THROW((void)response::zero_to_peak_limit(line, 0.5), foundation::InvalidInput);
   const auto found = velocity_of_mass(line, {1, 1000});
   ASSERT_EQ(found.exceeded.size(), 1u);

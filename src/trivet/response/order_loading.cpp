@@ -42,6 +42,7 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
   for (const model::Excitation& excitation : excitations) {
     if (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()) continue;
     for (const excitation::Order& order : orders_of(excitation)) {
+      if (!(order.order > 0)) throw foundation::InvalidInput("\"" + excitation.name + "\" has an order that is not > 0");
       OrderLoading& entry = entry_of(result, order.order, assembled);
       add_force(assembled, excitation.action, order.per_speed_squared, 2, -1 / (order.order * order.order), entry.loading);  // Ω² = −s²/order²
       add_force(assembled, excitation.action, order.fixed, 0, 1, entry.loading);

@@ -17,7 +17,7 @@ struct OrderLoading {
 
 /// The orders of all excitations that go with a shaft, or of those named, ascending; equal orders act together. A harmonic force that grows
 /// with ω² (an unbalance) is order 1. All turn with the same Ω.
-/// @throws foundation::InvalidInput for a name that names none
+/// @throws foundation::InvalidInput for a name that names none, or an order ≤ 0
 [[nodiscard]] std::vector<OrderLoading> order_loadings(const model::System& system, const assembly::Assembled& assembled,
                                                        const std::vector<std::string>& selected = {});
 

@@ -24,8 +24,23 @@ void note_critical(const Peaks& found, double order, const Band& speed, std::vec
   for (const Peak& peak : found.list) {
     const double at = peak.angular_frequency / order;
     if (at < speed.from || at > speed.to) continue;
-    critical.push_back({peak.curve, order, at, peak.angular_frequency, peak.amplitude, peak.prominence, peak.nearest_mode});
+    critical.push_back({peak.curve, order, at, peak.angular_frequency, peak.amplitude, peak.prominence, 0, peak.nearest_mode});
   }
+}
+
+void set_relative_heights(std::size_t curves, std::vector<CriticalSpeed>& critical) {
+  std::vector<double> highest(curves, 0);
+  for (const CriticalSpeed& c : critical) highest[c.curve] = std::max(highest[c.curve], c.amplitude);
+  for (CriticalSpeed& c : critical) c.relative_height = c.amplitude == highest[c.curve] ? 1 : c.amplitude / highest[c.curve];
+}
+
+/// Speeds around a resonance, in widths of its root.
+void add_around(const CriticalSpeed& critical, const Eigen::VectorXcd& poles, std::vector<double>& speed) {
+  Eigen::Index nearest = 0;
+  (poles.array() - std::complex<double>(0, critical.angular_frequency)).abs().minCoeff(&nearest);
+  const double width = std::max(std::abs(poles(nearest).real()), 1e-6 * critical.angular_frequency);
+  for (const double t : {0.25, 0.5, 0.8, 1.2, 1.8, 2.8, 4.5, 8.0})
+    for (const int side : {-1, 1}) speed.push_back((poles(nearest).imag() + side * t * width) / critical.order);
 }
 
 OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const OrderLoading& order, RunUp& result) {
@@ -65,18 +80,18 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
   const Band& speed = options.speed;
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to))) throw foundation::InvalidInput("run-up: a range of speed needs 0 ≤ from < to");
   if (order_loadings.empty()) throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
+  if (options.points < 2) throw foundation::InvalidInput("run-up: fewer than two speeds");
   RunUp result;
-  if (options.points > 1) result.speed = linear_grid(speed, options.points);
-  for (const OrderLoading& order : order_loadings) {
-    const Band band{order.order * speed.from, order.order * speed.to};
-    const Peaks found = peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, band.to}, progress);
-    note_critical(found, order.order, speed, result.critical);
-    if (options.points > 1) continue;
-    for (const double omega : automatic_grid(assembled, channels, order.loading, roots.poles, found, band, progress))
-      result.speed.push_back(std::clamp(omega / order.order, speed.from, speed.to));
-  }
-  for (const CriticalSpeed& critical : result.critical)
+  for (const OrderLoading& order : order_loadings)
+    note_critical(peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false}, progress), order.order, speed, result.critical);
+  set_relative_heights(channels.size(), result.critical);
+  result.speed = linear_grid(speed, options.points);
+  for (const CriticalSpeed& critical : result.critical) {
+    if (critical.relative_height < options.tall_from) continue;
     if (std::isfinite(critical.amplitude)) result.speed.push_back(critical.speed);
+    add_around(critical, roots.poles, result.speed);
+  }
+  std::erase_if(result.speed, [&](double at) { return at < speed.from || at > speed.to; });
   sort_apart(result.speed);
   std::stable_sort(result.critical.begin(), result.critical.end(),
                    [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.curve != b.curve ? a.curve < b.curve : a.speed < b.speed; });

@@ -15,7 +15,8 @@ namespace trivet::response {
 struct RunUpOptions {
   Band speed;                    ///< of the shaft [rad/s], 0 ≤ from < to
   double min_prominence = 1e-6;  ///< see PeakOptions
-  int points = 0;                ///< equally spaced speeds beside the peaks; 0: as many as straight lines between them need
+  int points = 501;              ///< equally spaced speeds, at least 2, beside the critical ones and those around them
+  double tall_from = 0.01;       ///< height of a peak over the highest of its answer from which the curves are drawn through it
 };
 
 /// One order over the speeds of its run-up: all answers at ω = order · Ω.
@@ -32,6 +33,7 @@ struct CriticalSpeed {
   double angular_frequency = 0;             ///< ω = order · Ω [rad/s]
   double amplitude = 0;                     ///< of this order alone; infinite at an undamped natural frequency
   double prominence = 0;
+  double relative_height = 0;               ///< over the highest critical amplitude of this answer to any order; 0 beside an infinite one
   std::optional<int> nearest_mode;
 };
 
@@ -46,17 +48,16 @@ struct Overall {
 };
 
 struct RunUp {
-  std::vector<double> speed;            ///< Ω [rad/s], ascending, with every finite peak of every order
+  std::vector<double> speed;            ///< Ω [rad/s], ascending, with every finite peak of every order that is tall, and points around it
   std::vector<OrderCurves> orders;      ///< ascending order, all curves over `speed`
   std::vector<Overall> overall;         ///< per channel
-  std::vector<CriticalSpeed> critical;  ///< by curve, then ascending speed
+  std::vector<CriticalSpeed> critical;  ///< all in the range; by curve, then ascending speed
   std::vector<double> undefined_at;     ///< Ω [rad/s] where an order meets an undamped resonance on the grid: its values are NaN there
   double worst_backward_error = 0;      ///< see SolutionCheck
 };
 
 /// Slow run-up: the steady response to each order at each shaft speed. Peaks lie where d|y_k|/dΩ = 0 exactly, the growth of unbalance with Ω² included.
-/// `channels` at their own derivative; `order_loadings` from response::order_loadings.
-/// @throws foundation::InvalidInput without orders or for a band that is none
+/// @throws foundation::InvalidInput without orders, for a range that is none, or less than two points
 [[nodiscard]] RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,
                            const RunUpOptions& options, const foundation::Progress& progress = {});
