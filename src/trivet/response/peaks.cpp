@@ -116,8 +116,9 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       Peak peak{c, t.angular_frequency, t.amplitude, prominence(result.turnings[c], i, walk.start, walk.end), {}, {}, t.uncertainty, 0, false};
       if (!(peak.prominence > options.min_prominence * finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
-        const RefinedPeak refined = exact ? RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, contour_accuracy * t.amplitude, true}
-                                          : refine_peak(assembled, channels[c], loading, t.angular_frequency, t.reach);
+        const RefinedPeak refined = exact            ? RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, contour_accuracy * t.amplitude, true}
+                                    : options.refine ? refine_peak(assembled, channels[c], loading, t.angular_frequency, t.reach)
+                                                     : RefinedPeak{};
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;
           peak.angular_frequency = refined.angular_frequency;

@@ -57,6 +57,7 @@ struct Peaks {
 struct PeakOptions {
   double min_prominence = 1e-6;  ///< of the curve's largest finite amplitude
   double search_to = 0;          ///< [rad/s] with frequency-dependent elements or delays, at least; twice the highest natural frequency where that is more
+  bool refine = true;            ///< by Newton's steps; false: heights of the series, good to about 1e-10, where there are many curves
 };
 
 /// Every peak of every channel, wherever it lies. The axis is covered by discs free of poles; on each |y|² is a Taylor series

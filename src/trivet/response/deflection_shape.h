@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/loads.h"
+
+namespace trivet::response {
+
+/// A place that moves as Re(motion · e^{iωt}).
+struct MovingPlace {
+  std::string name;              ///< BODY, BODY.POINT, ELEMENT.foot (its end N) or ELEMENT.head (its end K)
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< at rest, ground frame [m]
+  Eigen::Matrix<std::complex<double>, 6, 1> motion = Eigen::Matrix<std::complex<double>, 6, 1>::Zero();  ///< translation [m] and rotation [rad], ground axes
+};
+
+/// Operating deflection shape: where everything goes at one ω.
+struct DeflectionShape {
+  double angular_frequency = 0;       ///< [rad/s]
+  std::vector<MovingPlace> bodies;    ///< poles
+  std::vector<MovingPlace> points;
+  std::vector<MovingPlace> feet;      ///< one per element
+  std::vector<MovingPlace> heads;     ///< one per element
+  double largest_excursion = 0;       ///< of all of them [m]
+};
+
+/// @throws foundation::NotComputable where Z(ω) is singular
+[[nodiscard]] DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
+                                               double angular_frequency);
+
+/// Farthest from rest on the ellipse Re(u e^{iωt}): √(½(|u|² + |u·u|)) [m].
+[[nodiscard]] double excursion(const Eigen::Vector3cd& translation);
+
+/// Position at the phase ωt [rad], motion enlarged by `scale`.
+[[nodiscard]] Eigen::Vector3d displaced(const MovingPlace& place, double phase, double scale);
+
+}  // namespace trivet::response
