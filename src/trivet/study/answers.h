@@ -8,10 +8,18 @@
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
+#include "trivet/excitation/shock_spectrum.h"
+#include "trivet/response/campbell.h"
 #include "trivet/response/deep_check.h"
+#include "trivet/response/deflection_shape.h"
 #include "trivet/response/frequency_response.h"
+#include "trivet/response/load_sharing.h"
 #include "trivet/response/peaks.h"
+#include "trivet/response/power.h"
+#include "trivet/response/random_response.h"
+#include "trivet/response/run_up.h"
 #include "trivet/response/static_response.h"
+#include "trivet/response/transient.h"
 #include "trivet/study/project.h"
 
 /// Answers to what a project asks, case by case.
@@ -42,6 +50,46 @@ struct LimitAnswer {
   bool kept = true;        ///< in_band ≤ limit
 };
 
+struct RandomResult {
+  response::RandomResponse response;
+  response::RandomCurves curves;   ///< densities [unit²/(rad/s)]
+  std::vector<std::string> inputs; ///< of the variance shares
+  assembly::Quantity quantity = assembly::Quantity::displacement;
+};
+
+struct TransientResult {
+  response::TransientResponse response;
+  assembly::Quantity quantity = assembly::Quantity::displacement;
+};
+
+struct OrdersResult {
+  response::RunUp run_up;
+  response::Campbell campbell;
+  assembly::Quantity quantity = assembly::Quantity::displacement;
+};
+
+struct TransmissibilityResult {
+  std::string words;               ///< "force on the ground over engine", "motion over a motion of the ground along z"
+  response::FrequencyResponse curves;
+  response::Peaks peaks;
+  std::vector<response::Crossover> crossovers;
+  response::Band band;
+};
+
+/// Of one time excitation, over natural frequencies.
+struct ShockSpectrumResult {
+  std::string excitation;
+  std::string unit;                ///< of the spectrum: m/s²
+  double damping_ratio = 0;
+  std::vector<excitation::ShockResponse> spectrum;
+};
+
+struct LimitLineResult {
+  std::string of;
+  response::LimitLine line;
+  response::LimitComparison comparison;
+};
+
 struct Answers {
   std::string case_name;
   std::vector<std::string> changes;
@@ -52,6 +100,15 @@ struct Answers {
   std::optional<ResponseAnswer> response;
   std::optional<PeaksAnswer> peaks;
   std::optional<response::StaticResponse> statics;
+  std::optional<response::LoadSharing> load_sharing;
+  std::optional<RandomResult> random;
+  std::optional<TransientResult> transient;
+  std::optional<OrdersResult> orders;
+  std::optional<TransmissibilityResult> transmissibility;
+  std::optional<response::PowerFlow> power;
+  std::vector<response::DeflectionShape> shapes;
+  std::vector<ShockSpectrumResult> shock_spectra;
+  std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
   std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
 };
