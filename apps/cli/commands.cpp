@@ -9,9 +9,11 @@
 
 #include "cli/answer_tables.h"
 #include "cli/console.h"
+#include "cli/further_tables.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/study/answers_json.h"
+#include "trivet/study/further_json.h"
 #include "trivet/study/tables_csv.h"
 #include "trivet/study/units.h"
 
@@ -63,6 +65,17 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
     for (const auto& element : variant.system.elements()) all.push_back(element.name);
     all.push_back("ground");
     analyses.static_of = file.static_of.value_or(all);
+    analyses.load_sharing = variant.system.description().gravity.has_value();
+  } else if (which == "random") {
+    analyses.random = file.random.value_or(study::RandomRequest{});
+  } else if (which == "transient") {
+    analyses.transient = file.transient.value_or(study::TransientRequest{});
+  } else if (which == "orders") {
+    if (!file.orders) throw BadArgument("orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
+    analyses.orders = file.orders;
+  } else if (which == "transmissibility") {
+    if (!file.transmissibility) throw BadArgument("transmissibility: say of what: add transmissibility = {force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
+    analyses.transmissibility = file.transmissibility;
   }
   return analyses;
 }
@@ -72,7 +85,12 @@ std::string rendered(const std::string& which, const study::Case& variant, const
   if (which == "roots") return options.json ? study::roots_json(variant, answers) : options.csv ? study::roots_csv(answers) : roots_text(answers);
   if (which == "response") return options.json ? study::response_json(answers) : options.csv ? study::response_csv(answers) : response_text(answers) + limits_text(answers);
   if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : peaks_text(answers);
-  return options.json ? study::static_json(answers) : options.csv ? study::static_csv(answers) : static_text(answers);
+  if (which == "random") return options.json ? study::random_json(answers) : options.csv ? study::random_csv(answers) : random_text(answers);
+  if (which == "transient") return options.json ? study::transient_json(answers) : options.csv ? study::transient_csv(answers) : transient_text(answers);
+  if (which == "orders") return options.json ? study::orders_json(answers) : options.csv ? study::orders_csv(answers) : orders_text(answers);
+  if (which == "transmissibility")
+    return options.json ? study::transmissibility_json(answers) : options.csv ? study::transmissibility_csv(answers) : transmissibility_text(answers);
+  return options.json ? study::static_json(answers) : options.csv ? study::static_csv(answers) : static_text(answers) + (answers.load_sharing ? load_sharing_text(answers) : std::string());
 }
 
 }  // namespace

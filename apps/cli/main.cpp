@@ -62,6 +62,10 @@ int main(int argc, char** argv) {
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->excludes(at);
   add_answer(app, "peaks", "exact resonance peaks", options);
   add_answer(app, "static", "static displacements and forces", options);
+  add_answer(app, "random", "root mean squares under random excitations", options);
+  add_answer(app, "transient", "motion in time", options);
+  add_answer(app, "orders", "run-up: response over shaft speed, critical speeds", options);
+  add_answer(app, "transmissibility", "force or motion that the mounts let through", options);
   CLI::App* explain = add_answer(app, "explain", "why each resonance peak is there, and what would change it", options);
   explain->add_option("--of", options.of, "an answer whose peaks are explained (repeatable); those of the file's peaks by default")->allow_extra_args(false);
   explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")->capture_default_str()->check(CLI::PositiveNumber);

@@ -6,8 +6,10 @@
 #include "cli/answer_tables.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/further_tables.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/report_page.h"
+#include "trivet/study/further_json.h"
 #include "trivet/study/result_folder.h"
 #include "trivet/study/tables_csv.h"
 
@@ -29,6 +31,13 @@ void write_case(study::ResultFolder& folder, const std::string& stem, const stud
   if (answers.response) folder.write(stem + "/response.csv", study::response_csv(answers));
   if (answers.peaks) folder.write(stem + "/peaks.csv", study::peaks_csv(answers));
   if (answers.statics) folder.write(stem + "/static.csv", study::static_csv(answers));
+  if (answers.random) folder.write(stem + "/random.csv", study::random_csv(answers)), folder.write(stem + "/densities.csv", study::random_densities_csv(answers));
+  if (answers.transient) folder.write(stem + "/transient.csv", study::transient_csv(answers));
+  if (answers.orders) folder.write(stem + "/orders.csv", study::orders_csv(answers)), folder.write(stem + "/critical_speeds.csv", study::critical_speeds_csv(answers));
+  if (answers.transmissibility) folder.write(stem + "/transmissibility.csv", study::transmissibility_csv(answers));
+  if (answers.power) folder.write(stem + "/power.csv", study::power_csv(answers));
+  if (!answers.shapes.empty()) folder.write(stem + "/shapes.csv", study::shapes_csv(answers));
+  if (!answers.shock_spectra.empty()) folder.write(stem + "/shock_spectrum.csv", study::shock_spectrum_csv(answers));
   if (answers.response)
     for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
 }
@@ -50,7 +59,7 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
                         answers.response->deep.worst_difference, answers.response->deep.allowed);
     text += limits_text(answers);
   }
-  return text + "\n";
+  return text + further_text(answers) + "\n";
 }
 
 }  // namespace

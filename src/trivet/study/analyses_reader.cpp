@@ -3,60 +3,12 @@
 
 #include <algorithm>
 
-#include "trivet/study/part_readers.h"
+#include "trivet/study/wanted_reader.h"
 
 namespace trivet::study {
 namespace {
 
 constexpr int most_points = 2'000'000;
-
-/// What can be asked for: motions of bodies and points, forces of elements and on the ground.
-class ResultNames {
- public:
-  explicit ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
-    forces_.push_back("ground");
-    motions_ = mentioned.bodies;
-    motions_.insert(motions_.end(), mentioned.points.begin(), mentioned.points.end());
-    groups_ = {"coordinates"};
-    for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());
-  }
-
-  [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
-  [[nodiscard]] bool is_group(const std::string& name) const { return std::find(groups_.begin(), groups_.end(), name) != groups_.end(); }
-
-  /// What a full name (group, dot, component) measures, if it is one.
-  [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const {
-    static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
-    static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
-    if (std::find(guided_.begin(), guided_.end(), name) != guided_.end()) return std::nullopt;
-    for (const std::string& group : motions_)
-      for (std::size_t j = 0; j < 6; ++j)
-        if (name == group + "." + model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
-    for (const std::string& group : forces_)
-      for (const char* letter : {"x", "y", "z"}) {
-        if (name == group + ".force." + letter) return Quantity::force;
-        if (name == group + ".moment." + letter) return Quantity::moment;
-      }
-    return std::nullopt;
-  }
-
- private:
-  std::vector<std::string> motions_, forces_, groups_, guided_;
-};
-
-void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
-  const auto words = reader.texts("of");
-  if (!words) return;
-  for (const std::string& word : *words) {
-    if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
-    const std::string guess = foundation::nearest_name(word, names.groups());
-    reader.error("of", "\"" + word.substr(0, 60) + "\"",
-                 "it names no result: coordinates, ground, a body, BODY.POINT, an element, or one component (x … rz of a motion that is free, force.x … moment.z of an element or the ground)",
-                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
-  }
-  if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
-  of = *words;
-}
 
 /// A steady response needs something that drives it.
 void check_driven(TableReader& analyses, const std::string& key, const Mentioned& mentioned) {
@@ -64,33 +16,11 @@ void check_driven(TableReader& analyses, const std::string& key, const Mentioned
     analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it", "add [excitations.NAME] with type = \"harmonic\"");
 }
 
-void read_wanted(TableReader& reader, const ResultNames& result_names, const Mentioned& mentioned, Wanted& wanted) {
-  read_of(reader, result_names, wanted.of);
-  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
-  if (quantity == "acceleration") wanted.quantity = assembly::Quantity::acceleration;
-  if (const auto names = reader.texts("excitations")) {
-    const std::vector<std::string>& known = mentioned.harmonic_excitations;
-    for (const std::string& name : *names)
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        const std::string guess = foundation::nearest_name(name, known);
-        reader.error("excitations", "\"" + name.substr(0, 60) + "\"", "no harmonic excitation has this name",
-                     guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
-      }
-    wanted.excitations = *names;
-  }
-}
-
 ResponseRequest read_response(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "analyses.response", problems);
   ResponseRequest request;
-  read_wanted(reader, names, mentioned, request.wanted);
-  if (const auto band = reader.numbers("band", Quantity::angular_frequency)) {
-    if (band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0]) request.band = response::Band{(*band)[0], (*band)[1]};
-    else
-      reader.error("band", fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.6g} to {:.6g} rad/s", (*band)[0], (*band)[1]) : ""),
-                   "a band is [from, to] with 0 ≤ from < to", "for instance [\"0 Hz\", \"50 Hz\"]");
-  }
+  read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
+  request.band = read_band(reader, "band");
   const auto spacing = reader.choice("spacing", {"automatic", "linear", "logarithmic"});
   if (spacing == "linear") request.spacing = response::Spacing::linear;
   if (spacing == "logarithmic") request.spacing = response::Spacing::logarithmic;
@@ -119,7 +49,7 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentio
   TableReader reader(node, "analyses.peaks", problems);
   PeaksRequest request;
   if (response) request.wanted = response->wanted;  // the peaks of the same curves, unless it says otherwise
-  read_wanted(reader, names, mentioned, request.wanted);
+  read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
   for (const auto& [key, target] : {std::pair{"min_prominence", &request.min_prominence}, {"peak_tolerance", &request.peak_tolerance}})
     if (const auto value = reader.number(key, Quantity::pure)) {
       if (!(*value >= 0 && *value < 1)) reader.error(key, fmt::format("{:.6g}", *value), "it is a share of the amplitude, 0 … 1", "give a fraction");
@@ -186,9 +116,12 @@ Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
       if (!root.has("gravity") && mentioned.constant_excitations.empty())
         reader.error("static", "neither gravity nor a constant force", "a static answer needs a load", "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
       analyses.static_of = read_static(*node, names, mentioned, root.problems());
+      analyses.load_sharing = root.has("gravity");
     }
+    read_further_analyses(reader, names, mentioned, analyses);
     reader.finish();
   }
+  read_limit_lines(root, names, analyses);
   analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear);
   return analyses;
 }

@@ -12,12 +12,12 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/study/further_answers.h"
 
 namespace trivet::study {
 namespace {
 
 constexpr int deep_check_frequencies = 64;
-constexpr double default_band_factor = 1.3;
 
 bool is_driven(const model::System& system) {
   const auto& excitations = system.description().excitations;
@@ -34,16 +34,6 @@ Loaded loaded(const model::System& system, const assembly::Assembled& assembled,
   if (!is_driven(system))
     throw foundation::NotComputable("response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
   return {assembly::channels(system, assembled, wanted.of, wanted.quantity), assembly::harmonic_loading(system, assembled, wanted.excitations)};
-}
-
-/// Up to well above the natural frequencies, but not beyond the tables of elements.
-response::Band default_band(const modal::Modes& modes, const modal::Roots& roots, const assembly::Assembled& assembled) {
-  double highest = 0;
-  for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
-  for (const modal::Root& root : roots.list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
-  response::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
-  for (const assembly::ElementMap& map : assembled.elements) band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
-  return band;
 }
 
 double lowest_defined(const assembly::Assembled& assembled) {
@@ -99,12 +89,17 @@ class CaseStudy {
     note_stiffening(analyses, result.warnings);
     note_guides(analyses, result.warnings);
     note_missing_mass(result.warnings);
+    const auto refuse = [&](const std::exception& reason) {
+      result.failures.emplace_back(reason.what());
+      result.warnings.warning(reason.what(), "not computed", "", "");
+    };
     const auto attempt = [&](const auto& compute) {
       try {
         compute();
       } catch (const foundation::NotComputable& reason) {
-        result.failures.emplace_back(reason.what());
-        result.warnings.warning(reason.what(), "not computed", "", "");
+        refuse(reason);
+      } catch (const foundation::InvalidInput& reason) {  // a question that this model cannot be asked
+        refuse(reason);
       }
     };
     if (analyses.peaks)
@@ -115,10 +110,33 @@ class CaseStudy {
       attempt([&] {
         result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
       });
+    further_answers(analyses, attempt, result);
     return result;
   }
 
  private:
+  [[nodiscard]] CaseContext context() const { return {system_, assembled_, modes_, roots_, progress_}; }
+
+  template <typename Attempt>
+  void further_answers(const Analyses& analyses, const Attempt& attempt, Answers& result) const {
+    const CaseContext c = context();
+    if (analyses.load_sharing && result.statics) {
+      try {
+        result.load_sharing = response::load_sharing(system_, assembled_);
+      } catch (const foundation::NotComputable&) {  // nobody asked for it: a model without mounts under its weight shares no load
+      }
+    }
+    if (analyses.random) attempt([&] { result.random = random_answer(c, *analyses.random); });
+    if (analyses.transient) attempt([&] { result.transient = transient_answer(c, *analyses.transient, result.warnings); });
+    if (analyses.orders) attempt([&] { result.orders = orders_answer(c, *analyses.orders); });
+    if (analyses.transmissibility) attempt([&] { result.transmissibility = transmissibility_answer(c, *analyses.transmissibility); });
+    if (analyses.power) attempt([&] { result.power = power_answer(c, *analyses.power); });
+    if (analyses.shapes) attempt([&] { result.shapes = shapes_answer(c, *analyses.shapes); });
+    if (analyses.shock_spectrum) attempt([&] { result.shock_spectra = shock_spectrum_answer(c, *analyses.shock_spectrum); });
+    if (result.response && !analyses.limit_lines.empty())
+      attempt([&] { result.limit_lines = limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band); });
+  }
+
   /// Totals on the ground are those of elements: what a guide carries is not among them, and that must be said.
   void note_guides(const Analyses& analyses, foundation::Problems& warnings) const {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
@@ -191,7 +209,7 @@ class CaseStudy {
     const response::Peaks peaks = needs_peaks ? peaks_of(request.wanted) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
-      result.band = request.band ? *request.band : default_band(modes_, roots_, assembled_);
+      result.band = request.band ? *request.band : default_band(context());
       if (!(result.band.from < result.band.to))
         throw foundation::NotComputable("response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
@@ -281,7 +299,7 @@ response::DeepCheck deep_check(const Case& variant) {
   const modal::Modes modes = modal::modes(variant.system, assembled);
   const modal::Roots roots = modal::roots(variant.system, assembled, modes);
   const auto& request = variant.analyses.response;
-  const response::Band band = request && request->band ? *request->band : default_band(modes, roots, assembled);
+  const response::Band band = request && request->band ? *request->band : default_band({variant.system, assembled, modes, roots, {}});
   assembly::Loading load = assembly::harmonic_loading(variant.system, assembled);
   if (load.vanishes()) {
     Eigen::VectorXcd everywhere = Eigen::VectorXcd::Zero(assembled.layout.size());

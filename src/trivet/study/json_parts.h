@@ -44,5 +44,7 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json response(const Answers& answers);
 [[nodiscard]] Json peaks(const Answers& answers);
 [[nodiscard]] Json statics(const Answers& answers);
+/// Random, transient, orders … of those answers that there are, by their names.
+void add_further(const Answers& answers, Json& result);
 
 }  // namespace trivet::study::json

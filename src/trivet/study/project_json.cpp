@@ -113,6 +113,7 @@ Json case_json(const Case& variant, const Answers& answers) {
   }
   if (answers.peaks) result["peaks"] = json::peaks(answers);
   if (answers.statics) result["static"] = json::statics(answers);
+  json::add_further(answers, result);
   return result;
 }
 

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/further_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cli/text_table.h"
+
+namespace trivet::cli {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double worth_a_row = 0.01;
+
+double hertz(double omega) { return omega / turn; }
+double rpm(double omega) { return omega * 60 / turn; }
+std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+std::string mode_of(const std::optional<int>& mode) { return mode ? std::to_string(*mode) : "–"; }
+
+}  // namespace
+
+std::string random_text(const study::Answers& answers) {
+  const study::RandomResult& random = *answers.random;
+  const auto& list = random.response.answers;
+  const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) { return a.weighted_rms.has_value(); });
+  std::vector<std::string> header = {"answer", "rms", "3σ", "unit", "zero crossings [1/s]"};
+  if (weighted) header.push_back("weighted rms [m/s², rad/s²]");
+  if (random.inputs.size() > 1)
+    for (const std::string& input : random.inputs) header.push_back("from " + input);
+  TextTable table(header);
+  std::string reasons;
+  for (const response::RandomAnswer& a : list) {
+    std::vector<std::string> row = {a.name, shown(a.rms.value_or(nothing)), shown(a.three_sigma.value_or(nothing)), a.unit, shown(a.zero_crossings.value_or(nothing), 4)};
+    if (weighted) row.push_back(shown(a.weighted_rms.value_or(nothing)));
+    for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i) row.push_back(i < a.variance_share.size() ? percent(a.variance_share[i]) : "–");
+    table.add(row);
+    if (!a.reason.empty()) reasons += "  " + a.name + ": " + a.reason + "\n";
+  }
+  double worst = 0;
+  for (const response::RandomAnswer& a : list) worst = std::max(worst, a.estimated_error);
+  return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4), shown(hertz(random.response.to), 4)) + table.text() + reasons +
+         fmt::format("  {}, relative error of the variances about {:.1e}{}\n", random.response.method == response::RandomMethod::poles ? "exact integration over the poles" : "adaptive quadrature over the poles",
+                     worst, random.response.remark.empty() ? "" : "; " + random.response.remark);
+}
+
+std::string transient_text(const study::Answers& answers) {
+  const response::TransientResponse& found = answers.transient->response;
+  TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
+  for (const response::TimeCurve& c : found.curves)
+    table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value), shown(c.smallest.time, 5), shown(c.rms), c.unit});
+  const Eigen::Index n = found.time.size();
+  return fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4), n) + table.text();
+}
+
+std::string orders_text(const study::Answers& answers) {
+  constexpr std::size_t most_rows = 40;
+  const response::RunUp& run = answers.orders->run_up;
+  std::vector<response::CriticalSpeed> tall;
+  for (const response::CriticalSpeed& c : run.critical)
+    if (!(c.relative_height < worth_a_row)) tall.push_back(c);
+  std::stable_sort(tall.begin(), tall.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
+  TextTable table({"speed [rpm]", "order", "f [Hz]", "answer", "amplitude", "unit", "of its highest", "nearest mode"});
+  for (std::size_t i = 0; i < std::min(most_rows, tall.size()); ++i) {
+    const response::CriticalSpeed& c = tall[i];
+    table.add({shown(rpm(c.speed)), shown(c.order, 4), shown(hertz(c.angular_frequency)), run.overall[c.curve].name, shown(c.amplitude), run.overall[c.curve].unit, percent(c.relative_height), mode_of(c.nearest_mode)});
+  }
+  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest of their answer)\n" + (tall.empty() ? std::string("  none in the range\n") : table.text());
+  if (tall.size() > most_rows) text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
+  TextTable overall({"answer", "highest rms of all orders", "at [rpm]", "unit"});
+  for (const response::Overall& o : run.overall) overall.add({o.name, shown(o.highest_rms), shown(rpm(o.highest_rms_at)), o.unit});
+  TextTable points({"speed [rpm]", "order", "f [Hz]", "mode", "share of the modal force", "excited"});
+  for (const response::Interference& p : answers.orders->campbell.points)
+    points.add({shown(rpm(p.speed)), shown(p.order, 4), shown(hertz(p.angular_frequency)), mode_of(p.mode), p.modal_force_share ? percent(*p.modal_force_share) : "–", p.excited ? "yes" : "no"});
+  return text + overall.text() + (answers.orders->campbell.points.empty() ? "" : "Campbell diagram: orders meet natural frequencies\n" + points.text());
+}
+
+std::string transmissibility_text(const study::Answers& answers) {
+  const study::TransmissibilityResult& t = *answers.transmissibility;
+  TextTable table({"answer", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band", "efficiency there"});
+  for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
+    const response::CurveSummary& summary = t.peaks.curves[i];
+    const Eigen::VectorXcd& values = t.curves.curves[i].value;
+    const double last = std::abs(values(values.size() - 1));
+    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5), shown(response::level(summary.highest), 4),
+               t.crossovers[i].angular_frequency ? shown(hertz(*t.crossovers[i].angular_frequency), 5) : "–", shown(last, 4), percent(response::isolation_efficiency(last))});
+  }
+  return "Transmissibility: " + t.words + "\n" + table.text();
+}
+
+std::string power_text(const study::Answers& answers) {
+  const response::PowerFlow& p = *answers.power;
+  if (p.angular_frequency.empty()) return "";
+  TextTable table({"mount", "highest power into the ground [W]", "at [Hz]"});
+  const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
+    Eigen::Index at = 0;
+    const double highest = power.maxCoeff(&at);
+    table.add({name, shown(highest), shown(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
+  };
+  for (std::size_t m = 0; m < p.mounts.size(); ++m) add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());
+  add("in total", p.into_ground_in_total);
+  return "Mean power into the ground (negative: out of it)\n" + table.text();
+}
+
+std::string shapes_text(const study::Answers& answers) {
+  std::string text;
+  for (const response::DeflectionShape& shape : answers.shapes) {
+    TextTable table({"place", "|x| [m]", "|y| [m]", "|z| [m]", "phase x", "phase y", "phase z"});
+    for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
+      for (const response::MovingPlace& p : *group) {
+        std::vector<std::string> row = {p.name};
+        for (int j = 0; j < 3; ++j) row.push_back(shown(std::abs(p.motion(j))));
+        for (int j = 0; j < 3; ++j) row.push_back(std::abs(p.motion(j)) > 0 ? fmt::format("{:.1f}°", std::arg(p.motion(j)) * 180 / std::numbers::pi) : "–");
+        table.add(row);
+      }
+    text += fmt::format("Operating deflection shape at {} Hz, largest excursion {} m\n", shown(hertz(shape.angular_frequency)), shown(shape.largest_excursion)) + table.text();
+  }
+  return text;
+}
+
+std::string shock_spectrum_text(const study::Answers& answers) {
+  constexpr std::size_t most_rows = 24;
+  std::string text;
+  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra) {
+    TextTable table({"natural frequency [Hz]", "largest [m/s²]", "smallest [m/s²]", "pseudo velocity [m/s]", "relative displacement [m]"});
+    const std::size_t step = (spectrum.spectrum.size() + most_rows - 1) / most_rows;
+    for (std::size_t i = 0; i < spectrum.spectrum.size(); i += step) {
+      const excitation::ShockResponse& r = spectrum.spectrum[i];
+      table.add({shown(hertz(r.angular_frequency), 5), shown(r.largest()), shown(r.smallest()), shown(r.pseudo_velocity()), shown(r.relative_displacement)});
+    }
+    text += fmt::format("Shock response spectrum of {}, damping ratio {:.4g} (absolute acceleration)\n", spectrum.excitation, spectrum.damping_ratio) + table.text();
+  }
+  return text;
+}
+
+std::string limit_lines_text(const study::Answers& answers) {
+  if (answers.limit_lines.empty()) return "";
+  TextTable table({"limit line", "answer", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
+  for (const study::LimitLineResult& l : answers.limit_lines) {
+    std::string bands;
+    for (const response::Band& band : l.comparison.exceeded) bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", hertz(band.from), hertz(band.to));
+    table.add({l.line.name, l.of, shown(response::margin_level(l.comparison.least_margin), 4), shown(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands, l.comparison.kept() ? "kept" : "EXCEEDED"});
+  }
+  return "Limit lines\n" + table.text();
+}
+
+std::string load_sharing_text(const study::Answers& answers) {
+  TextTable table({"mount", "bears [N]", "share", "deflection x [m]", "y [m]", "z [m]"});
+  for (const response::MountLoad& m : answers.load_sharing->mounts)
+    table.add({m.element, shown(m.bearing), percent(m.share), shown(m.deflection(0), 4), shown(m.deflection(1), 4), shown(m.deflection(2), 4)});
+  return "Load sharing (deflection of end K against N in the element's axes)\n" + table.text();
+}
+
+std::string further_text(const study::Answers& answers) {
+  std::string text;
+  const auto add = [&](bool there, const auto& render) {
+    if (there) text += render(answers) + "\n";
+  };
+  add(answers.load_sharing.has_value(), load_sharing_text);
+  add(answers.random.has_value(), random_text);
+  add(answers.transient.has_value(), transient_text);
+  add(answers.orders.has_value(), orders_text);
+  add(answers.transmissibility.has_value(), transmissibility_text);
+  add(answers.power.has_value(), power_text);
+  add(!answers.shapes.empty(), shapes_text);
+  add(!answers.shock_spectra.empty(), shock_spectrum_text);
+  add(!answers.limit_lines.empty(), limit_lines_text);
+  return text;
+}
+
+}  // namespace trivet::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/study/answers.h"
+
+/// Answers beyond one harmonic load: random, in time, over shaft speed, as ratios and powers.
+namespace trivet::study {
+
+/// What every answer to a case starts from.
+struct CaseContext {
+  const model::System& system;
+  const assembly::Assembled& assembled;
+  const modal::Modes& modes;
+  const modal::Roots& roots;
+  const foundation::Progress& progress;
+};
+
+/// Up to well above the natural frequencies, but not beyond the tables of elements.
+[[nodiscard]] response::Band default_band(const CaseContext& context);
+
+/// Each throws foundation::NotComputable with the reason where there is no answer; warnings of a computation go to the list.
+[[nodiscard]] RandomResult random_answer(const CaseContext& context, const RandomRequest& request);
+[[nodiscard]] TransientResult transient_answer(const CaseContext& context, const TransientRequest& request, foundation::Problems& warnings);
+[[nodiscard]] OrdersResult orders_answer(const CaseContext& context, const OrdersRequest& request);
+[[nodiscard]] TransmissibilityResult transmissibility_answer(const CaseContext& context, const TransmissibilityRequest& request);
+[[nodiscard]] response::PowerFlow power_answer(const CaseContext& context, const PowerRequest& request);
+[[nodiscard]] std::vector<response::DeflectionShape> shapes_answer(const CaseContext& context, const ShapesRequest& request);
+[[nodiscard]] std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& context, const ShockSpectrumRequest& request);
+[[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context, const std::vector<LimitLineRequest>& requests, const Wanted& wanted,
+                                                             const response::Band& band);
+
+}  // namespace trivet::study

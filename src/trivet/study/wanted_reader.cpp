@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/wanted_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace trivet::study {
+
+ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
+  forces_.push_back("ground");
+  motions_ = mentioned.bodies;
+  motions_.insert(motions_.end(), mentioned.points.begin(), mentioned.points.end());
+  groups_ = {"coordinates"};
+  for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());
+  const std::size_t places = motions_.size();
+  motions_.push_back("base");
+  for (std::size_t i = 0; i < places; ++i) motions_.push_back(motions_[i] + ".relative");
+  for (const std::string& element : mentioned.elements)
+    for (const char* end : {".deflection", ".foot"}) motions_.push_back(element + end);
+  groups_.insert(groups_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(places), motions_.end());
+}
+
+bool ResultNames::is_group(const std::string& name) const { return std::find(groups_.begin(), groups_.end(), name) != groups_.end(); }
+
+std::optional<Quantity> ResultNames::component(const std::string& name, assembly::Quantity wanted) const {
+  static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
+  static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
+  if (std::find(guided_.begin(), guided_.end(), name) != guided_.end()) return std::nullopt;
+  for (const std::string& group : motions_)
+    for (std::size_t j = 0; j < 6; ++j)
+      if (name == group + "." + model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
+  for (const std::string& group : forces_)
+    for (const char* letter : {"x", "y", "z"}) {
+      if (name == group + ".force." + letter) return Quantity::force;
+      if (name == group + ".moment." + letter) return Quantity::moment;
+    }
+  return std::nullopt;
+}
+
+void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
+  const auto words = reader.texts("of");
+  if (!words) return;
+  for (const std::string& word : *words) {
+    if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
+    const std::string guess = foundation::nearest_name(word, names.groups());
+    reader.error("of", "\"" + word.substr(0, 60) + "\"",
+                 "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection or .foot, or one component (x … rz of a motion "
+                 "that is free, force.x … moment.z of an element or the ground)",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+  }
+  if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
+  of = *words;
+}
+
+std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind) {
+  const auto names = reader.texts("excitations");
+  if (!names) return {};
+  for (const std::string& name : *names)
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const std::string guess = foundation::nearest_name(name, known);
+      reader.error("excitations", "\"" + name.substr(0, 60) + "\"", "no " + kind + " excitation has this name",
+                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    }
+  return *names;
+}
+
+void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known, const std::string& kind, Wanted& wanted) {
+  read_of(reader, result_names, wanted.of);
+  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
+  if (quantity == "acceleration") wanted.quantity = assembly::Quantity::acceleration;
+  if (reader.has("excitations")) wanted.excitations = read_selected(reader, known, kind);
+}
+
+std::optional<response::Band> read_band(TableReader& reader, const std::string& key) {
+  const auto band = reader.numbers(key, Quantity::angular_frequency);
+  if (!band) return std::nullopt;
+  if (band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0]) return response::Band{(*band)[0], (*band)[1]};
+  reader.error(key, fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.6g} to {:.6g} rad/s", (*band)[0], (*band)[1]) : ""),
+               "a " + std::string(key == "band" ? "band" : "range") + " is [from, to] with 0 ≤ from < to", key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
+  return std::nullopt;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/study/part_readers.h"
+
+namespace trivet::study {
+
+/// What can be asked for: motions of bodies, points and ends of elements, forces of elements and on the ground.
+class ResultNames {
+ public:
+  explicit ResultNames(const Mentioned& mentioned);
+
+  [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
+  [[nodiscard]] bool is_group(const std::string& name) const;
+
+  /// What a full name (group, dot, component) measures, if it is one.
+  [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const;
+
+ private:
+  std::vector<std::string> motions_, forces_, groups_, guided_;
+};
+
+/// The names under `key`: each must name a result.
+void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of);
+
+/// `of`, `quantity` and `excitations`, the latter out of the known names; `kind` says what they are.
+void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known, const std::string& kind, Wanted& wanted);
+
+/// `excitations` alone.
+[[nodiscard]] std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind);
+
+/// `key = [from, to]` in rad/s or with units, 0 ≤ from < to.
+[[nodiscard]] std::optional<response::Band> read_band(TableReader& reader, const std::string& key);
+
+/// The analyses beyond response, peaks and static answers.
+void read_further_analyses(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result);
+
+/// `limit_lines` of the file: each an answer of the response and a line over frequency.
+void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result);
+
+}  // namespace trivet::study
