@@ -51,7 +51,7 @@ void stand_on_foundation(RandomSystem& random, model::Description& d) {
   d.foundations = {deck};
 }
 
-enum class Damping { none, proportional, viscous, loss, rayleigh, modal, fractional, foundation };
+enum class Damping { none, proportional, viscous, loss, rayleigh, modal, zener, fractional, foundation };
 
 model::Description random_description(unsigned seed, Damping damping) {
   RandomSystem random(seed);
@@ -62,6 +62,7 @@ model::Description random_description(unsigned seed, Damping damping) {
   model::Description d = random.description(2, of_elements);
   if (damping == Damping::rayleigh) d.damping = model::RayleighDamping{0.7, 2e-4};
   if (damping == Damping::modal) d.damping = model::ModalDamping{{0.03}};
+  if (damping == Damping::zener) d.elements[0].law.damping = elements::Viscoelastic{elements::Zener{2, 0.01}};
   if (damping == Damping::fractional) d.elements[0].law.damping = elements::Viscoelastic{elements::FractionalZener{2, 0.01, 0.4}};
   shake_the_ground(random, d);
   if (damping == Damping::foundation) stand_on_foundation(random, d);
@@ -69,7 +70,7 @@ model::Description random_description(unsigned seed, Damping damping) {
 }
 
 const Damping all_kinds[] = {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::rayleigh, Damping::modal,
-                             Damping::fractional, Damping::foundation};
+                             Damping::zener, Damping::fractional, Damping::foundation};
 
 TEST(PowerBalance, WhatForcesAndGroundFeedInIsDissipated) {
   for (const Damping damping : all_kinds)
@@ -129,7 +130,7 @@ TEST(PowerIntoTheGround, IsNoneWhileItRests) {
 
 TEST(Transmissibility, OfForceIsThatOfDisplacement) {
   // Reciprocity: the ground feels of a unit force at a point what the point follows of a unit motion of the ground, in any two directions.
-  for (const Damping damping : {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::fractional}) {
+  for (const Damping damping : {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::zener, Damping::fractional}) {
     RandomSystem random(11);
     const model::System system = test::checked(random_description(4, damping));
     const assembly::Assembled assembled = assembly::assemble(system);
