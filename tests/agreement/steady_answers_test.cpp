@@ -31,12 +31,12 @@ void shake_the_ground(RandomSystem& random, model::Description& d) {
   model::Action base;
   base.at = random.vector(0.5);
   for (int j = 0; j < 6; ++j) base.amplitude(j) = 1e-3 * random.number(0.2, 1) * std::polar(1.0, random.number(-3, 3));
-  d.excitations.push_back({"base", base, model::Harmonic{}});
+  d.excitations.push_back({"shaken ground", base, model::Harmonic{}});
   model::Action foot = base;
   foot.elements = {0};
   foot.delay = 0.01;
   foot.derivative = 2;
-  d.excitations.push_back({"foot", foot, model::Harmonic{}});
+  d.excitations.push_back({"shaken foot", foot, model::Harmonic{}});
 }
 
 /// Ground that gives under the second element: six coordinates with mass, damping and stiffness.
