@@ -31,12 +31,12 @@ void shake_the_ground(RandomSystem& random, model::Description& d) {
   model::Action base;
   base.at = random.vector(0.5);
   for (int j = 0; j < 6; ++j) base.amplitude(j) = 1e-3 * random.number(0.2, 1) * std::polar(1.0, random.number(-3, 3));
-  d.excitations.push_back({"base", base, model::Harmonic{}});
+  d.excitations.push_back({"shaken ground", base, model::Harmonic{}});
   model::Action foot = base;
   foot.elements = {0};
   foot.delay = 0.01;
   foot.derivative = 2;
-  d.excitations.push_back({"foot", foot, model::Harmonic{}});
+  d.excitations.push_back({"shaken foot", foot, model::Harmonic{}});
 }
 
 /// Ground that gives under the second element: six coordinates with mass, damping and stiffness.
@@ -51,7 +51,7 @@ void stand_on_foundation(RandomSystem& random, model::Description& d) {
   d.foundations = {deck};
 }
 
-enum class Damping { none, proportional, viscous, loss, rayleigh, modal, fractional, foundation };
+enum class Damping { none, proportional, viscous, loss, rayleigh, modal, zener, fractional, foundation };
 
 model::Description random_description(unsigned seed, Damping damping) {
   RandomSystem random(seed);
@@ -62,13 +62,15 @@ model::Description random_description(unsigned seed, Damping damping) {
   model::Description d = random.description(2, of_elements);
   if (damping == Damping::rayleigh) d.damping = model::RayleighDamping{0.7, 2e-4};
   if (damping == Damping::modal) d.damping = model::ModalDamping{{0.03}};
+  if (damping == Damping::zener) d.elements[0].law.damping = elements::Viscoelastic{elements::Zener{2, 0.01}};
   if (damping == Damping::fractional) d.elements[0].law.damping = elements::Viscoelastic{elements::FractionalZener{2, 0.01, 0.4}};
   shake_the_ground(random, d);
   if (damping == Damping::foundation) stand_on_foundation(random, d);
   return d;
 }
 
-const Damping all_kinds[] = {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::rayleigh, Damping::modal, Damping::fractional, Damping::foundation};
+const Damping all_kinds[] = {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::rayleigh, Damping::modal,
+                             Damping::zener, Damping::fractional, Damping::foundation};
 
 TEST(PowerBalance, WhatForcesAndGroundFeedInIsDissipated) {
   for (const Damping damping : all_kinds)
@@ -97,8 +99,10 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
     const response::PowerFlow flow = response::power_flow(system, assembled, loading, frequencies);
     ASSERT_EQ(flow.mounts.size(), 2u);
     for (std::size_t m = 0; m < flow.mounts.size(); ++m) {
-      const auto force = response::frequency_response(assembled, assembly::channels(system, assembled, {flow.mounts[m]}, assembly::Quantity::displacement), loading, frequencies);
-      const auto velocity = response::frequency_response(assembled, assembly::channels(system, assembled, {flow.mounts[m] + ".foot"}, assembly::Quantity::velocity), loading, frequencies);
+      const auto forces = assembly::channels(system, assembled, {flow.mounts[m]}, assembly::Quantity::displacement);
+      const auto velocities = assembly::channels(system, assembled, {flow.mounts[m] + ".foot"}, assembly::Quantity::velocity);
+      const auto force = response::frequency_response(assembled, forces, loading, frequencies);
+      const auto velocity = response::frequency_response(assembled, velocities, loading, frequencies);
       for (Eigen::Index i = 0; i < flow.into_ground.cols(); ++i) {
         double power = 0, size = 0;
         for (std::size_t j = 0; j < 6; ++j) {
@@ -126,7 +130,7 @@ TEST(PowerIntoTheGround, IsNoneWhileItRests) {
 
 TEST(Transmissibility, OfForceIsThatOfDisplacement) {
   // Reciprocity: the ground feels of a unit force at a point what the point follows of a unit motion of the ground, in any two directions.
-  for (const Damping damping : {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::fractional}) {
+  for (const Damping damping : {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::zener, Damping::fractional}) {
     RandomSystem random(11);
     const model::System system = test::checked(random_description(4, damping));
     const assembly::Assembled assembled = assembly::assemble(system);
@@ -139,7 +143,8 @@ TEST(Transmissibility, OfForceIsThatOfDisplacement) {
       for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(frequencies.size()); ++i)
         EXPECT_NEAR(std::abs(felt.curves[0].value(i) - followed.curves[0].value(i)), 0, digits * (1 + std::abs(felt.curves[0].value(i))));
       const auto slowly = response::frequency_response(assembled, force.channels, force.loading, {1e-3});
-      EXPECT_NEAR(std::abs(slowly.curves[0].value(0) - here.axis.normalized().dot(there.axis.normalized())), 0, 1e-6) << "at rest the ground answers the load; (ω/ω1)²";
+      EXPECT_NEAR(std::abs(slowly.curves[0].value(0) - here.axis.normalized().dot(there.axis.normalized())), 0, 1e-6)
+          << "at rest the ground answers the load; (ω/ω1)²";
       if (rotation) continue;
       const Complex mounts = felt.curves[1].value(0) + felt.curves[2].value(0);
       EXPECT_NEAR(std::abs(felt.curves[0].value(0) - mounts), 0, digits) << "the mounts add up to the total";
@@ -155,7 +160,8 @@ TEST(Crossover, LeavesNothingAboveOneBehindIt) {
       const assembly::Assembled assembled = assembly::assemble(system);
       const auto force = response::force_transmission(system, assembled, {0, Eigen::Vector3d::Zero(), {random.vector(1), false}});
       const modal::Modes modes = modal::modes(system, assembled);
-      const response::Peaks peaks = response::peaks(assembled, force.channels, force.loading, modes, modal::roots(system, assembled, modes), {1e-6, 3000});
+      const response::Peaks peaks = response::peaks(assembled, force.channels, force.loading, modes, modal::roots(system, assembled, modes),
+                                                    {1e-6, 3000});
       const auto found = response::crossovers(assembled, force, peaks);
       const std::vector<double> scan = response::logarithmic_grid({0.1, 3000}, 4000);
       const auto curves = response::frequency_response(assembled, force.channels, force.loading, scan);
@@ -192,14 +198,16 @@ TEST(RunUp, IsTheHarmonicResponseToEachOrderAtItsSpeed) {
     const modal::Modes modes = modal::modes(system, assembled);
     const auto channels = assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement);
     const response::RunUp found =
-        response::run_up(assembled, channels, response::order_loadings(system, assembled), modes, modal::roots(system, assembled, modes), {{20, 100}, 1e-6, 5});
+        response::run_up(assembled, channels, response::order_loadings(system, assembled), modes, modal::roots(system, assembled, modes),
+                         {{20, 100}, 1e-6, 5});
     EXPECT_FALSE(found.critical.empty());
     for (std::size_t i = 0; i < found.speed.size(); i += 3) {
       model::Action harmonic = action;
       harmonic.amplitude = found.speed[i] * found.speed[i] * order.per_speed_squared + order.fixed;
       const auto single = response::frequency_response(assembled, channels, assembly::loading(assembled, harmonic), {1.5 * found.speed[i]});
       for (std::size_t c = 0; c < channels.size(); ++c)
-        EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(static_cast<Eigen::Index>(i)) - single.curves[c].value(0)), 0, digits * std::abs(single.curves[c].value(0)));
+        EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(static_cast<Eigen::Index>(i)) - single.curves[c].value(0)), 0,
+                    digits * std::abs(single.curves[c].value(0)));
     }
   }
 }
@@ -211,7 +219,8 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
     const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
     const response::DeflectionShape shape = response::deflection_shape(system, assembled, loading, 40);
     const auto expect = [&](const std::string& word, const response::MovingPlace& place, const Eigen::Matrix3d& axes) {
-      const auto curves = response::frequency_response(assembled, assembly::channels(system, assembled, {word}, assembly::Quantity::displacement), loading, {40});
+      const auto channels = assembly::channels(system, assembled, {word}, assembly::Quantity::displacement);
+      const auto curves = response::frequency_response(assembled, channels, loading, {40});
       Eigen::Matrix<Complex, 6, 1> motion;
       for (int j = 0; j < 6; ++j) motion(j) = curves.curves[static_cast<std::size_t>(j)].value(0);
       motion.head<3>() = (axes * motion.head<3>()).eval();
@@ -223,7 +232,8 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
       expect(system.bodies()[b].name, shape.bodies[b], system.bodies()[b].pose.rotation);
       expect(system.bodies()[b].name + ".tip", shape.points[b], system.bodies()[b].pose.rotation);
     }
-    for (std::size_t e = 0; e < system.elements().size(); ++e) expect(system.elements()[e].name + ".foot", shape.feet[e], Eigen::Matrix3d::Identity());
+    for (std::size_t e = 0; e < system.elements().size(); ++e)
+      expect(system.elements()[e].name + ".foot", shape.feet[e], Eigen::Matrix3d::Identity());
     // The head of the first element moves with the body that it carries.
     const Eigen::Vector3d arm = shape.heads[0].position - shape.bodies[0].position;
     const Eigen::Matrix<Complex, 6, 1> carried = spatial::rigid_motion(arm).cast<Complex>() * shape.bodies[0].motion;
@@ -239,14 +249,15 @@ TEST(DeflectionShape, FindsTheFarthestPointOfAnEllipse) {
     response::MovingPlace place;
     place.motion.head<3>() = u;
     double farthest = 0;
-    for (int step = 0; step < 3600; ++step) farthest = std::max(farthest, response::displaced(place, step * std::numbers::pi / 1800, 1).norm());
+    for (int step = 0; step < 3600; ++step)
+      farthest = std::max(farthest, response::displaced(place, step * std::numbers::pi / 1800, 1).norm());
     EXPECT_THAT(response::excursion(u), RelativelyNear(farthest, 1e-6)) << "a scan in steps of 0.1°";
   }
 }
 
 TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
-    const model::System system = test::checked(random_description(seed, Damping::proportional));
+    const model::System system = test::checked(random_description(seed, seed == 4 ? Damping::fractional : Damping::proportional));
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
     const modal::Roots roots = modal::roots(system, assembled, modes);
@@ -254,14 +265,16 @@ TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
     const auto channels = assembly::channels(system, assembled, {"body 1.tip.z"}, assembly::Quantity::velocity);
     const std::vector<double> scan = response::logarithmic_grid({10, 500}, 20000);
     const Eigen::VectorXd level = response::frequency_response(assembled, channels, loading, scan).curves[0].value.cwiseAbs();
-    const response::LimitLine line{"user's", "m/s", false, {10, 60, 60, 500}, {0.3 * level.maxCoeff(), 0.6 * level.maxCoeff(), 0.2 * level.maxCoeff(), 0.05 * level.maxCoeff()}};
-    const response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots);
+    const response::LimitLine line{"user's", "m/s", false, {10, 60, 60, 500},
+                                   {0.3 * level.maxCoeff(), 0.6 * level.maxCoeff(), 0.2 * level.maxCoeff(), 0.05 * level.maxCoeff()}};
+    const response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {1e-6, 500});
     const auto found = response::compared_with_limit(assembled, channels[0], loading, roots.poles, peaks, line, {10, 500});
     double least = 1e300;
     for (std::size_t i = 0; i < scan.size(); ++i) {
       const double margin = response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(static_cast<Eigen::Index>(i));
       least = std::min(least, margin);
-      const bool inside = std::any_of(found.exceeded.begin(), found.exceeded.end(), [&](const response::Band& b) { return scan[i] > b.from && scan[i] < b.to; });
+      const bool inside = std::any_of(found.exceeded.begin(), found.exceeded.end(),
+                                      [&](const response::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });
       EXPECT_EQ(inside, margin < 1) << scan[i];
     }
     EXPECT_THAT(found.least_margin, RelativelyNear(least, 1e-4)) << "as fine as the scan";

@@ -19,7 +19,8 @@ inline model::Body guided_body(const std::string& name, double mass) {
 }
 
 /// A spring [N/m] with a dashpot [N s/m] along z, at the place (x, 0, 0) of both ends.
-inline model::Element vertical_spring(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness, double dashpot = 0, double x = 0) {
+inline model::Element vertical_spring(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness,
+                                      double dashpot = 0, double x = 0) {
   const auto along_z = [](double constant) {
     spatial::Vector6 constants = spatial::Vector6::Zero();
     constants(2) = constant;
@@ -40,7 +41,8 @@ inline model::Element vertical_spring(const std::string& name, std::optional<std
 inline model::Description guided_mass(double mass, double angular_frequency, double damping_ratio) {
   model::Description description;
   description.bodies = {guided_body("machine", mass)};
-  description.elements = {vertical_spring("mount", {}, 0, mass * angular_frequency * angular_frequency, 2 * damping_ratio * mass * angular_frequency)};
+  description.elements = {vertical_spring("mount", {}, 0, mass * angular_frequency * angular_frequency,
+                                          2 * damping_ratio * mass * angular_frequency)};
   return description;
 }
 

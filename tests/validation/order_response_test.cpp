@@ -28,9 +28,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A system with what every answer needs.
 struct Solved {
   explicit Solved(const model::Description& description)
-      : system(test::checked(description)), assembled(assembly::assemble(system)), modes(modal::modes(system, assembled)), roots(modal::roots(system, assembled, modes)) {}
+      : system(test::checked(description)), assembled(assembly::assemble(system)), modes(modal::modes(system, assembled)),
+        roots(modal::roots(system, assembled, modes)) {}
 
-  std::vector<assembly::Channel> channels(const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
+  std::vector<assembly::Channel> channels(const std::vector<std::string>& of,
+                                          assembly::Quantity quantity = assembly::Quantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
   response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 101) const {
@@ -48,7 +50,8 @@ struct Solved {
 
 double amplitude_at(const response::RunUp& run_up, std::size_t order, std::size_t curve, double speed) {
   for (std::size_t i = 0; i < run_up.speed.size(); ++i)
-    if (std::abs(run_up.speed[i] - speed) < 1e-12 * speed) return std::abs(run_up.orders[order].curves[curve].value(static_cast<Eigen::Index>(i)));
+    if (std::abs(run_up.speed[i] - speed) < 1e-12 * speed)
+      return std::abs(run_up.orders[order].curves[curve].value(static_cast<Eigen::Index>(i)));
   ADD_FAILURE() << "no speed " << speed;
   return 0;
 }
@@ -120,7 +123,8 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
   for (std::size_t i = 0; i < found.speed.size(); ++i) {
     const double omega = 2 * found.speed[i], force = 4 * 0.6 * 0.043 * found.speed[i] * found.speed[i] * a2, r = omega / natural;
     const double transmitted = std::sqrt((1 + 4 * ratio * ratio * r * r) / (std::pow(1 - r * r, 2) + 4 * ratio * ratio * r * r));
-    EXPECT_THAT(std::abs(found.orders[0].curves[0].value(static_cast<Eigen::Index>(i))), RelativelyNear(force * transmitted, series_end)) << omega;
+    EXPECT_THAT(std::abs(found.orders[0].curves[0].value(static_cast<Eigen::Index>(i))), RelativelyNear(force * transmitted, series_end))
+        << omega;
   }
   ASSERT_EQ(found.critical.size(), 1u);
   EXPECT_NEAR(found.critical[0].speed, natural / 2, 1) << "order 2 meets the natural frequency at half its speed";
@@ -177,6 +181,13 @@ TEST(Waterfall, HasALineForEveryOrderOfEverySpectrum) {
   EXPECT_EQ(lines[3].order, 0.5);
   EXPECT_THAT(lines[3].amplitude, RelativelyNear(3 / std::abs(std::complex<double>(2 * (900 - 100), 2 * 0.1 * 2 * 30 * 10)), digits));
   EXPECT_EQ(lines[14].angular_frequency, 100);
+  const auto uneven = response::waterfall(found, 0, 4);  // 10, 23.3, 36.7 and 50 rad/s
+  ASSERT_EQ(uneven.size(), 12u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double wanted = 10 + 40.0 * static_cast<double>(i) / 3;
+    for (const double speed : found.speed)
+      EXPECT_LE(std::abs(uneven[3 * i].speed - wanted), std::abs(speed - wanted)) << "the nearest of the grid";
+  }
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += std::pow(amplitude_at(found, k, 0, 20), 2) / 2;
   const auto at20 = std::find(found.speed.begin(), found.speed.end(), 20.0) - found.speed.begin();
@@ -202,7 +213,8 @@ TEST(CampbellDiagram, HasOrdersMeetDampedNaturalFrequencies) {
   three.fixed(2) = 5;
   d.excitations = {{"shaft", left, model::Orders{{one, three}}}};
   const Solved solved(d);
-  const response::Campbell found = response::campbell(solved.assembled, response::order_loadings(solved.system, solved.assembled), solved.modes, solved.roots, {10, 60});
+  const response::Campbell found = response::campbell(solved.assembled, response::order_loadings(solved.system, solved.assembled),
+                                                      solved.modes, solved.roots, {10, 60});
   const double first = natural * std::sqrt(1 - ratio * ratio), second = std::sqrt(3.0) * natural * std::sqrt(1 - 3 * ratio * ratio);
   ASSERT_EQ(found.natural.size(), 2u);
   EXPECT_THAT(found.natural[0].angular_frequency, RelativelyNear(first, digits));
@@ -248,7 +260,8 @@ TEST(Transmissibility, OfOneMassIsTheTextbooks) {
     const auto force = response::force_transmission(solved.system, solved.assembled, {0, Eigen::Vector3d::Zero(), {}});
     const auto motion = response::displacement_transmission(solved.system, solved.assembled, {"machine"}, {});
     for (const auto* way : {&force, &motion}) {
-      const auto curves = response::frequency_response(solved.assembled, way->channels, way->loading, {0.5 * natural, natural, 3 * natural});
+      const auto curves = response::frequency_response(solved.assembled, way->channels, way->loading,
+                                                       {0.5 * natural, natural, 3 * natural});
       for (const response::Curve& curve : curves.curves) {
         EXPECT_EQ(curve.unit, "1");
         EXPECT_THAT(std::abs(curve.value(0)), RelativelyNear(textbook_transmissibility(ratio, 0.5), digits));
@@ -260,11 +273,13 @@ TEST(Transmissibility, OfOneMassIsTheTextbooks) {
       EXPECT_THAT(peaks.list[0].angular_frequency, RelativelyNear(natural * std::sqrt(r2), frequency_digits));
       EXPECT_THAT(peaks.list[0].amplitude, RelativelyNear(textbook_transmissibility(ratio, std::sqrt(r2)), digits));
       for (const response::Crossover& crossover : response::crossovers(solved.assembled, *way, peaks)) {
-        EXPECT_THAT(crossover.angular_frequency.value(), RelativelyNear(std::numbers::sqrt2 * natural, digits)) << "for any viscous damping";
+        EXPECT_THAT(crossover.angular_frequency.value(), RelativelyNear(std::numbers::sqrt2 * natural, digits))
+            << "for any viscous damping";
         EXPECT_EQ(crossover.proven_to, infinity);
       }
     }
-    EXPECT_THAT(force.channels, testing::ElementsAre(testing::Field(&assembly::Channel::name, "ground"), testing::Field(&assembly::Channel::name, "mount")));
+    EXPECT_THAT(force.channels, testing::ElementsAre(testing::Field(&assembly::Channel::name, "ground"),
+                                                     testing::Field(&assembly::Channel::name, "mount")));
   }
 }
 
@@ -278,10 +293,11 @@ TEST(Transmissibility, GivesTheIsolationOfVdi2062) {
   for (int i = 0; i < 4; ++i) {
     const double ratio = std::abs(curves.curves[0].value(i));
     EXPECT_THAT(response::isolation_efficiency(ratio), RelativelyNear(efficiency[i], digits));
-    EXPECT_THAT(response::level(ratio), RelativelyNear(-isolation_db[i], digits));
+    EXPECT_THAT(response::transmissibility_level(ratio), RelativelyNear(-isolation_db[i], digits));
   }
   const response::Peaks peaks = solved.peaks(force.channels, force.loading);
-  EXPECT_THAT(response::crossovers(solved.assembled, force, peaks)[0].angular_frequency.value(), RelativelyNear(10 * std::numbers::sqrt2, digits));
+  EXPECT_THAT(response::crossovers(solved.assembled, force, peaks)[0].angular_frequency.value(),
+              RelativelyNear(10 * std::numbers::sqrt2, digits));
 }
 
 TEST(Transmissibility, OfRelativeMotionNeverFallsBelowOneForGood) {
@@ -309,15 +325,18 @@ TEST(Transmissibility, TakesItsDirectionFromAForceOfTheModel) {
   model::Description d = test::guided_mass(4, 10, 0.05);
   d.bodies[0].pose.rotation << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // body z along ground x
   d.elements[0].k.axes = d.bodies[0].pose.rotation.transpose();
-  d.excitations = {test::vertical_force("push", 0, std::polar(3.0, 0.7)), test::vertical_force("both", 0, 1), test::vertical_force("round", 0, 1)};
+  d.excitations = {test::vertical_force("push", 0, std::polar(3.0, 0.7)), test::vertical_force("both", 0, 1),
+                   test::vertical_force("round", 0, 1)};
   d.excitations[1].action.amplitude(3) = 1;
   d.excitations[2].action.amplitude(1) = {0, 1};
   const model::System system = test::checked(d);
   const response::AppliedForce push = response::applied_force(system, "push");
   EXPECT_NEAR((push.direction.axis.normalized() - Eigen::Vector3d::UnitX()).norm(), 0, 4 * test::epsilon);
   EXPECT_FALSE(push.direction.rotation);
-  EXPECT_THAT([&] { (void)response::applied_force(system, "both"); }, testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a force and a moment")));
-  EXPECT_THAT([&] { (void)response::applied_force(system, "round"); }, testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("differ in phase")));
+  EXPECT_THAT([&] { (void)response::applied_force(system, "both"); },
+              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a force and a moment")));
+  EXPECT_THAT([&] { (void)response::applied_force(system, "round"); },
+              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("differ in phase")));
   EXPECT_THROW((void)response::applied_force(system, "none"), foundation::InvalidInput);
 }
 
@@ -327,15 +346,18 @@ response::LimitComparison velocity_of_mass(const response::LimitLine& line, cons
   const Solved solved(d);
   const auto channels = solved.channels({"machine"}, assembly::Quantity::velocity);
   const auto loading = assembly::harmonic_loading(solved.system, solved.assembled);
-  return response::compared_with_limit(solved.assembled, channels[0], loading, solved.roots.poles, solved.peaks(channels, loading), line, band);
+  return response::compared_with_limit(solved.assembled, channels[0], loading, solved.roots.poles, solved.peaks(channels, loading), line,
+                                       band);
 }
 
 TEST(LimitLine, IsExceededBetweenTheRootsOfTheClosedForm) {
   // |v| = F ω/|k − mω² + iωc| = L where k − mω² = ±ω√(F²/L² − c²).
-  constexpr double mass = 2, natural = 30, force = 5, limit = 0.2, dashpot = 2 * 0.05 * mass * natural, stiffness = mass * natural * natural;
+  constexpr double mass = 2, natural = 30, force = 5, limit = 0.2, dashpot = 2 * 0.05 * mass * natural,
+      stiffness = mass * natural * natural;
   const double s = std::sqrt(force * force / (limit * limit) - dashpot * dashpot), root = std::sqrt(s * s + 4 * stiffness * mass);
   for (const bool rms : {false, true}) {
-    const response::LimitLine line{"flat", "m/s", rms, {1, 1000}, {rms ? limit / std::numbers::sqrt2 : limit, rms ? limit / std::numbers::sqrt2 : limit}};
+    const response::LimitLine line{"flat", "m/s", rms, {1, 1000},
+                                   {rms ? limit / std::numbers::sqrt2 : limit, rms ? limit / std::numbers::sqrt2 : limit}};
     const auto found = velocity_of_mass(line, {2, 200});
     ASSERT_EQ(found.exceeded.size(), 1u);
     EXPECT_FALSE(found.kept());

@@ -16,7 +16,8 @@ Eigen::VectorXd modal_forces(const assembly::Layout& layout, const modal::Modes&
     const Eigen::VectorXd& shape = modes.list[m].shape;
     std::complex<double> sum = 0;
     for (Eigen::Index j = 0; j < shape.size(); ++j)
-      if (const Eigen::Index row = layout.row(static_cast<std::size_t>(j / 6), static_cast<int>(j % 6)); row >= 0) sum += shape(j) * force(row);
+      if (const Eigen::Index row = layout.row(static_cast<std::size_t>(j / 6), static_cast<int>(j % 6)); row >= 0)
+        sum += shape(j) * force(row);
     result(static_cast<Eigen::Index>(m)) = std::abs(sum);
   }
   return result;
@@ -25,8 +26,10 @@ Eigen::VectorXd modal_forces(const assembly::Layout& layout, const modal::Modes&
 std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
   std::vector<NaturalLine> lines;
   for (const modal::Root& root : roots.list)
-    if (root.damped_angular_frequency && root.eigenvalue.imag() > 0) lines.push_back({root.eigenvalue.imag(), root.damping_ratio.value_or(0), root.nearest_mode});
-  std::sort(lines.begin(), lines.end(), [](const NaturalLine& a, const NaturalLine& b) { return a.angular_frequency < b.angular_frequency; });
+    if (root.damped_angular_frequency && root.eigenvalue.imag() > 0)
+      lines.push_back({root.eigenvalue.imag(), root.damping_ratio.value_or(0), root.nearest_mode});
+  std::sort(lines.begin(), lines.end(),
+            [](const NaturalLine& a, const NaturalLine& b) { return a.angular_frequency < b.angular_frequency; });
   return lines;
 }
 
@@ -34,7 +37,8 @@ std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
 
 Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes,
                   const modal::Roots& roots, const Band& speed) {
-  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to))) throw foundation::InvalidInput("campbell: a range of speed needs 0 ≤ from < to");
+  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
+    throw foundation::InvalidInput("campbell: a range of speed needs 0 ≤ from < to");
   Campbell result{speed, {}, natural_lines(roots), {}};
   for (const OrderLoading& order : order_loadings) {
     result.orders.push_back(order.order);
@@ -51,7 +55,8 @@ Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderL
       result.points.push_back(point);
     }
   }
-  std::stable_sort(result.points.begin(), result.points.end(), [](const Interference& a, const Interference& b) { return a.speed < b.speed; });
+  std::stable_sort(result.points.begin(), result.points.end(),
+                   [](const Interference& a, const Interference& b) { return a.speed < b.speed; });
   return result;
 }
 

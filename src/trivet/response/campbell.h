@@ -24,8 +24,8 @@ struct Interference {
   double speed = 0;                    ///< Ω [rad/s]
   double angular_frequency = 0;        ///< [rad/s]
   std::optional<int> mode;             ///< nearest undamped mode
-  /// |φᵀF|² / Σ |φ_iᵀF|² of that mode for the force F of the order at this speed: 0 … 1, and 1 over all modes. With φᵀAφ = 1 it is the share
-  /// of the kinetic energy that a short push by F brings into the mode. None without mode, or if the order rests.
+  /// |φᵀF|² / Σ |φ_iᵀF|² of that mode for the force F of the order at this speed: 0 … 1, and 1 over all modes. With φᵀAφ = 1 it is the
+  /// share of the kinetic energy that a short push by F brings into the mode. None without mode, or if the order rests.
   std::optional<double> modal_force_share;
   bool excited = false;                ///< modal_force_share ≥ `excited_from`
 };
@@ -42,7 +42,7 @@ struct Campbell {
 };
 
 /// @throws foundation::InvalidInput for a band that is none
-[[nodiscard]] Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes,
-                                const modal::Roots& roots, const Band& speed);
+[[nodiscard]] Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderLoading>& order_loadings,
+                                const modal::Modes& modes, const modal::Roots& roots, const Band& speed);
 
 }  // namespace trivet::response

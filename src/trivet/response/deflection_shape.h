@@ -13,7 +13,8 @@ namespace trivet::response {
 struct MovingPlace {
   std::string name;              ///< BODY, BODY.POINT, ELEMENT.foot (its end N) or ELEMENT.head (its end K)
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< at rest, ground frame [m]
-  Eigen::Matrix<std::complex<double>, 6, 1> motion = Eigen::Matrix<std::complex<double>, 6, 1>::Zero();  ///< translation [m] and rotation [rad], ground axes
+  /// translation [m] and rotation [rad], ground axes
+  Eigen::Matrix<std::complex<double>, 6, 1> motion = Eigen::Matrix<std::complex<double>, 6, 1>::Zero();
 };
 
 /// Operating deflection shape: where everything goes at one ω.
@@ -27,8 +28,8 @@ struct DeflectionShape {
 };
 
 /// @throws foundation::NotComputable where Z(ω) is singular
-[[nodiscard]] DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
-                                               double angular_frequency);
+[[nodiscard]] DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,
+                                               const assembly::Loading& loading, double angular_frequency);
 
 /// Farthest from rest on the ellipse Re(u e^{iωt}): √(½(|u|² + |u·u|)) [m].
 [[nodiscard]] double excursion(const Eigen::Vector3cd& translation);

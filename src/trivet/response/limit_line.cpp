@@ -93,7 +93,8 @@ class Comparison {
   const Piece& piece_;
 };
 
-/// Adds the true maxima beside grid points that could hide one above 1 or above all others: the grid follows the curve to better than `hidden`.
+/// Adds the true maxima beside grid points that could hide one above 1 or above all others: the grid follows the curve to better than
+/// `hidden`.
 void add_summits(const Comparison& comparison, std::vector<Node>& nodes) {
   constexpr double hidden = 0.03;
   double highest = 0;
@@ -101,7 +102,8 @@ void add_summits(const Comparison& comparison, std::vector<Node>& nodes) {
     if (std::isfinite(node.ratio)) highest = std::max(highest, node.ratio);
   std::vector<Node> summits;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const bool rises = i == 0 || nodes[i].ratio >= nodes[i - 1].ratio, falls = i + 1 == nodes.size() || nodes[i].ratio >= nodes[i + 1].ratio;
+    const bool rises = i == 0 || nodes[i].ratio >= nodes[i - 1].ratio,
+        falls = i + 1 == nodes.size() || nodes[i].ratio >= nodes[i + 1].ratio;
     const double ratio = nodes[i].ratio;
     if (!rises || !falls || !std::isfinite(ratio)) continue;
     if (ratio < (1 - hidden) * highest && !(ratio > 1 - hidden && ratio <= 1)) continue;
@@ -134,20 +136,25 @@ foundation::Problems check(const LimitLine& line, const std::string& subject) {
                    "a limit line has at least two points, each with frequency and limit", "complete the table");
   for (std::size_t i = 0; i < line.limit.size(); ++i)
     if (!(line.limit[i] > 0 && std::isfinite(line.limit[i])))
-      problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1), "a limit is a number > 0", "correct or leave out the row");
+      problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1), "a limit is a number > 0",
+                     "correct or leave out the row");
   const std::vector<double>& omega = line.angular_frequency;
   for (std::size_t i = 0; i < omega.size(); ++i) {
     const double hertz = omega[i] / (2 * std::numbers::pi);
     if (!(omega[i] > 0 && std::isfinite(omega[i])))
-      problems.error(subject, fmt::format("{}: {:g} Hz in row {}", named, hertz, i + 1), "frequencies are > 0, as the axis is logarithmic", "correct or leave out the row");
+      problems.error(subject, fmt::format("{}: {:g} Hz in row {}", named, hertz, i + 1), "frequencies are > 0, as the axis is logarithmic",
+                     "correct or leave out the row");
     else if (i > 0 && omega[i] < omega[i - 1])
-      problems.error(subject, fmt::format("{}: {:g} Hz in row {} after {:g} Hz", named, hertz, i + 1, omega[i - 1] / (2 * std::numbers::pi)),
+      problems.error(subject, fmt::format("{}: {:g} Hz in row {} after {:g} Hz", named, hertz, i + 1,
+                                          omega[i - 1] / (2 * std::numbers::pi)),
                      "frequencies ascend", "sort the table by frequency");
     else if (i > 1 && omega[i] == omega[i - 2])
-      problems.error(subject, fmt::format("{}: {:g} Hz three times, row {}", named, hertz, i + 1), "two rows of one frequency are a step", "leave out the row between");
+      problems.error(subject, fmt::format("{}: {:g} Hz three times, row {}", named, hertz, i + 1), "two rows of one frequency are a step",
+                     "leave out the row between");
   }
   if (omega.size() > 1 && omega.front() == omega.back())
-    problems.error(subject, fmt::format("{}: all rows at {:g} Hz", named, omega[0] / (2 * std::numbers::pi)), "a limit line covers a band", "give a second frequency");
+    problems.error(subject, fmt::format("{}: all rows at {:g} Hz", named, omega[0] / (2 * std::numbers::pi)), "a limit line covers a band",
+                   "give a second frequency");
   return problems;
 }
 
@@ -155,20 +162,24 @@ double zero_to_peak_limit(const LimitLine& line, double angular_frequency) {
   double lowest = infinity;
   for (const Piece& piece : pieces(line))
     if (angular_frequency >= piece.band.from && angular_frequency <= piece.band.to) lowest = std::min(lowest, piece.at(angular_frequency));
-  if (std::isinf(lowest)) throw foundation::InvalidInput(fmt::format("limit line \"{}\" says nothing at {:g} rad/s", line.name, angular_frequency));
+  if (std::isinf(lowest))
+    throw foundation::InvalidInput(fmt::format("limit line \"{}\" says nothing at {:g} rad/s", line.name, angular_frequency));
   return lowest;
 }
 
-LimitComparison compared_with_limit(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading,
+LimitComparison compared_with_limit(const assembly::Assembled& assembled, const assembly::Channel& channel,
+                                    const assembly::Loading& loading,
                                     const Eigen::VectorXcd& poles, const Peaks& peaks, const LimitLine& line, const Band& band,
                                     const foundation::Progress& progress) {
-  if (const foundation::Problems problems = check(line, "limit line"); problems.has_errors()) throw foundation::InvalidInput(foundation::message(problems.list().front()));
+  if (const foundation::Problems problems = check(line, "limit line"); problems.has_errors())
+    throw foundation::InvalidInput(foundation::message(problems.list().front()));
   if (line.unit != channel.unit)
-    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; compare like with like", line.name, line.unit, channel.name, channel.unit));
+    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; compare like with like", line.name, line.unit,
+                                               channel.name, channel.unit));
   LimitComparison result;
   result.compared = {std::max(band.from, line.angular_frequency.front()), std::min(band.to, line.angular_frequency.back())};
   if (!(result.compared.to > result.compared.from))
-    throw foundation::NotComputable(fmt::format("limit line \"{}\" runs from {:g} to {:g} rad/s and has no part in common with the band from {:g} to {:g} rad/s", line.name,
+    throw foundation::NotComputable(fmt::format("limit line \"{}\" runs from {:g} to {:g} rad/s, the band from {:g} to {:g} rad/s: nothing in common", line.name,
                                                 line.angular_frequency.front(), line.angular_frequency.back(), band.from, band.to));
   const std::vector<double> grid = automatic_grid(assembled, {channel}, loading, poles, peaks, result.compared, progress);
   std::vector<Node> all;
@@ -181,7 +192,8 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
     const Comparison comparison(assembled, channel, loading, piece);
     std::vector<Node> nodes = comparison.nodes(omega);
     for (const Peak& peak : peaks.list)
-      if (std::isinf(peak.amplitude) && peak.angular_frequency > part.from && peak.angular_frequency < part.to) nodes.push_back({peak.angular_frequency, infinity});
+      if (std::isinf(peak.amplitude) && peak.angular_frequency > part.from && peak.angular_frequency < part.to)
+        nodes.push_back({peak.angular_frequency, infinity});
     std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
     add_summits(comparison, nodes);
     note_exceeded(comparison, nodes, result.exceeded);

@@ -40,9 +40,9 @@ struct LimitComparison {
 /// Looks on the automatic grid with all extrema of the answer and all points of the line, and from there by root and minimum search.
 /// @param peaks  of `channel` alone under this loading
 /// @throws foundation::InvalidInput if the units differ or the line has errors; NotComputable if line and band have no part in common
-[[nodiscard]] LimitComparison compared_with_limit(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading,
-                                                  const Eigen::VectorXcd& poles, const Peaks& peaks, const LimitLine& line, const Band& band,
-                                                  const foundation::Progress& progress = {});
+[[nodiscard]] LimitComparison compared_with_limit(const assembly::Assembled& assembled, const assembly::Channel& channel,
+                                                  const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
+                                                  const LimitLine& line, const Band& band, const foundation::Progress& progress = {});
 
 /// 20 lg of a margin [dB]: positive keeps the limit.
 [[nodiscard]] double margin_level(double margin);

@@ -18,7 +18,8 @@ std::vector<excitation::Order> orders_of(const model::Excitation& excitation) {
 }
 
 /// `factor` (iω)^power times the force of the action.
-void add_force(const assembly::Assembled& assembled, model::Action action, const excitation::ComplexVector6& amplitude, int power, double factor,
+void add_force(const assembly::Assembled& assembled, model::Action action, const excitation::ComplexVector6& amplitude, int power,
+               double factor,
                assembly::Loading& total) {
   action.amplitude = factor * amplitude;
   const assembly::Loading one = assembly::loading(assembled, action);
@@ -33,10 +34,12 @@ OrderLoading& entry_of(std::vector<OrderLoading>& list, double order, const asse
 
 }  // namespace
 
-std::vector<OrderLoading> order_loadings(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& selected) {
+std::vector<OrderLoading> order_loadings(const model::System& system, const assembly::Assembled& assembled,
+                                         const std::vector<std::string>& selected) {
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
-    if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return e.name == name && !orders_of(e).empty(); }))
+    if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return e.name == name &&
+        !orders_of(e).empty(); }))
       throw foundation::InvalidInput("\"" + name + "\" names no orders and no unbalance of this model");
   std::vector<OrderLoading> result;
   for (const model::Excitation& excitation : excitations) {
@@ -44,7 +47,8 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
     for (const excitation::Order& order : orders_of(excitation)) {
       if (!(order.order > 0)) throw foundation::InvalidInput("\"" + excitation.name + "\" has an order that is not > 0");
       OrderLoading& entry = entry_of(result, order.order, assembled);
-      add_force(assembled, excitation.action, order.per_speed_squared, 2, -1 / (order.order * order.order), entry.loading);  // Ω² = −s²/order²
+      // Ω² = −s²/order²
+      add_force(assembled, excitation.action, order.per_speed_squared, 2, -1 / (order.order * order.order), entry.loading);
       add_force(assembled, excitation.action, order.fixed, 0, 1, entry.loading);
       entry.excitations.push_back(excitation.name);
     }

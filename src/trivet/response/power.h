@@ -15,7 +15,8 @@ namespace trivet::response {
 struct PowerFlow {
   std::vector<double> angular_frequency;       ///< [rad/s]
   std::vector<std::string> mounts;             ///< elements whose end N stands on the ground or on a foundation
-  Eigen::MatrixXd into_ground;                 ///< mounts × ω: ½ Re(F · conj v) of the wrench on the ground at the foot and the foot's velocity
+  /// mounts × ω: ½ Re(F · conj v) of the wrench on the ground at the foot and the foot's velocity
+  Eigen::MatrixXd into_ground;
   Eigen::VectorXd into_ground_in_total;        ///< their sum
   Eigen::VectorXd by_forces;                   ///< fed in by forces on bodies
   Eigen::VectorXd by_ground;                   ///< fed in by driven ground ends; what the rigid ground takes is its negative

@@ -43,7 +43,8 @@ void add_around(const CriticalSpeed& critical, const Eigen::VectorXcd& poles, st
     for (const int side : {-1, 1}) speed.push_back((poles(nearest).imag() + side * t * width) / critical.order);
 }
 
-OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const OrderLoading& order, RunUp& result) {
+OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const OrderLoading& order,
+                         RunUp& result) {
   std::vector<double> omega;
   for (const double speed : result.speed) omega.push_back(order.order * speed);
   FrequencyResponse response = frequency_response(assembled, channels, order.loading, omega);
@@ -75,15 +76,18 @@ Overall overall(const RunUp& run_up, std::size_t curve) {
 
 }  // namespace
 
-RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const std::vector<OrderLoading>& order_loadings,
+RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+             const std::vector<OrderLoading>& order_loadings,
              const modal::Modes& modes, const modal::Roots& roots, const RunUpOptions& options, const foundation::Progress& progress) {
   const Band& speed = options.speed;
-  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to))) throw foundation::InvalidInput("run-up: a range of speed needs 0 ≤ from < to");
+  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
+    throw foundation::InvalidInput("run-up: a range of speed needs 0 ≤ from < to");
   if (order_loadings.empty()) throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
   if (options.points < 2) throw foundation::InvalidInput("run-up: fewer than two speeds");
   RunUp result;
   for (const OrderLoading& order : order_loadings)
-    note_critical(peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false}, progress), order.order, speed, result.critical);
+    note_critical(peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false},
+                        progress), order.order, speed, result.critical);
   set_relative_heights(channels.size(), result.critical);
   result.speed = linear_grid(speed, options.points);
   for (const CriticalSpeed& critical : result.critical) {
@@ -94,7 +98,8 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
   std::erase_if(result.speed, [&](double at) { return at < speed.from || at > speed.to; });
   sort_apart(result.speed);
   std::stable_sort(result.critical.begin(), result.critical.end(),
-                   [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.curve != b.curve ? a.curve < b.curve : a.speed < b.speed; });
+                   [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.curve != b.curve
+                       ? a.curve < b.curve : a.speed < b.speed; });
   for (std::size_t k = 0; k < order_loadings.size(); ++k) {
     foundation::report_progress(progress, "run-up", static_cast<double>(k) / static_cast<double>(order_loadings.size()));
     result.orders.push_back(order_curves(assembled, channels, order_loadings[k], result));

@@ -56,7 +56,8 @@ struct RunUp {
   double worst_backward_error = 0;      ///< see SolutionCheck
 };
 
-/// Slow run-up: the steady response to each order at each shaft speed. Peaks lie where d|y_k|/dΩ = 0 exactly, the growth of unbalance with Ω² included.
+/// Slow run-up: the steady response to each order at each shaft speed. Peaks lie where d|y_k|/dΩ = 0 exactly, the growth of
+/// unbalance with Ω² included.
 /// @throws foundation::InvalidInput without orders, for a range that is none, or less than two points
 [[nodiscard]] RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,

@@ -11,8 +11,10 @@ namespace trivet::response {
 namespace {
 
 /// Free coordinates, one column per ω; NaN where Z(ω) is singular.
-Eigen::MatrixXcd free_coordinates(const assembly::Assembled& assembled, const assembly::Loading& loading, const std::vector<double>& omega) {
-  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading), omega).response;
+Eigen::MatrixXcd free_coordinates(const assembly::Assembled& assembled, const assembly::Loading& loading,
+                                  const std::vector<double>& omega) {
+  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading),
+                                                               omega).response;
   const std::vector<assembly::Channel> no_channels;
   const ExactResponse exact(assembled, no_channels, loading);
   Eigen::MatrixXcd result(assembled.layout.before_last(), static_cast<Eigen::Index>(omega.size()));
@@ -31,7 +33,8 @@ std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, c
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     SteadyMotion motion{angular_frequency[i], q.col(static_cast<Eigen::Index>(i)), Eigen::VectorXcd::Zero(assembled.ground.size())};
     if (!motion.free.allFinite())
-      throw foundation::NotComputable(fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion has no bound", motion.angular_frequency));
+      throw foundation::NotComputable(fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion has no bound",
+                                                  motion.angular_frequency));
     if (!loading.motion.vanishes()) motion.ground = loading.motion.at(motion.angular_frequency);
     result.push_back(std::move(motion));
   }

@@ -20,10 +20,13 @@ struct SteadyMotion {
 [[nodiscard]] std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, const assembly::Loading& loading,
                                                        const std::vector<double>& angular_frequency);
 
-/// End displacements (12, local frame) and internal coordinates of an element in a steady motion; of a frequency-dependent one the 12 alone.
+/// End displacements (12, local frame) and internal coordinates of an element in a steady motion; of a frequency-dependent one
+/// the 12 alone.
 [[nodiscard]] Eigen::VectorXcd element_motion(const assembly::ElementMap& map, const SteadyMotion& motion);
 
-/// What moves the ends so: wrenches on the element at N and K (first 12), local frame; zero behind them but for forces on internal coordinates.
-[[nodiscard]] Eigen::VectorXcd element_wrenches(const assembly::ElementMap& map, const Eigen::VectorXcd& element_motion, double angular_frequency);
+/// What moves the ends so: wrenches on the element at N and K (first 12), local frame; behind them forces on internal
+/// coordinates, zero in a free steady motion.
+[[nodiscard]] Eigen::VectorXcd element_wrenches(const assembly::ElementMap& map, const Eigen::VectorXcd& element_motion,
+                                                double angular_frequency);
 
 }  // namespace trivet::response

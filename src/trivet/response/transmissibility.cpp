@@ -47,7 +47,8 @@ Eigen::Index component(const std::string& name) {
 
 /// Σ weight · channel over the components of one word.
 assembly::Channel combined(const std::vector<assembly::Channel>& parts, const spatial::Vector6& weights, const std::string& name) {
-  assembly::Channel sum{name, "1", 0, Eigen::VectorXcd::Zero(parts.front().on_displacement.size()), Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
+  assembly::Channel sum{name, "1", 0, Eigen::VectorXcd::Zero(parts.front().on_displacement.size()),
+                        Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
                         Eigen::VectorXd::Zero(parts.front().on_acceleration.size()), {}, {}, 0};
   for (const assembly::Channel& part : parts) {
     const double weight = weights(component(part.name));
@@ -99,10 +100,12 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
   if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
     throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" names no harmonic excitation of this model");
   const model::Action& action = found->action;
-  if (!action.body) throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" moves the ground; force transmissibility needs a force on a body");
+  if (!action.body)
+    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" moves the ground; force transmissibility needs a force on a body");
   const Eigen::Vector3cd force = action.amplitude.head<3>(), moment = action.amplitude.tail<3>();
   if (force.isZero(0) == moment.isZero(0))
-    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " + (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
+    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
+                                   (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
                                    "; it needs one of them, to compare like with like");
   const bool rotation = force.isZero(0);
   const Eigen::Vector3cd vector = rotation ? moment : force;
@@ -111,7 +114,8 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
   const Eigen::Vector3cd in_phase = vector * std::conj(vector(largest)) / std::abs(vector(largest));
   constexpr double round_off = 1e-12;
   if (in_phase.imag().norm() > round_off * vector.norm())
-    throw foundation::InvalidInput("transmissibility: the components of \"" + excitation + "\" differ in phase, so that it has no one direction; give it one phase");
+    throw foundation::InvalidInput("transmissibility: the components of \"" + excitation +
+                                   "\" differ in phase, so that it has no one direction; give it one phase");
   return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), rotation}};
 }
 
@@ -127,11 +131,13 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
   std::vector<std::string> words = {"ground"};
   for (const std::size_t e : mounts(system)) words.push_back(system.elements()[e].name);
   for (const std::string& word : words)
-    result.channels.push_back(combined(assembly::channels(system, assembled, {word}, assembly::Quantity::displacement), unit_six(out, Eigen::Matrix3d::Identity()), word));
+    result.channels.push_back(combined(assembly::channels(system, assembled, {word}, assembly::Quantity::displacement),
+                                       unit_six(out, Eigen::Matrix3d::Identity()), word));
   return result;
 }
 
-Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& of,
+Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
+                                       const std::vector<std::string>& of,
                                        const Direction& moved, const std::optional<Direction>& answered, const Eigen::Vector3d& base_at) {
   const Direction out = like(moved, answered, "translation", "rotation");
   model::Action action;
@@ -167,7 +173,7 @@ std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Tr
   return result;
 }
 
-double level(double transmissibility) { return transmissibility == 0 ? -infinity : 20 * std::log10(std::abs(transmissibility)); }
+double transmissibility_level(double transmissibility) { return transmissibility == 0 ? -infinity : 20 * std::log10(std::abs(transmissibility)); }
 
 double isolation_efficiency(double transmissibility) { return 1 - std::abs(transmissibility); }
 
