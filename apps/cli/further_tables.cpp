@@ -86,7 +86,7 @@ std::string transmissibility_text(const study::Answers& answers) {
     const response::CurveSummary& summary = t.peaks.curves[i];
     const Eigen::VectorXcd& values = t.curves.curves[i].value;
     const double last = std::abs(values(values.size() - 1));
-    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5), shown(response::level(summary.highest), 4),
+    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5), shown(response::transmissibility_level(summary.highest), 4),
                t.crossovers[i].angular_frequency ? shown(hertz(*t.crossovers[i].angular_frequency), 5) : "–", shown(last, 4), percent(response::isolation_efficiency(last))});
   }
   return "Transmissibility: " + t.words + "\n" + table.text();

@@ -95,7 +95,7 @@ std::string transmissibility_csv(const Answers& answers) {
     text += number(t.curves.angular_frequency[k]);
     for (const response::Curve& c : t.curves.curves) {
       const double size = std::abs(c.value(static_cast<Eigen::Index>(k)));
-      text += fmt::format(",{},{}", number(size), number(response::level(size)));
+      text += fmt::format(",{},{}", number(size), number(response::transmissibility_level(size)));
     }
     text += "\n";
   }

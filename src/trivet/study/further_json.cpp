@@ -79,7 +79,7 @@ Json transmissibility(const Answers& answers) {
     const response::Curve& c = t.curves.curves[i];
     Json one = curve(c), level = Json::array(), efficiency = Json::array();
     for (const auto& value : c.value) {
-      level.push_back(number(response::level(std::abs(value))));
+      level.push_back(number(response::transmissibility_level(std::abs(value))));
       efficiency.push_back(number(response::isolation_efficiency(std::abs(value))));
     }
     one["level_db"] = std::move(level);
