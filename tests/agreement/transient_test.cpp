@@ -135,12 +135,17 @@ TEST(Transient, OfABaseByOffDiagonalBlocksIsThatOfRelativeCoordinatesUnderInerti
     EXPECT_THAT(by_blocks.curves[k].values, NearVector(by_inertia.curves[k].values, round_off)) << by_blocks.curves[k].name;
 }
 
+/// A body of 3 kg on a coil spring with its own mass and three internal modes; off its centre, so that all coordinates move.
+std::string on_heavy_spring() {
+  return "trivet = 1\n[bodies.b]\nmass = 3\ncenter_of_mass = [0, 0, 0.1]\ninertia = {about = \"center_of_mass\", xx = 0.1, yy = 0.12, zz = 0.1}\n"
+         "[elements.s]\ntype = \"coil_spring\"\non = \"b\"\nat = [0.02, 0, 0]\nfrom_at = [0.02, 0, -0.12]\nwire_diameter = 0.006\nmean_diameter = 0.05\n"
+         "active_coils = 6\nfree_length = 0.12\nmaterial = \"spring_steel\"\nlevel = \"with_mass\"\ninternal_modes = 3\ndamping = {proportional = 0.001}\n";
+}
+
 TEST(Transient, OfABaseGivenByAccelerationOrVelocityIsThatOfTheSameDisplacement) {
   // 1 − cos κt, its rate κ sin κt and κ² cos κt, on elements with mass, so that all three derivatives act.
   const double kappa = 30;
-  const auto project = test::project("trivet = 1\n[bodies.b]\nmass = 3\ncenter_of_mass = [0, 0, 0.1]\ninertia = {about = \"center_of_mass\", xx = 0.1, yy = 0.12, zz = 0.1}\n"
-                                     "[elements.s]\ntype = \"coil_spring\"\non = \"b\"\nat = [0.02, 0, 0]\nfrom_at = [0.02, 0, -0.12]\nwire_diameter = 0.006\nmean_diameter = 0.05\n"
-                                     "active_coils = 6\nfree_length = 0.12\nmaterial = \"spring_steel\"\nlevel = \"with_mass\"\ninternal_modes = 3\ndamping = {proportional = 0.001}\n");
+  const auto project = test::project(on_heavy_spring());
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   ASSERT_GT(assembled.ground.A.cwiseAbs().maxCoeff(), 0);
@@ -153,6 +158,27 @@ TEST(Transient, OfABaseGivenByAccelerationOrVelocityIsThatOfTheSameDisplacement)
   for (int derivative = 1; derivative < 3; ++derivative)
     for (std::size_t k = 0; k < answers[0].curves.size(); ++k)
       EXPECT_THAT(answers[static_cast<std::size_t>(derivative)].curves[k].values, NearVector(answers[0].curves[k].values, round_off)) << answers[0].curves[k].name;
+}
+
+TEST(Transient, ImpulsesOfAJumpingOrCorneredBaseAreTheLimitOfShortMotionsAlsoThroughMass) {
+  // The ground jumps, and turns a corner; within 1 µs, which the fastest mode (some kHz) does not see, it does the same without either.
+  constexpr double short_time = 1e-6, seen_by_fastest_mode = 1e-4;
+  const auto project = test::project(on_heavy_spring());
+  const model::System& system = project.base().system;
+  const assembly::Assembled assembled = assembly::assemble(system);
+  spatial::Vector6 direction;
+  direction << 0.01, 0.02, -0.03, 0.1, 0.02, 0.05;
+  const excitation::Signal jump = excitation::step(1, 0.01), corner = excitation::ramp(1, 100, 0.01);
+  // The middle of the short motion is at the jump, and the velocity of the ramp rises without corners of its own.
+  const excitation::Signal short_jump = excitation::rounded_step(1, short_time, 0.01 - short_time / 2), short_corner = excitation::rounded_step(0.01, short_time, 0.01 - short_time / 2);
+  const auto run = [&](const excitation::Signal& signal, int derivative) {
+    return test::transient(system, assembled, {"coordinates"}, {test::base_motion(assembled, signal, direction, derivative)}, until(0.1, 0.004), assembly::Quantity::velocity);
+  };
+  const auto a = run(jump, 0), b = run(short_jump, 0), c = run(corner, 0), d = run(short_corner, 1);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_THAT(b.curves[k].values, NearVector(a.curves[k].values, seen_by_fastest_mode)) << a.curves[k].name;
+    EXPECT_THAT(d.curves[k].values, NearVector(c.curves[k].values, seen_by_fastest_mode)) << a.curves[k].name;
+  }
 }
 
 TEST(Transient, OfTwoDelayedWheelsHasTheInPhaseAndAntiPhaseLimits) {
