@@ -173,7 +173,7 @@ TEST(Transient, SeesBothSidesOfAJumpBetweenItsPoints) {
 }
 
 TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
-  constexpr double drift = 1e-10;
+  constexpr double drift = 1e-11;  // 100,000 roundings of a rotation; 5e-13 is measured
   const Machine m = chain({1, 2, 0.5}, {4e4, 3e3, 9e4, 0});
   response::TransientOptions options = until(1000, 0.01);
   options.initial = response::initial_state(m.assembled, Eigen::Vector3d(1e-3, -2e-3, 3e-3), Eigen::Vector3d(0.1, 0, -0.2));
@@ -186,8 +186,6 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
   };
   ASSERT_EQ(q.time.size(), 100001);
   EXPECT_THAT(energy(100000), RelativelyNear(energy(0), drift));
-  RecordProperty("drift", std::to_string(energy(100000) / energy(0) - 1));
-  std::printf("energy drift %.2e\n", energy(100000) / energy(0) - 1);
 }
 
 TEST(Transient, RefusesALossFactorWithItsEquivalents) {

@@ -43,15 +43,15 @@ InputCourse::InputCourse(const excitation::Signal& signal, double delay) : piece
     sum.twice += sum.once * s + more.twice;
     sum.once += more.once;
   }
-  double value = 0, rate = 0;
-  bool jumps = false, corners = false;
-  for (const excitation::Piece& each : pieces_) value = std::max(value, std::abs(each.value)), rate = std::max(rate, std::abs(each.rate));
+  Eigen::Array3d largest = Eigen::Array3d::Zero();
+  for (const excitation::Piece& each : pieces_) largest = largest.max(Eigen::Array3d(each.value, each.rate, each.curvature).abs());
   for (Place i = 0; i < count(); ++i) {
-    const InputVector jump = jump_into(i);
-    jumps = jumps || std::abs(jump(of_value)) > round_off * value;
-    corners = corners || std::abs(jump(of_value + 1)) > round_off * rate;
+    const Eigen::Array3d jump = jump_into(i).tail<3>().array().abs();
+    unsigned char bits = 0;
+    for (int m = 0; m < 3; ++m)
+      if (jump(m) > round_off * largest(m)) bits |= static_cast<unsigned char>(1u << m), smoothness_ = std::min(smoothness_, m);
+    jumps_.push_back(bits);
   }
-  smoothness_ = jumps ? 0 : corners ? 1 : 2;
 }
 
 InputVector InputCourse::at(Place place, double t) const {

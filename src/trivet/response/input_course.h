@@ -36,6 +36,8 @@ class InputCourse {
   [[nodiscard]] Place count() const { return static_cast<Place>(starts_.size()); }
   [[nodiscard]] double start() const { return starts_.empty() ? std::numeric_limits<double>::infinity() : starts_.front(); }
   [[nodiscard]] double last_corner() const { return starts_.empty() ? -std::numeric_limits<double>::infinity() : starts_.back(); }
+  /// Does the mth derivative of u, m = 0, 1, 2, jump (beyond round-off) where the piece at `place` begins?
+  [[nodiscard]] bool jumps(Place place, int m) const { return (jumps_[static_cast<std::size_t>(place)] >> m & 1) != 0; }
   /// Lowest derivative of u that jumps anywhere: 0 a step, 1 a corner, 2 a change of curvature.
   [[nodiscard]] int smoothness() const { return smoothness_; }
   /// Usual time between samples where the signal is a polygon of many straight lines; 0 for other signals [s].
@@ -49,6 +51,7 @@ class InputCourse {
   std::vector<excitation::SignalIntegrals> before_;      ///< ∫u and ∬u up to the start of each piece
   std::vector<double> kappas_;
   std::vector<std::size_t> kappa_index_;
+  std::vector<unsigned char> jumps_;                     ///< bit m: the mth derivative jumps
   int smoothness_ = 2;
   double sampling_step_ = 0;
 };

@@ -114,6 +114,7 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
   if (!options.initial)
     for (const InputCourse& course : courses) grid.start = std::min(grid.start, course.start());
   grid.resolution = 4 * std::numeric_limits<double>::epsilon() * std::max({std::abs(grid.start), std::abs(options.from), std::abs(to)});
+  grid.fastest = std::max(fastest(modes, noticeable_share), largest_kappa(courses));
   bool limited = false;
   if (options.step) {
     if (!(*options.step > shortest_step * grid.resolution) || !std::isfinite(*options.step))
@@ -124,8 +125,7 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
     if (steps > 1e8) throw foundation::InvalidInput(fmt::format("transient: {:.3g} steps of {:.6g} s; at most 1e8 are kept", steps, grid.step));
     grid.points = 1 + static_cast<Eigen::Index>(steps);
   } else {
-    const double omega = std::max(fastest(modes, noticeable_share), largest_kappa(courses));
-    const double wanted = omega > 0 ? std::ceil((to - options.from) * omega * points_per_period / two_pi) : 1000;
+    const double wanted = grid.fastest > 0 ? std::ceil((to - options.from) * grid.fastest * points_per_period / two_pi) : 1000;
     const auto most = static_cast<double>(options.most_points - 1);
     limited = wanted > most;
     const double steps = std::min(std::max(wanted, std::min(200.0, most)), most);

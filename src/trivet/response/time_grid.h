@@ -30,6 +30,7 @@ struct TimeGrid {
   double start = 0;     ///< of the computation, at or before `from` [s]
   double from = 0, step = 0;
   Eigen::Index points = 0;
+  double fastest = 0;     ///< of the modes and sines that are noticeably excited [rad/s]
   double resolution = 0;  ///< times closer than this are one [s]
   [[nodiscard]] double time(Eigen::Index point) const { return from + static_cast<double>(point) * step; }
 };

@@ -84,11 +84,14 @@ void warn_of_growth(const StateSpace& space, double duration, foundation::Proble
                    "look for negative stiffness or damping among its roots");
 }
 
-double root_mean_square(const Eigen::VectorXd& values) {
-  const double scale = values.cwiseAbs().maxCoeff();
-  if (scale == 0) return 0;
-  const double squares = (values / scale).squaredNorm() - (std::pow(values(0) / scale, 2) + std::pow(values(values.size() - 1) / scale, 2)) / 2;
-  return scale * std::sqrt(std::max(squares, 0.0) / static_cast<double>(values.size() - 1));
+double root_mean_square(const TimeCurve& curve) {
+  const Eigen::Index last = curve.values.size() - 1;
+  const double scale = std::max(curve.largest.value, -curve.smallest.value);
+  if (scale == 0 || !std::isfinite(scale)) return scale;
+  const auto mean = [&](double unit) {
+    return ((curve.values * unit).squaredNorm() - (std::pow(curve.values(0) * unit, 2) + std::pow(curve.values(last) * unit, 2)) / 2) / static_cast<double>(last);
+  };
+  return scale * std::sqrt(std::max(mean(1 / scale), 0.0));
 }
 
 TransientResponse response_of(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const std::vector<TimeInput>& given,
@@ -111,14 +114,15 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   record.run(state, progress);
   result.time = Eigen::VectorXd::LinSpaced(grid.points, 0, static_cast<double>(grid.points - 1)) * grid.step;
   result.time.array() += grid.from;
+  result.curves = record.take();
   for (std::size_t k = 0; k < channels.size(); ++k) {
+    TimeCurve& curve = result.curves[k];
     const auto row = static_cast<Eigen::Index>(k);
-    TimeCurve curve{channels[k].name, channels[k].unit, record.values().col(row), record.largest(row), record.smallest(row), 0};
-    if (!curve.values.allFinite())
-      throw foundation::NotComputable(fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
-    curve.rms = root_mean_square(curve.values);
+    curve.name = channels[k].name;
+    curve.unit = channels[k].unit;
+    curve.rms = root_mean_square(curve);
+    if (!std::isfinite(curve.rms)) throw foundation::NotComputable(fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
     search_between_points(walk, space, {rows.on_state.row(row), rows.on_input.row(row)}, grid, record.checkpoints(), curve);
-    result.curves.push_back(std::move(curve));
   }
   return result;
 }

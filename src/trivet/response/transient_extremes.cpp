@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace trivet::response {
 namespace {
@@ -77,25 +78,31 @@ struct Candidate {
   Eigen::Index point = 0;
 };
 
-/// Points next to which the curve may exceed `best`: the parabola through a highest point and its neighbours, with a quarter more rise.
-std::vector<Candidate> candidates(const Eigen::VectorXd& v, double sign, double best) {
-  std::vector<Candidate> found;
+/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning point and its neighbours.
+struct Candidates {
+  std::vector<Candidate> largest, smallest;  ///< the farthest first; −value for the smallest
+};
+
+Candidates candidates(const TimeCurve& curve, double margin) {
+  Candidates found;
+  const Eigen::VectorXd& v = curve.values;
   const Eigen::Index last = v.size() - 1;
-  for (Eigen::Index i = 0; i <= last; ++i) {
-    const double here = sign * v(i), before = sign * v(std::max<Eigen::Index>(i - 1, 0)), after = sign * v(std::min(i + 1, last));
-    if (here < before || here < after) continue;
-    double reach = here;
-    if (i > 0 && i < last) {
-      const double bend = before - 2 * here + after, slope = (after - before) / 2;
-      if (bend < 0) reach -= 1.25 * slope * slope / (2 * bend);
-    } else {
-      reach += std::abs(before - after);
-    }
-    if (reach > best) found.push_back({reach, i});
+  const auto add = [&](double rise, Eigen::Index i, bool up) {
+    const double reach = (up ? v(i) : -v(i)) + rise;
+    if (reach > (up ? curve.largest.value : -curve.smallest.value)) (up ? found.largest : found.smallest).push_back({reach, i});
+  };
+  for (const auto& [end, inner] : {std::pair{Eigen::Index{0}, Eigen::Index{1}}, {last, last - 1}}) add(std::abs(v(end) - v(inner)), end, v(end) > v(inner));
+  for (Eigen::Index i = 1; i < last; ++i) {
+    const double before = v(i) - v(i - 1), after = v(i + 1) - v(i);
+    if (before * after > 0) continue;
+    const double bend = after - before, slope = (after + before) / 2;
+    if (bend != 0) add(margin * slope * slope / (2 * std::abs(bend)), i, bend < 0);
   }
-  const auto kept = static_cast<std::ptrdiff_t>(std::min(found.size(), most_searches));
-  std::partial_sort(found.begin(), found.begin() + kept, found.end(), [](const Candidate& a, const Candidate& b) { return a.reach > b.reach; });
-  found.resize(static_cast<std::size_t>(kept));
+  for (std::vector<Candidate>* list : {&found.largest, &found.smallest}) {
+    const auto kept = static_cast<std::ptrdiff_t>(std::min(list->size(), most_searches));
+    std::partial_sort(list->begin(), list->begin() + kept, list->end(), [](const Candidate& a, const Candidate& b) { return a.reach > b.reach; });
+    list->resize(static_cast<std::size_t>(kept));
+  }
   return found;
 }
 
@@ -103,10 +110,13 @@ std::vector<Candidate> candidates(const Eigen::VectorXd& v, double sign, double 
 
 void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid, const Checkpoints& checkpoints,
                            TimeCurve& curve) {
+  // Of a sine with the phase θ between points that parabola has (1 + cos θ)/2 of the rise; a quarter more for what is not one sine.
+  const double phase = std::min(grid.fastest * grid.step, 2.5);
+  const Candidates found = candidates(curve, 2.5 / (1 + std::cos(phase)));
   for (const double sign : {1.0, -1.0}) {
     Extreme& best = sign > 0 ? curve.largest : curve.smallest;
     Search search(walk, space, row, sign);
-    for (const Candidate& candidate : candidates(curve.values, sign, sign * best.value)) {
+    for (const Candidate& candidate : sign > 0 ? found.largest : found.smallest) {
       if (candidate.reach <= sign * best.value) break;
       const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0), last = std::min(candidate.point + 1, grid.points - 1);
       WalkState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];

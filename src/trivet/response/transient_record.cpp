@@ -12,35 +12,28 @@ namespace trivet::response {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Jumps below this share of the largest value are round-off of joints.
-constexpr double round_off = 1e-9;
-
-/// Which pieces of a course begin with a jump of something that an answer holds: of u, u̇, ü (and of what follows from them where κ > 0).
-std::vector<bool> jumps_of(const InputCourse& course, const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool state_jumps) {
-  Eigen::Array3d largest = Eigen::Array3d::Zero();
-  for (InputCourse::Place i = 0; i < course.count(); ++i) largest = largest.max(course.at(i, course.next_corner(i - 1)).tail<3>().array().abs());
-  std::vector<bool> jumps;
-  for (InputCourse::Place i = 0; i < course.count(); ++i) {
-    const Eigen::Array3d jump = course.jump_into(i).tail<3>().array().abs();
-    bool found = false;
-    for (Eigen::Index m = 0; m < 3; ++m) {
-      const Eigen::Index columns = m < 2 ? 1 : input_derivatives - of_value - 2;
-      const bool used = (state_jumps && m < 2) || !on_input.middleCols(of_value + m, columns).isZero(0);
-      found = found || (used && jump(m) > round_off * largest(m));
-    }
-    jumps.push_back(found);
+/// Bit m where answers jump with the mth derivative of u (and with what follows from it where κ > 0).
+int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool state_jumps) {
+  int held = state_jumps ? 3 : 0;
+  for (Eigen::Index m = 0; m < 3; ++m) {
+    const Eigen::Index columns = m < 2 ? 1 : input_derivatives - of_value - 2;
+    if (!on_input.middleCols(of_value + m, columns).isZero(0)) held |= 1 << m;
   }
-  return jumps;
+  return held;
 }
 
 }  // namespace
 
 TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid)
-    : walk_(walk), courses_(courses), rows_(std::move(rows)), grid_(grid), values_(grid.points, rows_.on_state.rows()),
-      largest_(static_cast<std::size_t>(rows_.on_state.rows()), {-infinity, 0}), smallest_(largest_.size(), {infinity, 0}), inputs_(rows_.on_input.cols()) {
+    : walk_(walk), courses_(courses), rows_(std::move(rows)), grid_(grid), curves_(static_cast<std::size_t>(rows_.on_state.rows())),
+      inputs_(rows_.on_input.cols()) {
   for (std::size_t c = 0; c < courses.size(); ++c)
-    jumps_.push_back(jumps_of(courses[c], rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives),
-                              walk.state_jumps(c)));
+    held_.push_back(held_derivatives(rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives), walk.state_jumps(c)));
+  for (TimeCurve& curve : curves_) {
+    curve.values.resize(grid.points);
+    curve.largest.value = -infinity;
+    curve.smallest.value = infinity;
+  }
 }
 
 void TransientRecord::run(WalkState state, const foundation::Progress& progress) {
@@ -63,7 +56,7 @@ void TransientRecord::run(WalkState state, const foundation::Progress& progress)
       throw foundation::NotComputable(fmt::format("transient: the motion outgrows all numbers before {:.4g} s", grid_.time(first + count - 1)));
     Y.noalias() = X.leftCols(count).transpose() * rows_.on_state.transpose();
     Y.noalias() += W.leftCols(count).transpose() * on_used.transpose();
-    values_.middleRows(first, count) = Y;
+    keep(Y, first);
   }
 }
 
@@ -80,32 +73,36 @@ void TransientRecord::to_next_point(WalkState& state, double to) {
 
 bool TransientRecord::answers_jump(const WalkState& state, double corner) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
-    if (courses_[c].next_corner(state.places[c]) <= corner + walk_.resolution() && jumps_[c][static_cast<std::size_t>(state.places[c] + 1)]) return true;
+    for (int m = 0; m < 3; ++m)
+      if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + walk_.resolution() && courses_[c].jumps(state.places[c] + 1, m))
+        return true;
   return false;
 }
 
 void TransientRecord::note(const WalkState& state) {
   walk_.inputs(state, inputs_);
-  for (std::size_t k = 0; k < largest_.size(); ++k) {
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     const double value = rows_.on_state.row(row).dot(state.x) + rows_.on_input.row(row).dot(inputs_);
-    if (value > largest_[k].value) largest_[k] = {value, state.time};
-    if (value < smallest_[k].value) smallest_[k] = {value, state.time};
+    if (value > curves_[k].largest.value) curves_[k].largest = {value, state.time};
+    if (value < curves_[k].smallest.value) curves_[k].smallest = {value, state.time};
   }
 }
 
-Extreme TransientRecord::largest(Eigen::Index answer) const {
-  Eigen::Index at = 0;
-  const double value = values_.col(answer).maxCoeff(&at);
-  const Extreme& jump = largest_[static_cast<std::size_t>(answer)];
-  return jump.value > value ? jump : Extreme{value, grid_.time(at)};
-}
-
-Extreme TransientRecord::smallest(Eigen::Index answer) const {
-  Eigen::Index at = 0;
-  const double value = values_.col(answer).minCoeff(&at);
-  const Extreme& jump = smallest_[static_cast<std::size_t>(answer)];
-  return jump.value < value ? jump : Extreme{value, grid_.time(at)};
+void TransientRecord::keep(const Eigen::MatrixXd& values, Eigen::Index first) {
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    TimeCurve& curve = curves_[static_cast<std::size_t>(k)];
+    curve.values.segment(first, values.rows()) = values.col(k);
+    Eigen::Index at = 0;
+    if (values.col(k).maxCoeff() > curve.largest.value) {
+      const double value = values.col(k).maxCoeff(&at);
+      curve.largest = {value, grid_.time(first + at)};
+    }
+    if (values.col(k).minCoeff() < curve.smallest.value) {
+      const double value = values.col(k).minCoeff(&at);
+      curve.smallest = {value, grid_.time(first + at)};
+    }
+  }
 }
 
 }  // namespace trivet::response

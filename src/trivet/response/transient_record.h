@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
@@ -21,23 +22,22 @@ class TransientRecord {
   /// @throws foundation::NotComputable if the motion leaves the range of numbers
   void run(WalkState state, const foundation::Progress& progress);
 
-  [[nodiscard]] const Eigen::MatrixXd& values() const { return values_; }  ///< points × answers
   [[nodiscard]] const Checkpoints& checkpoints() const { return checkpoints_; }
-  [[nodiscard]] Extreme largest(Eigen::Index answer) const;
-  [[nodiscard]] Extreme smallest(Eigen::Index answer) const;
+  /// Values and extremes of the answers, without names.
+  [[nodiscard]] std::vector<TimeCurve> take() { return std::move(curves_); }
 
  private:
   void to_next_point(WalkState& state, double to);
   [[nodiscard]] bool answers_jump(const WalkState& state, double corner) const;
   void note(const WalkState& state);
+  void keep(const Eigen::MatrixXd& values, Eigen::Index first);
 
   TransientWalk& walk_;
   const std::vector<InputCourse>& courses_;
   LinearRows rows_;
   const TimeGrid& grid_;
-  std::vector<std::vector<bool>> jumps_;   ///< per course and piece: do answers jump where it begins?
-  Eigen::MatrixXd values_;
-  std::vector<Extreme> largest_, smallest_;  ///< at jumps
+  std::vector<int> held_;          ///< per course: bit m where answers jump with the mth derivative of its signal
+  std::vector<TimeCurve> curves_;
   Checkpoints checkpoints_;
   Eigen::VectorXd inputs_;
 };
