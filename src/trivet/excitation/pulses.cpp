@@ -12,11 +12,11 @@ constexpr double pi = std::numbers::pi;
 
 /// One piece of a duration, and what follows for ever. A duration lost in the round-off of `start` is refused.
 Signal one_piece(Piece piece, double duration, double afterwards) {
+  require_positive(duration, "duration", "s");
   require_finite(piece.start, "start", "s");
   require_finite(piece.value, "amplitude", "");
   require_finite(piece.rate, "amplitude", "");
   require_finite(piece.curvature, "amplitude", "");
-  require_positive(duration, "duration", "s");
   Signal signal{{piece, Piece{piece.start + duration, afterwards}}};
   require_valid(signal);
   return signal;

@@ -131,7 +131,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       } else {
         peak.refined = true;
       }
-      if (summary.static_amplitude && *summary.static_amplitude > 0) peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
+      if (summary.static_amplitude && *summary.static_amplitude > vanishing_share * peak.amplitude) peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
       peak.nearest_mode = modal::nearest_mode(modes, peak.angular_frequency, static_cast<Eigen::Index>(numerics::massive_rows(m.A).size()));
       ++summary.peaks;
       result.list.push_back(peak);

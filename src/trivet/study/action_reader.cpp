@@ -31,6 +31,7 @@ void read_six(TableReader& reader, const std::string& first, Quantity of_first, 
     reader.error(first, "neither " + first + " nor " + second, "an excitation has at least one of them", remedy);
   if (factors && reader.has("phase"))
     reader.error("phase", "a phase", "only harmonic excitations have a phase", "remove it, or give a delay");
+  static_cast<void>(reader.node("phase"));
   const spatial::Vector6 phase = factors ? spatial::Vector6(spatial::Vector6::Zero()) : read_phase(reader);
   for (int j = 0; j < 6; ++j) action.amplitude(j) = phase(j) == 0 ? std::complex<double>(six(j)) : six(j) * std::exp(std::complex<double>(0, phase(j)));
 }

@@ -51,7 +51,7 @@ class ElementReader {
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
     if (element_.law.scale > 0) element_.massless_up_to *= std::sqrt(element_.law.scale);
-    if (const auto foundation = reader_.text("foundation")) mentioned_.stands_on.emplace_back(element_.name, *foundation);
+    if (const auto foundation = reader_.text("foundation")) mentioned_.stands_on.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
     const bool known_law = sized || read_law();
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
     if (known_law) reader_.finish();

@@ -155,26 +155,26 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
     if (type == "mobility") grounds[name] = read_mobility(reader);
     if (type == "modal") grounds[name] = read_modal(reader, name, description);
     if (type) reader.finish();
-    if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(), [&](const auto& pair) { return pair.second == name; }))
+    if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(), [&](const Mentioned::Standing& one) { return one.ground == name; }))
       reader.problems().warning("foundations." + name, "no element stands on it", "a foundation acts only under elements that name it", "add foundation = \"" + name + "\" to them").origin = table->items[i].origin;
   }
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
-  for (const auto& [element_name, ground_name] : mentioned.stands_on) {
+  for (const auto& [element_name, ground_name, origin] : mentioned.stands_on) {
     const std::string subject = "elements." + element_name + ".foundation";
     const auto element = std::find_if(description.elements.begin(), description.elements.end(), [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
     if (std::find(names.begin(), names.end(), ground_name) == names.end()) {
       const std::string guess = foundation::nearest_name(ground_name, names);
-      root.problems().error(subject, "\"" + ground_name.substr(0, 60) + "\"", "no foundation has this name", guess.empty() ? "add [foundations.NAME]" : "did you mean \"" + guess + "\"?");
+      root.problems().error(subject, "\"" + ground_name.substr(0, 60) + "\"", "no foundation has this name", guess.empty() ? "add [foundations.NAME]" : "did you mean \"" + guess + "\"?").origin = origin;
       continue;
     }
     const auto ground = grounds.find(ground_name);
     if (element == description.elements.end() || ground == grounds.end()) continue;  // told elsewhere
     if (!element->n.on_ground()) {
-      root.problems().error(subject, "an element between two bodies", "a foundation stands under an end that is on the ground", "remove it, or remove `from`");
+      root.problems().error(subject, "an element between two bodies", "a foundation stands under an end that is on the ground", "remove it, or remove `from`").origin = origin;
     } else if (ground->second.modal) {
       const auto shape = ground->second.shapes.find(element_name);
       if (shape == ground->second.shapes.end())
-        root.problems().error(subject, "\"" + ground_name + "\"", "none of its modes says how this element's place moves", "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes");
+        root.problems().error(subject, "\"" + ground_name + "\"", "none of its modes says how this element's place moves", "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes").origin = origin;
       else element->n.foundation = model::OnFoundation{ground->second.index, shape->second};
     } else if (!ground->second.directions.empty()) {
       model::Element standing = *element;

@@ -145,7 +145,7 @@ void read_further_analyses(TableReader& analyses, const ResultNames& names, cons
   with("random", random, [&](TableReader& reader) { result.random = read_random(reader, names, mentioned); });
   with("transient", std::nullopt, [&](TableReader& reader) {
     result.transient = read_transient(reader, names, mentioned);
-    if (result.transient->displacements.empty() && result.transient->velocities.empty()) check_needed(analyses, "transient", time);
+    if (!reader.has("initial_displacement") && !reader.has("initial_velocity")) check_needed(analyses, "transient", time);
   });
   with("orders", orders, [&](TableReader& reader) { result.orders = read_orders_request(reader, names, mentioned); });
   with("transmissibility", std::nullopt, [&](TableReader& reader) { result.transmissibility = read_transmissibility(reader, mentioned); });

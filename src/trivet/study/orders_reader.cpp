@@ -110,7 +110,7 @@ std::optional<std::vector<excitation::Order>> read_engine(const Node& node, cons
     try {
       data.cylinders = excitation::evenly_firing_cylinders(layout);
       const foundation::Problems findings = excitation::check(data, "");
-      engine.add(findings, {{"rod_ratio", "rod_length"}});
+      engine.add(findings, {{".rod_ratio", "rod_length"}, {".crank_radius", "crank_radius"}, {".oscillating_mass", "oscillating_mass"}, {".rotating_mass", "rotating_mass"}, {".counterweight", "counterweight"}});
       if (engine.errors() == before) {
         orders = excitation::inertia_orders(data, static_cast<int>(highest));
         const auto gas = read_gas(engine, data, highest);

@@ -14,7 +14,11 @@ struct Mentioned {
   bool bodies_unknown = false;  ///< there is no readable table of bodies at all
   std::vector<std::string> bodies, points, elements, harmonic_excitations, constant_excitations;
   std::vector<std::string> order_excitations, random_excitations, time_excitations;  ///< an unbalance drives harmonically and by orders
-  std::vector<std::pair<std::string, std::string>> stands_on;  ///< elements and the foundations that they name
+  struct Standing {
+    std::string element, ground;
+    foundation::Origin origin;
+  };
+  std::vector<Standing> stands_on;  ///< elements and the foundations that they name
   std::vector<std::string> guided;  ///< "body.y": coordinates that do not move
 };
 

@@ -44,7 +44,7 @@ foundation::Problem& TableReader::error_at(const Node& node, const std::string& 
 
 foundation::Problem& TableReader::error(const std::string& key, std::string finding, std::string rule, std::string remedy) {
   const Node* node = table_.find(key);
-  const std::string where = path_.empty() ? key : path_ + "." + key;
+  const std::string where = path_.empty() ? key : key.empty() ? path_ : path_ + "." + key;
   return error_at(node ? *node : table_, where, std::move(finding), std::move(rule), std::move(remedy));
 }
 

@@ -63,6 +63,7 @@ class TableReader {
   std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& words);
 
   void missing(const std::string& key, const std::string& remedy);
+  /// An empty key: the table itself.
   foundation::Problem& error(const std::string& key, std::string finding, std::string rule, std::string remedy);
   /// Reports keys that nobody asked for.
   void finish();
