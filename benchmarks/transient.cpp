@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long are 100,000 steps of a machine of six coordinates under a measured force? The paper's example, answers of all coordinates, of the
-// forces of every element and of the ground, with extremes; beside it Newmark's average acceleration with Eigen's fixed-size matrices (coordinates
-// only, its step the same and so not exact), and scipy.signal.lsim where the system's Python has it. Answers are compared before anything is timed.
+// How long are 100,000 steps of a machine of six coordinates under a measured force? The paper's example, answers of all coordinates, of
+// the forces of every element and of the ground, with extremes; beside it Newmark's average acceleration with Eigen's fixed-size matrices
+// (coordinates only, its step the same and so not exact), and scipy.signal.lsim where the system's Python has it. Answers are compared
+// before anything is timed.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>

@@ -37,10 +37,12 @@ struct EarthquakeResponse {
   foundation::Problems warnings;
 };
 
-/// Largest answers where the whole foundation is accelerated along `direction` (translation and rotation about the ground origin, ground axes, of
-/// length 1 where the spectrum is that of this motion). The motion against the ground is Γ S_a/ω² φ in each mode: displacements are those against
-/// the ground, velocities ω times them, accelerations ω² times them and so the absolute ones; forces are those of stiffness and mass.
-/// @throws foundation::NotComputable for unsymmetric matrices or indefinite masses, modes that do not oscillate, and answers about the ground alone
+/// Largest answers where the whole foundation is accelerated along `direction` (translation and rotation about the ground origin, ground
+/// axes, of length 1 where the spectrum is that of this motion). The motion against the ground is Γ S_a/ω² φ in each mode: displacements
+/// are those against the ground, velocities ω times them, accelerations ω² times them and so the absolute ones; forces are those of
+/// stiffness and mass.
+/// @throws foundation::NotComputable for unsymmetric matrices or indefinite masses, modes that do not oscillate, and answers about the
+/// ground alone
 [[nodiscard]] EarthquakeResponse earthquake_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                                      const excitation::ResponseSpectrum& spectrum, const spatial::Vector6& direction);
 

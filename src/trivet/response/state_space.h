@@ -10,7 +10,8 @@
 
 namespace trivet::response {
 
-/// What one course of an input drives: h = Σ force(:, m) u^(m) on the free coordinates, g = Σ ground(:, m) u^(m); columns as in InputVector.
+/// What one course of an input drives: h = Σ force(:, m) u^(m) on the free coordinates, g = Σ ground(:, m) u^(m); columns as in
+/// InputVector.
 struct Drive {
   InputMatrix force;
   InputMatrix ground;
@@ -35,9 +36,9 @@ struct StateMode {
   std::vector<InputVector> forces;   ///< modal force per course
 };
 
-/// ẋ = F x + Σ G w of A q̈ + B q̇ + K q = h. States: displacements of the massive coordinates (of their modes, where the matrices are symmetric), their
-/// velocities, and the massless coordinates that a dashpot holds; massless ones without dashpot follow statically. All are scaled so that
-/// their squares are energies, and a rigid motion is free of stiffness exactly.
+/// ẋ = F x + Σ G w of A q̈ + B q̇ + K q = h. States: displacements of the massive coordinates (of their modes, where the matrices are
+/// symmetric), their velocities, and the massless coordinates that a dashpot holds; massless ones without dashpot follow statically. All
+/// are scaled so that their squares are energies, and a rigid motion is free of stiffness exactly.
 class StateSpace {
  public:
   /// @throws foundation::NotComputable if a coordinate has neither mass, nor damping, nor stiffness of its own

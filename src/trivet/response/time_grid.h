@@ -21,8 +21,8 @@ struct ExcitedMode {
 /// Energy share above which a motion can be seen in a curve: an amplitude of 1 %.
 inline constexpr double noticeable_share = 1e-4;
 
-/// Every oscillation of the system with the largest share of energy that one input, or the initial state, can give it. Where the modes are not real
-/// all frequencies of the state equation count as excited.
+/// Every oscillation of the system with the largest share of energy that one input, or the initial state, can give it. Where the modes are
+/// not real all frequencies of the state equation count as excited.
 [[nodiscard]] std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vector<InputCourse>& courses, const Eigen::VectorXd& initial);
 
 /// Uniform times of the answers.
@@ -35,8 +35,8 @@ struct TimeGrid {
   [[nodiscard]] double time(Eigen::Index point) const { return from + static_cast<double>(point) * step; }
 };
 
-/// Times as asked for, or chosen as TransientOptions says; warns with the numbers where the step is coarser than 1/10 of a period that matters, and
-/// where samples of an input are too far apart for a mode that they excite.
+/// Times as asked for, or chosen as TransientOptions says; warns with the numbers where the step is coarser than 1/10 of a period that
+/// matters, and where samples of an input are too far apart for a mode that they excite.
 /// @throws foundation::InvalidInput for times out of range
 [[nodiscard]] TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMode>& modes, const std::vector<InputCourse>& courses,
                                  const std::vector<std::string>& names, foundation::Problems& warnings);

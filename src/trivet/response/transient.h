@@ -14,8 +14,8 @@
 
 namespace trivet::response {
 
-/// One signal u(t) and what it drives: forces of power 0; motions of the ground of power 0, or −1 and −2 where u is their velocity or acceleration.
-/// All with their delays, and real: a phase has no meaning in time.
+/// One signal u(t) and what it drives: forces of power 0; motions of the ground of power 0, or −1 and −2 where u is their velocity or
+/// acceleration. All with their delays, and real: a phase has no meaning in time.
 struct TimeInput {
   std::string name;           ///< for messages
   excitation::Signal signal;
@@ -28,8 +28,8 @@ struct InitialState {
   Eigen::VectorXd velocity;
 };
 
-/// Bodies (free coordinates in their order, the first rows of the layout) displaced and moving; foundations and internal coordinates of elements
-/// follow as if the bodies had been held like that for long.
+/// Bodies (free coordinates in their order, the first rows of the layout) displaced and moving; foundations and internal coordinates of
+/// elements follow as if the bodies had been held like that for long.
 [[nodiscard]] InitialState initial_state(const assembly::Assembled& assembled, const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
 
 struct TransientOptions {
@@ -61,9 +61,9 @@ struct TransientResponse {
   foundation::Problems warnings;
 };
 
-/// A q̈ + B q̇ + K q = Q(t) − (K_fg g + B_fg ġ + A_fg g̈), exact at every point of time: the matrix exponential of the state equations together with the
-/// equations of the inputs, each piece of which obeys u‴ = −κ²u′. Corners and jumps act at their own times, and a jump of the
-/// ground acts through its dampers as the impulse that it is. Method and limits: docs/transient.md.
+/// A q̈ + B q̇ + K q = Q(t) − (K_fg g + B_fg ġ + A_fg g̈), exact at every point of time: the matrix exponential of the state equations
+/// together with the equations of the inputs, each piece of which obeys u‴ = −κ²u′. Corners and jumps act at their own times, and a jump
+/// of the ground acts through its dampers as the impulse that it is. Method and limits: docs/transient.md.
 /// @throws foundation::NotComputable with the reason: loss factors, frequency-dependent elements, a motion that outgrows all numbers
 /// @throws foundation::InvalidInput for signals, times or loads out of range
 [[nodiscard]] TransientResponse transient_response(const model::System& system, const assembly::Assembled& assembled,

@@ -78,7 +78,8 @@ struct Candidate {
   Eigen::Index point = 0;
 };
 
-/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning point and its neighbours.
+/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning point and its
+/// neighbours.
 struct Candidates {
   std::vector<Candidate> largest, smallest;  ///< the farthest first; −value for the smallest
 };

@@ -15,7 +15,8 @@
 namespace trivet::response {
 namespace {
 
-/// Natural frequency of the mode with the largest static strain energy under the loads; the slowest that oscillates where no load tells; 0 if none.
+/// Natural frequency of the mode with the largest static strain energy under the loads; the slowest that oscillates where no load tells; 0
+/// if none.
 double dominant_frequency(const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs) {
   const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
   const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
