@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/pole_residue.h"
@@ -25,8 +26,8 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
   for (const double w : logarithmic_grid({from > 0 ? from : 1e-4 * to, to}, 301)) points.push_back(w);
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
     const double centre = poles(k).imag(), width = std::max(std::abs(poles(k).real()), 1e-6 * centre);
-    for (const double t : {0.0, 0.25, 0.5, 0.8, 1.2, 1.8, 2.8, 4.5, 8.0, 16.0, 40.0})
-      if (centre > 0) points.insert(points.end(), {centre - t * width, centre + t * width});
+    // Equal steps of phase: a resonance ω = centre + width tan φ has cos² φ as its square.
+    for (int degrees = -88; degrees <= 88 && centre > 0; degrees += 4) points.push_back(centre + width * std::tan(degrees * std::numbers::pi / 180));
   }
   const bool undefined_at_rest = std::any_of(loading.inputs.begin(), loading.inputs.end(), [](const RandomInput& input) { return input.loading.lowest_power() < 0; });
   std::erase_if(points, [&](double w) { return !(w >= from && w <= to) || (w == 0 && undefined_at_rest); });

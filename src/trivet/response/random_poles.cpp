@@ -101,7 +101,6 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
     result.vanishes[static_cast<std::size_t>(c)] = !(largest(c) > vanishing_answer * possible(c));
     const double noise = 1024 * std::numeric_limits<double>::epsilon() * possible(c);  // of the direct solutions themselves
     result.error(c) = result.vanishes[static_cast<std::size_t>(c)] ? 0 : 1e-12 + 2 * std::max(0.0, miss(c) - noise) / largest(c);
-    if (!std::isfinite(miss(c))) result.error(c) = std::numeric_limits<double>::infinity();
   }
 }
 
@@ -110,6 +109,10 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
 RandomVariances variances_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
                                    const std::vector<RandomMoment>& moments, const PoleExpansions& given, const foundation::Progress& progress) {
   RandomVariances result = no_variances(static_cast<Eigen::Index>(channels.size()), moments.size(), loading.inputs.size());
+  if (!std::all_of(given.parts.begin(), given.parts.end(), [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
+    result.error.setConstant(std::numeric_limits<double>::infinity());
+    return result;
+  }
   PoleExpansions expansions = given;
   sort_out_infinite(loading, moments, expansions, result);
   const BasisIntegrals basis(expansions, gauss_nodes(panel_ends(expansions.poles, loading, moments)));

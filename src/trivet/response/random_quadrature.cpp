@@ -14,7 +14,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Distance, relative, at which panels stop before an undamped pole.
-constexpr double gap = 1e-7;
+constexpr double gap = 1e-8;
+/// Of poles that are only near the true ones: how close, relative, the first panels follow them.
+constexpr double near_pole = 1e-2;
 /// Toward rest answers are judged here, as a share of the slowest pole: far enough for direct solutions to keep digits.
 constexpr double near_rest = 1e-3;
 
@@ -115,11 +117,14 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
   }
 }
 
-/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole.
+/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole of constant matrices.
 std::vector<Panel> first_panels(const assembly::Assembled& assembled, const RandomLoading& loading, const std::vector<RandomMoment>& moments,
                                 const Eigen::VectorXcd& poles) {
-  const std::vector<Eigen::Index> undamped = undamped_poles_in_band(poles, loading);
+  const bool exact = !assembled.frequency_dependent();
+  const std::vector<Eigen::Index> undamped = exact ? undamped_poles_in_band(poles, loading) : std::vector<Eigen::Index>{};
   Eigen::VectorXcd graded = poles;
+  for (Complex& pole : graded)
+    if (!exact) pole = Complex(-std::max(std::abs(pole.real()), near_pole * std::abs(pole)), pole.imag());
   for (const Eigen::Index k : undamped) graded(k) = Complex(-gap * poles(k).imag(), poles(k).imag());
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
   for (Complex& pole : graded)

@@ -127,7 +127,9 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
   } else {
     found = variances_by_poles(assembled, channels, loading, moments, expansions, progress);
     result.solutions = found.solutions;
-    if (!poles_hold(found, options.accuracy)) result.remark = fmt::format("poles nearly coincide with one vector between them: the pole-residue form misses direct solutions by {:.1g}", 0.5 * found.error.maxCoeff());
+    if (!poles_hold(found, options.accuracy))
+      result.remark = fmt::format("two poles stand together with one shape between them, as at critical damping: their fractions miss the response by {:.1g} of it",
+                                  0.5 * found.error.maxCoeff());
   }
   if (!result.remark.empty()) {
     result.method = RandomMethod::quadrature;
