@@ -12,9 +12,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The sum over two fractions is taken where it keeps the integral of their product to this share of √(I_jj I_kk).
-constexpr double fraction_accuracy = 1e-13;
-
 }  // namespace
 
 BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNodes nodes) : poles_(expansions.poles), nodes_(std::move(nodes)) {
@@ -111,6 +108,7 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
   for (Eigen::Index b = 0; b < count; ++b)
     for (Eigen::Index a = 0; a < count; ++a) {
       const Complex sum = poles_(a) + std::conj(poles_(b));
+      // The sum over two fractions is taken only where it does not cancel.
       if (epsilon * (std::abs(j(a, 0)) + std::abs(j(b, 1))) <= fraction_accuracy * std::abs(sum) * size(a) * size(b)) {
         result(a, b) = -(j(a, 0) + std::conj(j(b, 1))) / sum;
         continue;

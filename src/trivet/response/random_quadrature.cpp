@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/random_quadrature.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/response/channel_terms.h"
 #include "trivet/response/integration_panels.h"
 
@@ -164,6 +167,10 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled, co
   mark_infinite(assembled, channels, loading, moments, poles, result);
   Solver solver(assembled, channels, loading, moments);
   std::vector<Panel> open = first_panels(assembled, loading, moments, poles), settled;
+  const double needed = 15.0 * static_cast<double>(open.size() * loading.inputs.size());
+  if (needed > options.most_solutions)
+    throw foundation::NotComputable(fmt::format("random response: {:.0f} solutions are needed for its panels alone, {} are allowed; delays of {:.3g} s turn too often within the band",
+                                                needed, options.most_solutions, longest_delay(loading)));
   Eigen::MatrixXd difference = result.mean_square;
   while (!open.empty()) {
     for (Panel& panel : open) {

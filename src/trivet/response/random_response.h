@@ -82,6 +82,7 @@ struct RandomResponse {
 /// Variances ∫ Σ_jk H_j* S_jk H_k dω of every channel, of its derivative, and of its weighted acceleration, within the band of the spectra.
 /// Nothing is read off a grid: docs/random.md.
 /// @throws foundation::InvalidInput for what `check` calls an error, a weighted channel that does not exist or is no motion
+/// @throws foundation::NotComputable where the quadrature would need more than `most_solutions` for its first panels
 [[nodiscard]] RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                              const RandomLoading& loading, const RandomOptions& options = {},
                                              const foundation::Progress& progress = {});

@@ -53,9 +53,8 @@ std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& c
   return moments;
 }
 
-double multiplier(const RandomMoment& moment, double omega) {
-  const double weight = moment.weighting ? std::norm(excitation::transfer(*moment.weighting, omega)) : 1;
-  return weight * std::pow(omega, 2 * moment.derivative);
+double weight(const RandomMoment& moment, double omega) {
+  return moment.weighting ? std::norm(excitation::transfer(*moment.weighting, omega)) : 1;
 }
 
 int order_at_rest(const RandomMoment& moment) {

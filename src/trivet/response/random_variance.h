@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,12 @@ struct RandomMoment {
 };
 
 [[nodiscard]] std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& channels, const RandomOptions& options);
-[[nodiscard]] double multiplier(const RandomMoment& moment, double angular_frequency);
+/// |W|², or 1.
+[[nodiscard]] double weight(const RandomMoment& moment, double angular_frequency);
+/// ω^(2 derivative) |W|².
+[[nodiscard]] inline double multiplier(const RandomMoment& moment, double angular_frequency) {
+  return weight(moment, angular_frequency) * std::pow(angular_frequency, 2 * moment.derivative);
+}
 /// The multiplier goes like ω to this power toward 0.
 [[nodiscard]] int order_at_rest(const RandomMoment& moment);
 
