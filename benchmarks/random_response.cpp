@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the RMS values of a machine of ten bodies take? Sixty coordinates and all six components at twenty mounts, from the matrices to the
-// numbers, the eigenproblem included; beside the usual way, a sum of squares over a grid of 20,000 frequencies, and, for white noise, the
-// Lyapunov equation. Answers are compared before anything is timed.
+// How long do the RMS values of a machine of ten bodies take? Sixty coordinates and all six components at twenty mounts, from the matrices
+// to the numbers, the eigenproblem included; beside the usual way, a sum of squares over a grid of 20,000 frequencies, and, for white
+// noise, the Lyapunov equation. Answers are compared before anything is timed.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -33,7 +33,8 @@ model::Description machine() {
     body.name = "body " + std::to_string(i);
     body.pose.position = {0.6 * static_cast<double>(i), 0, 0.4};
     const double m = number(80, 300);
-    body.mass = spatial::from_inertia_about_pole(m, Eigen::Vector3d::Zero(), m * Eigen::Vector3d(number(0.02, 0.03), number(0.02, 0.03), number(0.02, 0.03)).asDiagonal());
+    body.mass = spatial::from_inertia_about_pole(
+        m, Eigen::Vector3d::Zero(), m * Eigen::Vector3d(number(0.02, 0.03), number(0.02, 0.03), number(0.02, 0.03)).asDiagonal());
     d.bodies.push_back(body);
   }
   for (std::size_t e = 0; e < mounts; ++e) {
@@ -102,9 +103,12 @@ Eigen::VectorXd by_trapezoids(const assembly::Loading& load, int points) {
   for (int i = 0; i < points; ++i) omega.push_back(6 + (2000.0 - 6) * i / (points - 1));
   const response::FrequencyResponse swept = response::frequency_response(m.assembled, m.channels, load, omega);
   Eigen::VectorXd density(points);
-  for (int i = 0; i < points; ++i) density(i) = excitation::density(m.spectrum, omega[static_cast<std::size_t>(i)]) * (i == 0 || i == points - 1 ? 0.5 : 1) * (omega[1] - omega[0]);
+  for (int i = 0; i < points; ++i)
+    density(i) =
+        excitation::density(m.spectrum, omega[static_cast<std::size_t>(i)]) * (i == 0 || i == points - 1 ? 0.5 : 1) * (omega[1] - omega[0]);
   Eigen::VectorXd result(static_cast<Eigen::Index>(m.channels.size()));
-  for (std::size_t c = 0; c < m.channels.size(); ++c) result(static_cast<Eigen::Index>(c)) = std::sqrt(swept.curves[c].value.cwiseAbs2().dot(density));
+  for (std::size_t c = 0; c < m.channels.size(); ++c)
+    result(static_cast<Eigen::Index>(c)) = std::sqrt(swept.curves[c].value.cwiseAbs2().dot(density));
   return result;
 }
 
@@ -139,7 +143,8 @@ void compare_answers() {
   }
   const auto coordinates = assembly::channels(m.system, m.assembled, {"coordinates"}, assembly::Quantity::displacement);
   compare("white noise, against the Lyapunov equation",
-          rms_of(response::random_response(m.assembled, coordinates, {{{"noise", m.force(), excitation::flat_spectrum(1, 0, 1e8)}}, {}})), by_lyapunov(1), exact_accuracy);
+          rms_of(response::random_response(m.assembled, coordinates, {{{"noise", m.force(), excitation::flat_spectrum(1, 0, 1e8)}}, {}})),
+          by_lyapunov(1), exact_accuracy);
 }
 
 void RandomForce(benchmark::State& state) {

@@ -28,7 +28,8 @@ model::Body mass(const std::string& name, double kilograms, double height = 0) {
 }
 
 /// A vertical spring and dashpot without length from the ground or a body to a body above.
-model::Element strut(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness, double damping, double height = 0) {
+model::Element strut(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness, double damping,
+                     double height = 0) {
   model::Element element;
   element.name = name;
   element.type = "matrix";
@@ -37,14 +38,16 @@ model::Element strut(const std::string& name, std::optional<std::size_t> from, s
   element.k.body = on;
   element.law.nominal_stiffness = elements::constant_along_line(stiffness, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0);
   if (damping > 0)
-    element.law.damping = elements::DampingMatrix{elements::constant_along_line(damping, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0)};
+    element.law.damping =
+        elements::DampingMatrix{elements::constant_along_line(damping, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0)};
   return element;
 }
 
 struct Case {
   model::System system;
   assembly::Assembled assembled = assembly::assemble(system);
-  response::RandomAnswer answer(const std::string& of, assembly::Quantity quantity, const response::RandomInput& input, const response::RandomOptions& options = {}) const {
+  response::RandomAnswer answer(const std::string& of, assembly::Quantity quantity, const response::RandomInput& input,
+                                const response::RandomOptions& options = {}) const {
     const auto channels = assembly::channels(system, assembled, {of}, quantity);
     return response::random_response(assembled, channels, {{input}, {}}, options).answers.at(0);
   }
@@ -77,7 +80,8 @@ TEST(MilesEquation, TheFormulaAndItsExactNeighboursAreMet) {
   // Miles, Journal of the Aeronautical Sciences 21 (1954) 753–762: f_n = 80 Hz, Q = 10, 0.04 g²/Hz.
   constexpr double tolerance = 1e-6;
   const Case c = oscillator(2.5, 2 * pi * 80, 0.05);
-  const response::RandomInput wide{"shaker", c.base(2), flat_hz(0.04 * g * g, 0, 8e8)}, narrow{"shaker", c.base(2), flat_hz(0.04 * g * g, 20, 2000)};
+  const response::RandomInput wide{"shaker", c.base(2), flat_hz(0.04 * g * g, 0, 8e8)},
+      narrow{"shaker", c.base(2), flat_hz(0.04 * g * g, 20, 2000)};
   const response::RandomAnswer relative = c.answer("m.relative.z", assembly::Quantity::displacement, wide);
   EXPECT_NEAR(*relative.rms / 0.0002751793829982445, 1, tolerance);
   EXPECT_NEAR(*relative.rms * std::pow(2 * pi * 80, 2) / g / 7.0898154036220635, 1, tolerance);
@@ -91,8 +95,10 @@ TEST(RandomBaseAcceleration, DensitiesAreThoseOfCodeAster) {
   // code_aster test sdld101a: 100 kg on 1e6 N/m, 5 % of critical, unit density per hertz of the ground's acceleration.
   constexpr double published = 1e-3, own = 1e-10;
   struct Row { double f, absolute_published, absolute, relative_published, relative; };
-  constexpr Row rows[] = {{5, 1.2307, 1.2307179681278728, 0.011976, 0.011976491536097618}, {10, 2.7116, 2.7116573463372973, 0.42096, 0.42096223140711075},
-                          {15, 47.2154, 47.21577894978052, 36.9225, 36.92589392202976}, {20, 2.8924, 2.89242112158763, 7.1006, 7.100623129870979},
+  constexpr Row rows[] = {{5, 1.2307, 1.2307179681278728, 0.011976, 0.011976491536097618},
+                          {10, 2.7116, 2.7116573463372973, 0.42096, 0.42096223140711075},
+                          {15, 47.2154, 47.21577894978052, 36.9225, 36.92589392202976},
+                          {20, 2.8924, 2.89242112158763, 7.1006, 7.100623129870979},
                           {25, 0.47047, 0.47047853061314016, 2.7953, 2.7953332917309908}};
   const Case c = oscillator(100, 100, 0.05);
   auto channels = assembly::channels(c.system, c.assembled, {"m.z", "m.relative.z"}, assembly::Quantity::acceleration);
@@ -177,7 +183,8 @@ TEST(HumanWeighting, AWideBandAgreesWithTheSumOverItsCurve) {
     sum += h / 3 * (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * 0.01 / (2 * pi) * std::norm(joint / (joint - omega * omega)) *
            std::norm(excitation::transfer(excitation::Weighting::Wk, omega));
   }
-  const response::RandomAnswer answer = c.answer("m.z", assembly::Quantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
+  const response::RandomAnswer answer =
+      c.answer("m.z", assembly::Quantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
   EXPECT_FALSE(answer.rms);  // a flat acceleration down to 0 Hz has no finite velocity …
   EXPECT_THAT(answer.reason, testing::HasSubstr("begins at 0 Hz"));
   ASSERT_TRUE(answer.weighted_rms);  // … but people do not feel it
@@ -189,7 +196,8 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
   constexpr double settled = 1e-7;
   const Case c = oscillator(1, 10, 1);
   const auto channels = assembly::channels(c.system, c.assembled, {"m.z"}, assembly::Quantity::displacement);
-  const auto random = response::random_response(c.assembled, channels, {{{"force", c.force(0, 1), excitation::flat_spectrum(1, 0, 1e5)}}, {}});
+  const auto random =
+      response::random_response(c.assembled, channels, {{{"force", c.force(0, 1), excitation::flat_spectrum(1, 0, 1e5)}}, {}});
   EXPECT_EQ(random.method, response::RandomMethod::quadrature);
   EXPECT_FALSE(random.remark.empty());
   EXPECT_NEAR(*random.answers[0].rms / std::sqrt(pi / 4e3), 1, settled);
@@ -197,12 +205,14 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
 
 TEST(InfiniteVariance, IsAMissingNumberWithItsReason) {
   const Case undamped = oscillator(1, 10, 0), damped = oscillator(1, 10, 0.1);
-  const response::RandomAnswer resonance = undamped.answer("m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
+  const response::RandomAnswer resonance =
+      undamped.answer("m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
   EXPECT_FALSE(resonance.rms || resonance.rms_of_derivative || resonance.zero_crossings || resonance.three_sigma);
   EXPECT_THAT(resonance.reason, testing::HasSubstr("undamped natural frequency"));
   // Below resonance an undamped oscillator is as good as any: ∫₁⁵ dω/(100 − ω²)².
   const auto primitive = [](double w) { return w / (200 * (100 - w * w)) + std::log((10 + w) / (10 - w)) / 4000; };
-  const response::RandomAnswer below = undamped.answer("m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
+  const response::RandomAnswer below =
+      undamped.answer("m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
   EXPECT_NEAR(*below.rms, std::sqrt(primitive(5) - primitive(1)), 1e-12);
   const response::RandomInput floor{"floor", damped.base(2), excitation::flat_spectrum(1, 0, 100)};
   EXPECT_FALSE(damped.answer("m.z", assembly::Quantity::displacement, floor).rms);

@@ -23,7 +23,8 @@ constexpr Eigen::Index most_numbers = 6'000'000;
 bool significant(const Complex& value, double possible) { return std::abs(value) > negligible_share * possible; }
 
 /// Marks what is infinite, and takes it and its round-off out of the expansions.
-void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMoment>& moments, PoleExpansions& expansions, RandomVariances& result) {
+void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMoment>& moments, PoleExpansions& expansions,
+                       RandomVariances& result) {
   const std::vector<Eigen::Index> undamped = undamped_poles_in_band(expansions.poles, loading);
   for (PoleExpansion& part : expansions.parts) {
     const std::optional<int> of_spectrum = order_at_rest(loading.inputs[part.load].spectrum);
@@ -40,14 +41,17 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
         if (!matters) coefficient = 0;
         for (std::size_t i = 0; i < moments.size() && matters; ++i)
           if (2 * m + *of_spectrum + order_at_rest(moments[i]) <= -1 && reason[i].empty())
-            reason[i] = "the spectrum of \"" + loading.inputs[part.load].name + "\" begins at 0 Hz, toward which the answer grows without bound";
+            reason[i] =
+                "the spectrum of \"" + loading.inputs[part.load].name + "\" begins at 0 Hz, toward which the answer grows without bound";
       }
     }
   }
   // Undamped poles take no part any more, nor do their conjugates, which must stay pairs.
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < expansions.poles.size(); ++k) {
-    const bool out = std::any_of(undamped.begin(), undamped.end(), [&](Eigen::Index u) { return u == k || (expansions.real && expansions.poles(k) == std::conj(expansions.poles(u))); });
+    const bool out = std::any_of(undamped.begin(), undamped.end(), [&](Eigen::Index u) {
+      return u == k || (expansions.real && expansions.poles(k) == std::conj(expansions.poles(u)));
+    });
     if (!out) kept.push_back(k);
   }
   if (kept.size() == static_cast<std::size_t>(expansions.poles.size())) return;
@@ -82,38 +86,65 @@ IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorX
   std::sort(in_band.begin(), in_band.end());
   for (int i = 0; i < checked_frequencies / 4 && !in_band.empty(); ++i)
     wanted.push_back(in_band[static_cast<std::size_t>(i) * (in_band.size() - 1) / (checked_frequencies / 4 - 1)]);
-  for (Eigen::Index i = 0; i < checked_frequencies / 2; ++i) wanted.push_back(omega(i * (omega.size() - 1) / (checked_frequencies / 2 - 1)));
+  for (Eigen::Index i = 0; i < checked_frequencies / 2; ++i)
+    wanted.push_back(omega(i * (omega.size() - 1) / (checked_frequencies / 2 - 1)));
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   const Eigen::VectorXd points = Eigen::Map<const Eigen::VectorXd>(wanted.data(), static_cast<Eigen::Index>(wanted.size()));
   return {points, Eigen::VectorXd::Ones(points.size())};
 }
 
-/// The form against direct solutions, each weighed by the root of its density: sets `error` and `vanishes`.
-void compare_with_solutions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-                            const PoleExpansions& expansions, const Eigen::VectorXd& all_nodes, RandomVariances& result) {
+/// The nodes at which a spectrum is not zero.
+Eigen::VectorXd nodes_within(const excitation::Spectrum& spectrum, const Eigen::VectorXd& omega) {
+  std::vector<double> within;
+  for (const double w : omega)
+    if (excitation::density(spectrum, w) > 0) within.push_back(w);
+  return Eigen::Map<const Eigen::VectorXd>(within.data(), static_cast<Eigen::Index>(within.size()));
+}
+
+/// Relative error that round-off of the matrices means near a lightly damped pole, for any way of solving.
+double conditioning(const Eigen::VectorXcd& poles, double omega) {
+  if (poles.size() == 0) return 0;
+  const double distance = (poles.array() - Complex(0, omega)).abs().minCoeff();
+  return 16 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs2().maxCoeff() / (omega * distance);
+}
+
+/// The form against direct solutions of each input within its spectrum, weighed by the root of the density: sets `error`, `misfit`,
+/// `vanishes`.
+void compare_with_solutions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                            const RandomLoading& loading, const PoleExpansions& expansions, const Eigen::VectorXd& all_nodes,
+                            RandomVariances& result) {
   const auto count = static_cast<Eigen::Index>(channels.size());
-  const BasisIntegrals basis(expansions, check_nodes(expansions.poles, all_nodes));
-  const std::vector<double> omega(basis.omega().begin(), basis.omega().end());
-  Eigen::VectorXd miss = Eigen::VectorXd::Zero(count), largest = miss, possible = miss;
+  Eigen::VectorXd miss = Eigen::VectorXd::Zero(count), unexplained = miss, largest = miss, possible = miss;
   for (std::size_t i = 0; i < loading.inputs.size(); ++i) {
-    const AnswerSamples direct = answer_samples(assembled, channels, loading.inputs[i].loading, omega);
+    const RandomInput& input = loading.inputs[i];
+    const BasisIntegrals basis(expansions, check_nodes(expansions.poles, nodes_within(input.spectrum, all_nodes)));
+    const std::vector<double> omega(basis.omega().begin(), basis.omega().end());
+    const AnswerSamples direct = answer_samples(assembled, channels, input.loading, omega);
     for (std::size_t f = 0; f < omega.size(); ++f) {
-      const double amplitude = std::sqrt(excitation::density(loading.inputs[i].spectrum, omega[f]));
+      const double amplitude = std::sqrt(excitation::density(input.spectrum, omega[f]));
+      const auto column = static_cast<Eigen::Index>(f);
       Eigen::VectorXcd value = Eigen::VectorXcd::Zero(count);
       for (const PoleExpansion& part : expansions.parts)
-        if (part.load == i) value += std::polar(1.0, -omega[f] * part.delay) * basis.value(part, static_cast<Eigen::Index>(f));
-      const auto column = static_cast<Eigen::Index>(f);
-      miss = miss.cwiseMax(amplitude * (value - direct.value.col(column)).cwiseAbs());
-      largest = largest.cwiseMax(amplitude * direct.value.col(column).cwiseAbs());
+        if (part.load == i) value += std::polar(1.0, -omega[f] * part.delay) * basis.value(part, column);
+      const Eigen::VectorXd size = direct.value.col(column).cwiseAbs(), difference = (value - direct.value.col(column)).cwiseAbs();
+      const Eigen::VectorXd noise =
+          conditioning(expansions.poles, omega[f]) * size + 1024 * std::numeric_limits<double>::epsilon() * direct.possible.col(column);
+      miss = miss.cwiseMax(amplitude * difference);
+      unexplained = unexplained.cwiseMax(amplitude * (difference - noise));
+      largest = largest.cwiseMax(amplitude * size);
       possible = possible.cwiseMax(amplitude * direct.possible.col(column));
     }
     result.solutions += static_cast<int>(omega.size());
   }
   for (Eigen::Index c = 0; c < count; ++c) {
-    result.vanishes[static_cast<std::size_t>(c)] = !(largest(c) > vanishing_answer * possible(c));
-    const double noise = 1024 * std::numeric_limits<double>::epsilon() * possible(c);  // of the direct solutions themselves
-    result.error(c) = result.vanishes[static_cast<std::size_t>(c)] ? 0 : 1e-12 + 2 * std::max(0.0, miss(c) - noise) / largest(c);
+    const auto& reason = result.reason[static_cast<std::size_t>(c)];
+    if (std::none_of(reason.begin(), reason.end(), [](const std::string& r) { return r.empty(); })) continue;
+    const bool vanishes = !(largest(c) > vanishing_answer * possible(c));
+    result.vanishes[static_cast<std::size_t>(c)] = vanishes;
+    if (vanishes) continue;
+    result.error(c) = 1e-12 + 2 * miss(c) / largest(c);
+    result.misfit(c) = 2 * unexplained(c) / largest(c);
   }
 }
 
@@ -121,9 +152,10 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
 using Parts = std::vector<std::vector<PoleExpansion>>;
 
 /// What one pair of parts adds to a moment, and to what its terms could make of it.
-void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansion& of_a, const PoleExpansion& of_b, bool same, const BasisIntegrals& basis,
-              const Eigen::MatrixXd& products, RandomVariances& result, Eigen::MatrixXd& possible) {
-  const Eigen::MatrixXd a = basis.coefficients(of_a)(moment.channels, Eigen::all), b = basis.coefficients(of_b)(moment.channels, Eigen::all);
+void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansion& of_a, const PoleExpansion& of_b, bool same,
+              const BasisIntegrals& basis, const Eigen::MatrixXd& products, RandomVariances& result, Eigen::MatrixXd& possible) {
+  const Eigen::MatrixXd a = basis.coefficients(of_a)(moment.channels, Eigen::all),
+                        b = basis.coefficients(of_b)(moment.channels, Eigen::all);
   const Eigen::VectorXd value = (a * products).cwiseProduct(b).rowwise().sum();
   Eigen::VectorXd size = Eigen::VectorXd::Zero(value.size());
   if (same) size = (a.cwiseAbs() * products.diagonal().cwiseAbs().cwiseSqrt()).cwiseAbs2();
@@ -139,8 +171,8 @@ void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansi
 }
 
 /// ∫ Σ H_j* S_jk H_k over some of the nodes, for every moment.
-void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMoment>& moments, const Parts& parts, const BasisIntegrals& basis,
-                      RandomVariances& result, Eigen::MatrixXd& possible) {
+void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMoment>& moments, const Parts& parts,
+                      const BasisIntegrals& basis, RandomVariances& result, Eigen::MatrixXd& possible) {
   for (std::size_t a = 0; a < parts[0].size(); ++a)
     for (std::size_t b = 0; b <= a; ++b) {
       // Σ H_j* S_jk H_k: the answer of part a stands with the density from b to a.
@@ -152,21 +184,25 @@ void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMome
       for (std::size_t i = 0; i < moments.size(); ++i) {
         const auto derivative = static_cast<std::size_t>(moments[i].derivative);
         const auto add = [&](const Eigen::MatrixXd& products) {
-          add_pair(moments[i], static_cast<Eigen::Index>(i), parts[derivative][a], parts[derivative][b], a == b, basis, products, result, possible);
+          add_pair(moments[i], static_cast<Eigen::Index>(i), parts[derivative][a], parts[derivative][b], a == b, basis, products, result,
+                   possible);
         };
         if (!moments[i].weighting) add(plain);
-        else add(basis.real_products(density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return Complex(weight(moments[i], w)); }))));
+        else
+          add(basis.real_products(density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return Complex(weight(moments[i], w)); }))));
       }
     }
 }
 
 }  // namespace
 
-RandomVariances variances_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-                                   const std::vector<RandomMoment>& moments, const PoleExpansions& given, const foundation::Progress& progress) {
+RandomVariances variances_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                   const RandomLoading& loading, const std::vector<RandomMoment>& moments, const PoleExpansions& given,
+                                   const foundation::Progress& progress) {
   RandomVariances result = no_variances(static_cast<Eigen::Index>(channels.size()), moments.size(), loading.inputs.size());
-  if (!std::all_of(given.parts.begin(), given.parts.end(), [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
-    result.error.setConstant(std::numeric_limits<double>::infinity());
+  if (!std::all_of(given.parts.begin(), given.parts.end(),
+                   [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
+    result.misfit.setConstant(std::numeric_limits<double>::infinity());
     return result;
   }
   PoleExpansions expansions = given;
@@ -178,7 +214,8 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
   for (const RandomMoment& moment : moments) highest = std::max(highest, moment.derivative);
   for (int derivative = 1; derivative <= highest; ++derivative) {
     parts.emplace_back();
-    for (const PoleExpansion& part : parts[static_cast<std::size_t>(derivative) - 1]) parts.back().push_back(differentiated(part, expansions.poles));
+    for (const PoleExpansion& part : parts[static_cast<std::size_t>(derivative) - 1])
+      parts.back().push_back(differentiated(part, expansions.poles));
     expansions.parts.insert(expansions.parts.end(), parts.back().begin(), parts.back().end());
   }
   Eigen::MatrixXd possible = Eigen::MatrixXd::Zero(result.mean_square.rows(), result.mean_square.cols());
@@ -196,6 +233,7 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
       if (!result.reason[static_cast<std::size_t>(c)][i].empty() || possible(c, column) == 0) continue;
       const double lost = fraction_accuracy * possible(c, column) / std::max(result.mean_square(c, column), 0.0);
       result.error(c) = std::max(result.error(c), lost);
+      result.misfit(c) = std::max(result.misfit(c), lost);
     }
   return result;
 }

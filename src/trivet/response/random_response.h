@@ -58,8 +58,8 @@ struct RandomAnswer {
   std::optional<double> three_sigma;             ///< 3 σ_y
   std::optional<double> rms_of_derivative;       ///< σ_ẏ [unit/s]
   std::optional<double> zero_crossings;          ///< ν₀ = σ_ẏ/(2π σ_y), crossings of zero from below per second
-  std::optional<double> weighted_rms;            ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
-  std::vector<double> variance_share;            ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
+  std::optional<double> weighted_rms;  ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
+  std::vector<double> variance_share;  ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
   double estimated_error = 0;                    ///< relative, of the variance
   std::string reason;                            ///< why a number is missing
 };
