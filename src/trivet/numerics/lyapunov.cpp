@@ -17,7 +17,8 @@ Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::M
   const Eigen::MatrixXcd &T = schur.matrixT(), &U = schur.matrixU();
   const Eigen::Index n = T.rows();
   for (Eigen::Index i = 0; i < n; ++i)
-    if (!(T(i, i).real() < 0)) throw foundation::NotComputable("a free motion does not decay: under white noise no stationary covariance exists");
+    if (!(T(i, i).real() < 0))
+      throw foundation::NotComputable("a free motion does not decay: under white noise no stationary covariance exists");
   // T Y + Y Tᴴ = −Uᴴ Q U, from the last row and column backward.
   Eigen::MatrixXcd Y = -(U.adjoint() * intensity.cast<Complex>() * U);
   for (Eigen::Index j = n - 1; j >= 0; --j) {

@@ -105,7 +105,8 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
   damping = (damping.array().abs() <= 64 * static_cast<double>(m.size()) * epsilon * available.array()).select(0.0, damping);
   const Eigen::Index n = modes.lambda.size();
   const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd::Zero(n, n);
-  const Eigen::MatrixXd available_loss = m.lossy() ? Eigen::MatrixXd(phi.cwiseAbs().transpose() * m.K_loss.cwiseAbs() * phi.cwiseAbs()) : loss;
+  const Eigen::MatrixXd available_loss =
+      m.lossy() ? Eigen::MatrixXd(phi.cwiseAbs().transpose() * m.K_loss.cwiseAbs() * phi.cwiseAbs()) : loss;
   if (is_diagonal(damping, available) && is_diagonal(loss, available_loss))
     return decoupled(phi, modes.lambda, damping.diagonal(), loss.diagonal(), right_sides);
 
@@ -124,7 +125,9 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
   form.state = Eigen::MatrixXcd::Zero(2 * count, 2 * count);
   form.state.topRightCorner(count, count).diagonal() = weight.cast<Complex>();
   form.state.bottomLeftCorner(count, count).diagonal() = -omega.cwiseAbs2().cwiseQuotient(weight).cast<Complex>();
-  if (m.lossy()) form.state.bottomLeftCorner(count, count) -= Complex(0, 1) * (loss(moving, moving) * weight.cwiseInverse().asDiagonal()).cast<Complex>();
+  if (m.lossy())
+    form.state.bottomLeftCorner(count, count) -=
+        Complex(0, 1) * (loss(moving, moving) * weight.cwiseInverse().asDiagonal()).cast<Complex>();
   form.state.bottomRightCorner(count, count) = -damping(moving, moving).cast<Complex>();
   const Eigen::MatrixXd shapes = phi(Eigen::all, moving);
   form.input = Eigen::MatrixXcd::Zero(2 * count, right_sides.cols());
@@ -191,7 +194,8 @@ PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::
   const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(K(z, p))), at_once = lu.solve(Eigen::MatrixXcd(h(z, Eigen::all)));
   if (!follow.allFinite() || !at_once.allFinite()) throw foundation::NotComputable("a coordinate without mass is held by nothing");
   const Eigen::MatrixXcd rest = K(p, p) + K(p, z) * follow;
-  const DynamicMatrices reduced{m.A(p, p), m.B(p, p), rest.real(), m.lossy() ? Eigen::MatrixXd(rest.imag()) : Eigen::MatrixXd(), m.symmetric};
+  const DynamicMatrices reduced{m.A(p, p), m.B(p, p), rest.real(), m.lossy() ? Eigen::MatrixXd(rest.imag()) : Eigen::MatrixXd(),
+                                m.symmetric};
   const PoleResidueForm inner = pole_residue_form(reduced, h(p, Eigen::all) - K(p, z) * at_once);
   PoleResidueForm result = empty_form(m.size(), h.cols());
   result.poles = inner.poles;
@@ -213,7 +217,8 @@ PoleResidueForm pole_residue_form(const DynamicMatrices& m, const Eigen::MatrixX
   if (!held.empty() && static_cast<Eigen::Index>(held.size()) < m.size()) return condensed(m, held, right_sides);
   if (static_cast<Eigen::Index>(massive_rows(m.A).size()) == m.size()) {
     const GeneralizedModes modes = generalized_modes(m.K, m.A, m.symmetric);
-    if (modes.route == ModeRoute::definite_mass && modes.lambda.size() == m.size() && modes.lambda.minCoeff() >= 0) return in_modes(m, modes, right_sides);
+    if (modes.route == ModeRoute::definite_mass && modes.lambda.size() == m.size() && modes.lambda.minCoeff() >= 0)
+      return in_modes(m, modes, right_sides);
   }
   return in_states(m, right_sides);
 }

@@ -12,12 +12,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The sum over two fractions is taken where it keeps the integral of their product to this share of √(I_jj I_kk).
-constexpr double fraction_accuracy = 1e-13;
-
 }  // namespace
 
-BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNodes nodes) : poles_(expansions.poles), nodes_(std::move(nodes)) {
+BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNodes nodes)
+    : poles_(expansions.poles), nodes_(std::move(nodes)) {
   for (int m = lowest_power; m <= highest_power; ++m)
     for (const PoleExpansion& part : expansions.parts)
       if (!part.power.col(m - lowest_power).isZero(0)) {
@@ -59,8 +57,9 @@ Eigen::MatrixXd BasisIntegrals::coefficients(const PoleExpansion& part) const {
   for (std::size_t f = 0; f < basis_.size(); ++f) {
     const Function& function = basis_[f];
     const Eigen::Index k = function.first;
-    const Eigen::VectorXcd plain = k < poles_.size() ? Eigen::VectorXcd(part.residue.col(k))
-                                                     : Eigen::VectorXcd(part.power.col(powers_[static_cast<std::size_t>(k - poles_.size())] - lowest_power));
+    const Eigen::VectorXcd plain =
+        k < poles_.size() ? Eigen::VectorXcd(part.residue.col(k))
+                          : Eigen::VectorXcd(part.power.col(powers_[static_cast<std::size_t>(k - poles_.size())] - lowest_power));
     const bool imaginary = function.factor.imag() != 0;
     for (Eigen::Index c = 0; c < plain.size(); ++c) result(c, static_cast<Eigen::Index>(f)) = imaginary ? plain(c).imag() : plain(c).real();
   }
@@ -84,7 +83,9 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
   // Columns: the weight, its conjugate, then for each power m the weight · conj(s^m) and conj(weight · s^m).
   const Eigen::Index columns = 2 + 2 * extra;
   Eigen::MatrixXd wr(weight.size(), columns), wi(weight.size(), columns);
-  const auto set = [&](Eigen::Index column, const Eigen::VectorXcd& values) { wr.col(column) = values.real(), wi.col(column) = values.imag(); };
+  const auto set = [&](Eigen::Index column, const Eigen::VectorXcd& values) {
+    wr.col(column) = values.real(), wi.col(column) = values.imag();
+  };
   set(0, weight);
   set(1, weight.conjugate());
   for (Eigen::Index m = 0; m < extra; ++m) {
@@ -111,13 +112,15 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
   for (Eigen::Index b = 0; b < count; ++b)
     for (Eigen::Index a = 0; a < count; ++a) {
       const Complex sum = poles_(a) + std::conj(poles_(b));
+      // The sum over two fractions is taken only where it does not cancel.
       if (epsilon * (std::abs(j(a, 0)) + std::abs(j(b, 1))) <= fraction_accuracy * std::abs(sum) * size(a) * size(b)) {
         result(a, b) = -(j(a, 0) + std::conj(j(b, 1))) / sum;
         continue;
       }
       const Eigen::ArrayXd re = real_.col(a).array() * real_.col(b).array() + imag_.col(a).array() * imag_.col(b).array();
       const Eigen::ArrayXd im = imag_.col(a).array() * real_.col(b).array() - real_.col(a).array() * imag_.col(b).array();
-      result(a, b) = Complex((re * weight.real().array() - im * weight.imag().array()).sum(), (im * weight.real().array() + re * weight.imag().array()).sum());
+      result(a, b) = Complex((re * weight.real().array() - im * weight.imag().array()).sum(),
+                             (im * weight.real().array() + re * weight.imag().array()).sum());
     }
   for (Eigen::Index m = 0; m < extra; ++m) {
     result.col(count + m) = j.col(2 + 2 * m);

@@ -10,8 +10,12 @@
 
 namespace trivet::response {
 
-/// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. An answer is a sum of real coefficients times basis functions: for a
-/// conjugate pair 1/(s − λ) + 1/(s − λ̄) and i/(s − λ) − i/(s − λ̄), the powers themselves; with complex residues each function and i times it.
+/// Share of √(I_jj I_kk) to which every integral of a product is held.
+inline constexpr double fraction_accuracy = 1e-14;
+
+/// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. An answer is a sum of real coefficients times basis
+/// functions: for a conjugate pair 1/(s − λ) + 1/(s − λ̄) and i/(s − λ) − i/(s − λ̄), the powers themselves; with complex residues each
+/// function and i times it.
 class BasisIntegrals {
  public:
   BasisIntegrals(const PoleExpansions& expansions, IntegrationNodes nodes);

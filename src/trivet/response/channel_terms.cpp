@@ -11,7 +11,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration) {
+std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
+                                       const Eigen::VectorXd& on_acceleration) {
   std::vector<ChannelTerm> terms;
   for (Eigen::Index i = 0; i < on_displacement.size(); ++i)
     if (on_displacement(i) != 0.0 || on_velocity(i) != 0 || on_acceleration(i) != 0)
@@ -20,7 +21,8 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
 }
 
 /// Adds the terms for coordinates x at s = iω to a value and to the sum of magnitudes.
-void add_terms(const std::vector<ChannelTerm>& terms, const Eigen::Ref<const Eigen::VectorXcd>& x, double omega, Complex& value, double& possible) {
+void add_terms(const std::vector<ChannelTerm>& terms, const Eigen::Ref<const Eigen::VectorXcd>& x, double omega, Complex& value,
+               double& possible) {
   for (const ChannelTerm& term : terms) {
     const auto& [displacement, velocity, acceleration] = term.by_power;
     value += (displacement + Complex(0, omega) * velocity - omega * omega * acceleration) * x(term.row);
@@ -28,8 +30,8 @@ void add_terms(const std::vector<ChannelTerm>& terms, const Eigen::Ref<const Eig
   }
 }
 
-AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                            const std::vector<double>& omega) {
+AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                            const assembly::Loading& loading, const std::vector<double>& omega) {
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const ExactResponse exact(assembled, channels, loading);
@@ -51,8 +53,8 @@ std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& ch
   return result;
 }
 
-AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                             const std::vector<double>& omega) {
+AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                             const assembly::Loading& loading, const std::vector<double>& omega) {
   if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
   AnswerSamples result{Eigen::MatrixXcd::Zero(count, points), Eigen::MatrixXd::Zero(count, points)};

@@ -169,4 +169,22 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   return result;
 }
 
+PoleExpansion differentiated(const PoleExpansion& part, const Eigen::VectorXcd& poles) {
+  // What a sum of residues leaves that must vanish, as a displacement under a force starts like 1/s².
+  constexpr double cancelled = 1e-12;
+  PoleExpansion result = part;
+  result.residue = part.residue * poles.asDiagonal();
+  result.possible_residue = part.possible_residue * poles.cwiseAbs().asDiagonal();
+  const Eigen::Index last = part.power.cols() - 1, at_0 = -lowest_power;
+  result.power.rightCols(last) = part.power.leftCols(last);
+  result.possible_power.rightCols(last) = part.possible_power.leftCols(last);
+  result.power.col(0).setZero();
+  result.possible_power.col(0).setZero();
+  result.power.col(at_0) += part.residue.rowwise().sum();
+  result.possible_power.col(at_0) += part.possible_residue.rowwise().sum();
+  for (Eigen::Index c = 0; c < result.power.rows(); ++c)
+    if (std::abs(result.power(c, at_0)) <= cancelled * result.possible_power(c, at_0)) result.power(c, at_0) = 0;
+  return result;
+}
+
 }  // namespace trivet::response

@@ -34,4 +34,7 @@ struct PoleExpansions {
 [[nodiscard]] PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                              const std::vector<const assembly::Loading*>& loads);
 
+/// Of the derivative: s H(s), again over poles. So its integrals converge as fast as it falls, which ω² times those of H would not.
+[[nodiscard]] PoleExpansion differentiated(const PoleExpansion& part, const Eigen::VectorXcd& poles);
+
 }  // namespace trivet::response

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/pole_residue.h"
@@ -25,10 +26,12 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
   for (const double w : logarithmic_grid({from > 0 ? from : 1e-4 * to, to}, 301)) points.push_back(w);
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
     const double centre = poles(k).imag(), width = std::max(std::abs(poles(k).real()), 1e-6 * centre);
-    for (const double t : {0.0, 0.25, 0.5, 0.8, 1.2, 1.8, 2.8, 4.5, 8.0, 16.0, 40.0})
-      if (centre > 0) points.insert(points.end(), {centre - t * width, centre + t * width});
+    // Equal steps of phase: a resonance ω = centre + width tan φ has cos² φ as its square.
+    for (int degrees = -88; degrees <= 88 && centre > 0; degrees += 4)
+      points.push_back(centre + width * std::tan(degrees * std::numbers::pi / 180));
   }
-  const bool undefined_at_rest = std::any_of(loading.inputs.begin(), loading.inputs.end(), [](const RandomInput& input) { return input.loading.lowest_power() < 0; });
+  const bool undefined_at_rest =
+      std::any_of(loading.inputs.begin(), loading.inputs.end(), [](const RandomInput& input) { return input.loading.lowest_power() < 0; });
   std::erase_if(points, [&](double w) { return !(w >= from && w <= to) || (w == 0 && undefined_at_rest); });
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -37,21 +40,23 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
 
 }  // namespace
 
-RandomCurves random_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-                           std::vector<double> angular_frequency, const foundation::Progress& progress) {
+RandomCurves random_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                           const RandomLoading& loading, std::vector<double> angular_frequency, const foundation::Progress& progress) {
   const foundation::Problems problems = check(loading, "random response");
   for (const foundation::Problem& problem : problems.list())
     if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
   RandomCurves result;
   result.angular_frequency = std::move(angular_frequency);
   if (result.angular_frequency.empty())
-    result.angular_frequency = dense_grid(numerics::pole_residue_form(assembled.matrices, Eigen::MatrixXcd(assembled.matrices.size(), 0)).poles, loading);
+    result.angular_frequency =
+        dense_grid(numerics::pole_residue_form(assembled.matrices, Eigen::MatrixXcd(assembled.matrices.size(), 0)).poles, loading);
   std::vector<FrequencyResponse> responses;
   for (const RandomInput& input : loading.inputs) {
     foundation::report_progress(progress, "spectra", static_cast<double>(responses.size()) / static_cast<double>(loading.inputs.size()));
     responses.push_back(frequency_response(assembled, channels, input.loading, result.angular_frequency));
   }
-  const Eigen::VectorXd omega = Eigen::Map<const Eigen::VectorXd>(result.angular_frequency.data(), static_cast<Eigen::Index>(result.angular_frequency.size()));
+  const Eigen::VectorXd omega =
+      Eigen::Map<const Eigen::VectorXd>(result.angular_frequency.data(), static_cast<Eigen::Index>(result.angular_frequency.size()));
   result.density.assign(channels.size(), std::vector<double>(result.angular_frequency.size(), 0));
   for (std::size_t j = 0; j < responses.size(); ++j)
     for (std::size_t k = 0; k <= j; ++k) {

@@ -24,7 +24,8 @@ RandomLoading random_loading(const model::System& system, const assembly::Assemb
   for (std::size_t i = 0; i < courses.size(); ++i)
     for (const model::Random::Partner& partner : courses[i]->partners)
       for (std::size_t k = 0; k < result.inputs.size(); ++k) {
-        const bool known = std::any_of(result.pairs.begin(), result.pairs.end(), [&](const auto& pair) { return pair.first == k && pair.second == i; });
+        const bool known =
+            std::any_of(result.pairs.begin(), result.pairs.end(), [&](const auto& pair) { return pair.first == k && pair.second == i; });
         if (result.inputs[k].name == partner.other && !known) result.pairs.push_back({i, k, partner.coherence, 0});
       }
   return result;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/random_quadrature.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/response/channel_terms.h"
 #include "trivet/response/integration_panels.h"
 
@@ -14,7 +17,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Distance, relative, at which panels stop before an undamped pole.
-constexpr double gap = 1e-7;
+constexpr double gap = 1e-8;
+/// Of poles that are only near the true ones: how close, relative, the first panels follow them.
+constexpr double near_pole = 1e-2;
 /// Toward rest answers are judged here, as a share of the slowest pole: far enough for direct solutions to keep digits.
 constexpr double near_rest = 1e-3;
 
@@ -61,7 +66,8 @@ class Solver {
       }
     for (std::size_t m = 0; m < moments_.size(); ++m) {
       const Eigen::VectorXd factor = h * omega.unaryExpr([&](double w) { return multiplier(moments_[m], w); });
-      const Eigen::VectorXd kronrod = factor.cwiseProduct(Eigen::VectorXd(rule_.kronrod)), gauss = factor.cwiseProduct(Eigen::VectorXd(rule_.gauss));
+      const Eigen::VectorXd kronrod = factor.cwiseProduct(Eigen::VectorXd(rule_.kronrod)),
+                            gauss = factor.cwiseProduct(Eigen::VectorXd(rule_.gauss));
       for (const Eigen::Index c : moments_[m].channels) {
         const auto i = static_cast<Eigen::Index>(m);
         panel.mean_square(c, i) = density.row(c).dot(kronrod);
@@ -82,8 +88,8 @@ class Solver {
 
 /// |H| at two frequencies of each channel, and a reason for all moments where `infinite` says so of the pair and the moment.
 template <typename Infinite>
-void mark_growth(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomInput& input, double nearer,
-                 double farther, const std::string& reason, const Infinite& infinite, RandomVariances& result) {
+void mark_growth(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomInput& input,
+                 double nearer, double farther, const std::string& reason, const Infinite& infinite, RandomVariances& result) {
   const AnswerSamples samples = answer_samples(assembled, channels, input.loading, {nearer, farther});
   for (Eigen::Index c = 0; c < samples.value.rows(); ++c) {
     const double a = std::abs(samples.value(c, 0)), b = std::abs(samples.value(c, 1));
@@ -108,18 +114,24 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
     const std::optional<int> of_spectrum = order_at_rest(input.spectrum);
     if (!of_spectrum) continue;
     const double at = near_rest * std::min(slowest, input.spectrum.to());
-    mark_growth(assembled, channels, input, at, 2 * at, "the spectrum of \"" + input.name + "\" begins at 0 Hz, toward which the answer grows without bound",
-                [&](double nearer, double farther, std::size_t m) {
-                  return nearer > 0 && 2 * std::round(std::log2(farther / nearer)) + *of_spectrum + order_at_rest(moments[m]) <= -1;
-                }, result);
+    mark_growth(
+        assembled, channels, input, at, 2 * at,
+        "the spectrum of \"" + input.name + "\" begins at 0 Hz, toward which the answer grows without bound",
+        [&](double nearer, double farther, std::size_t m) {
+          return nearer > 0 && 2 * std::round(std::log2(farther / nearer)) + *of_spectrum + order_at_rest(moments[m]) <= -1;
+        },
+        result);
   }
 }
 
-/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole.
-std::vector<Panel> first_panels(const assembly::Assembled& assembled, const RandomLoading& loading, const std::vector<RandomMoment>& moments,
-                                const Eigen::VectorXcd& poles) {
-  const std::vector<Eigen::Index> undamped = undamped_poles_in_band(poles, loading);
+/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole of constant matrices.
+std::vector<Panel> first_panels(const assembly::Assembled& assembled, const RandomLoading& loading,
+                                const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles) {
+  const bool exact = !assembled.frequency_dependent();
+  const std::vector<Eigen::Index> undamped = exact ? undamped_poles_in_band(poles, loading) : std::vector<Eigen::Index>{};
   Eigen::VectorXcd graded = poles;
+  for (Complex& pole : graded)
+    if (!exact) pole = Complex(-std::max(std::abs(pole.real()), near_pole * std::abs(pole)), pole.imag());
   for (const Eigen::Index k : undamped) graded(k) = Complex(-gap * poles(k).imag(), poles(k).imag());
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
   for (Complex& pole : graded)
@@ -152,17 +164,24 @@ std::vector<Panel> first_panels(const assembly::Assembled& assembled, const Rand
 }  // namespace
 
 RandomVariances variances_by_quadrature(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                        const RandomLoading& loading, const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles,
-                                        const RandomOptions& options, const foundation::Progress& progress) {
+                                        const RandomLoading& loading, const std::vector<RandomMoment>& moments,
+                                        const Eigen::VectorXcd& poles, const RandomOptions& options, const foundation::Progress& progress) {
   const auto count = static_cast<Eigen::Index>(channels.size());
   RandomVariances result = no_variances(count, moments.size(), loading.inputs.size());
   mark_infinite(assembled, channels, loading, moments, poles, result);
   Solver solver(assembled, channels, loading, moments);
   std::vector<Panel> open = first_panels(assembled, loading, moments, poles), settled;
+  const double needed = 15.0 * static_cast<double>(open.size() * loading.inputs.size());
+  if (needed > options.most_solutions)
+    throw foundation::NotComputable(
+        fmt::format("random response: {:.0f} solutions are needed for its panels alone, {} are allowed; delays of {:.3g} s turn too often "
+                    "within the band",
+                    needed, options.most_solutions, longest_delay(loading)));
   Eigen::MatrixXd difference = result.mean_square;
   while (!open.empty()) {
     for (Panel& panel : open) {
-      foundation::report_progress(progress, "random response by quadrature", std::min(1.0, static_cast<double>(solver.solutions()) / options.most_solutions));
+      foundation::report_progress(progress, "random response by quadrature",
+                                  std::min(1.0, static_cast<double>(solver.solutions()) / options.most_solutions));
       solver.integrate(panel);
     }
     result.mean_square.setZero();
@@ -176,7 +195,8 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled, co
         for (std::size_t m = 0; m < moments.size() && !rough; ++m) {
           const auto i = static_cast<Eigen::Index>(m);
           const double noise = std::pow(vanishing_answer, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
-          rough = result.reason[static_cast<std::size_t>(c)][m].empty() && panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
+          rough = result.reason[static_cast<std::size_t>(c)][m].empty() &&
+                  panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
         }
       const double middle = 0.5 * (panel.from + panel.to);
       if (rough && solver.solutions() < options.most_solutions && panel.from < middle && middle < panel.to) {

@@ -19,19 +19,24 @@ namespace {
 /// Above this estimated error of the quadrature a number is not given.
 constexpr double hopeless = 1e-2;
 
-void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading, const RandomOptions& options) {
+void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
+                   const RandomOptions& options) {
   const foundation::Problems problems = check(loading, "random response");
   for (const foundation::Problem& problem : problems.list())
     if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
   for (const RandomInput& input : loading.inputs)
-    if (input.loading.force.size() != assembled.layout.size()) throw foundation::InvalidInput(fmt::format("random input \"{}\": its load belongs to another model", input.name));
+    if (input.loading.force.size() != assembled.layout.size())
+      throw foundation::InvalidInput(fmt::format("random input \"{}\": its load belongs to another model", input.name));
   for (const WeightedChannel& weighted : options.weighted) {
-    if (weighted.channel >= channels.size()) throw foundation::InvalidInput(fmt::format("weighted channel {}: there are {} channels", weighted.channel, channels.size()));
+    if (weighted.channel >= channels.size())
+      throw foundation::InvalidInput(fmt::format("weighted channel {}: there are {} channels", weighted.channel, channels.size()));
     const std::string& unit = channels[weighted.channel].unit;
     if (!unit.starts_with("m") && !unit.starts_with("rad"))
-      throw foundation::InvalidInput(fmt::format("\"{}\" [{}]: only motions are weighted for people", channels[weighted.channel].name, unit));
+      throw foundation::InvalidInput(
+          fmt::format("\"{}\" [{}]: only motions are weighted for people", channels[weighted.channel].name, unit));
   }
-  if (!(options.accuracy >= 1e-13 && options.accuracy <= 1e-2)) throw foundation::InvalidInput(fmt::format("accuracy {}: it must be within 1e-13 … 1e-2", options.accuracy));
+  if (!(options.accuracy >= 1e-13 && options.accuracy <= 1e-2))
+    throw foundation::InvalidInput(fmt::format("accuracy {}: it must be within 1e-13 … 1e-2", options.accuracy));
 }
 
 /// A free motion that grows has no stationary vibration. With loss factors only the half plane of ω > 0 has a meaning.
@@ -42,7 +47,8 @@ bool grows(const assembly::Assembled& assembled, const Eigen::VectorXcd& poles) 
   });
 }
 
-RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& found, const std::vector<RandomMoment>& moments, Eigen::Index c) {
+RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& found, const std::vector<RandomMoment>& moments,
+                    Eigen::Index c) {
   RandomAnswer result;
   result.name = channel.name;
   result.unit = channel.unit;
@@ -73,7 +79,7 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   return result;
 }
 
-bool poles_hold(const RandomVariances& found, double accuracy) { return found.error.size() == 0 || found.error.maxCoeff() <= accuracy; }
+bool poles_hold(const RandomVariances& found, double accuracy) { return found.misfit.size() == 0 || found.misfit.maxCoeff() <= accuracy; }
 
 }  // namespace
 
@@ -81,24 +87,29 @@ const char* name(RandomMethod method) { return method == RandomMethod::poles ? "
 
 foundation::Problems check(const RandomLoading& loading, const std::string& subject) {
   foundation::Problems problems;
-  if (loading.inputs.empty()) problems.error(subject, "no random excitation", "something must drive the system", "add an excitation of type \"random\"");
+  if (loading.inputs.empty())
+    problems.error(subject, "no random excitation", "something must drive the system", "add an excitation of type \"random\"");
   excitation::RandomInputs inputs{{}, loading.pairs};
   for (const RandomInput& input : loading.inputs) {
     inputs.spectra.push_back(input.spectrum);
     const std::string of_input = subject + "." + input.name;
-    if (input.loading.vanishes()) problems.error(of_input, "acts on no free coordinate", "an excitation moves something", "give it a direction that is free");
-    if (input.spectrum.pieces.empty()) problems.error(of_input, "no spectrum", "a random excitation has a power spectral density", "add psd");
+    if (input.loading.vanishes())
+      problems.error(of_input, "acts on no free coordinate", "an excitation moves something", "give it a direction that is free");
+    if (input.spectrum.pieces.empty())
+      problems.error(of_input, "no spectrum", "a random excitation has a power spectral density", "add psd");
     for (const excitation::SpectrumPiece& p : input.spectrum.pieces)
-      if (!(p.from >= 0 && p.from < p.to && p.density_from >= 0 && p.density_to >= 0) || !std::isfinite(p.to + p.density_from + p.density_to))
-        problems.error(of_input, fmt::format("density {:.6g} … {:.6g} from {:.6g} to {:.6g} rad/s", p.density_from, p.density_to, p.from, p.to),
+      if (!(p.from >= 0 && p.from < p.to && p.density_from >= 0 && p.density_to >= 0) ||
+          !std::isfinite(p.to + p.density_from + p.density_to))
+        problems.error(of_input,
+                       fmt::format("density {:.6g} … {:.6g} from {:.6g} to {:.6g} rad/s", p.density_from, p.density_to, p.from, p.to),
                        "frequencies ascend, and densities are finite and not negative", "correct the table");
   }
   if (!problems.has_errors()) problems.add(excitation::check(inputs, subject));
   return problems;
 }
 
-RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-                               const RandomOptions& options, const foundation::Progress& progress) {
+RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                               const RandomLoading& loading, const RandomOptions& options, const foundation::Progress& progress) {
   refuse_errors(assembled, channels, loading, options);
   const std::vector<RandomMoment> moments = random_moments(channels, options);
   std::vector<const assembly::Loading*> loads;
@@ -127,14 +138,18 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
   } else {
     found = variances_by_poles(assembled, channels, loading, moments, expansions, progress);
     result.solutions = found.solutions;
-    if (!poles_hold(found, options.accuracy)) result.remark = fmt::format("poles nearly coincide with one vector between them: the pole-residue form misses direct solutions by {:.1g}", 0.5 * found.error.maxCoeff());
+    if (!poles_hold(found, options.accuracy))
+      result.remark = fmt::format(
+          "two poles stand together with one shape between them, as at critical damping: their fractions miss the response by {:.1g} of it",
+          0.5 * found.misfit.maxCoeff());
   }
   if (!result.remark.empty()) {
     result.method = RandomMethod::quadrature;
     found = variances_by_quadrature(assembled, channels, loading, moments, expansions.poles, options, progress);
     result.solutions += found.solutions;
   }
-  for (std::size_t c = 0; c < channels.size(); ++c) result.answers.push_back(answer(channels[c], found, moments, static_cast<Eigen::Index>(c)));
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    result.answers.push_back(answer(channels[c], found, moments, static_cast<Eigen::Index>(c)));
   return result;
 }
 

@@ -58,8 +58,8 @@ struct RandomAnswer {
   std::optional<double> three_sigma;             ///< 3 σ_y
   std::optional<double> rms_of_derivative;       ///< σ_ẏ [unit/s]
   std::optional<double> zero_crossings;          ///< ν₀ = σ_ẏ/(2π σ_y), crossings of zero from below per second
-  std::optional<double> weighted_rms;            ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
-  std::vector<double> variance_share;            ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
+  std::optional<double> weighted_rms;  ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
+  std::vector<double> variance_share;  ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
   double estimated_error = 0;                    ///< relative, of the variance
   std::string reason;                            ///< why a number is missing
 };
@@ -82,6 +82,7 @@ struct RandomResponse {
 /// Variances ∫ Σ_jk H_j* S_jk H_k dω of every channel, of its derivative, and of its weighted acceleration, within the band of the spectra.
 /// Nothing is read off a grid: docs/random.md.
 /// @throws foundation::InvalidInput for what `check` calls an error, a weighted channel that does not exist or is no motion
+/// @throws foundation::NotComputable where the quadrature would need more than `most_solutions` for its first panels
 [[nodiscard]] RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                              const RandomLoading& loading, const RandomOptions& options = {},
                                              const foundation::Progress& progress = {});

@@ -53,9 +53,8 @@ std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& c
   return moments;
 }
 
-double multiplier(const RandomMoment& moment, double omega) {
-  const double weight = moment.weighting ? std::norm(excitation::transfer(*moment.weighting, omega)) : 1;
-  return weight * std::pow(omega, 2 * moment.derivative);
+double weight(const RandomMoment& moment, double omega) {
+  return moment.weighting ? std::norm(excitation::transfer(*moment.weighting, omega)) : 1;
 }
 
 int order_at_rest(const RandomMoment& moment) {
@@ -80,7 +79,8 @@ Eigen::VectorXcd cross_density(const RandomLoading& loading, std::size_t j, std:
   if (!pair) return {};
   const double delay = pair->first == j ? pair->delay : -pair->delay;
   return omega.unaryExpr([&](double w) {
-    return std::polar(std::sqrt(excitation::coherence(pair->coherence, w) * excitation::density(first, w) * excitation::density(second, w)), -w * delay);
+    return std::polar(std::sqrt(excitation::coherence(pair->coherence, w) * excitation::density(first, w) * excitation::density(second, w)),
+                      -w * delay);
   });
 }
 
@@ -88,19 +88,23 @@ double longest_delay(const RandomLoading& loading) {
   double shortest = std::numeric_limits<double>::infinity(), longest = -shortest, of_pairs = 0;
   for (const RandomInput& input : loading.inputs)
     for (const numerics::Load* load : {&input.loading.force, &input.loading.motion})
-      for (const numerics::LoadTerm& term : load->terms()) shortest = std::min(shortest, term.delay), longest = std::max(longest, term.delay);
+      for (const numerics::LoadTerm& term : load->terms())
+        shortest = std::min(shortest, term.delay), longest = std::max(longest, term.delay);
   for (const excitation::InputPair& pair : loading.pairs) {
-    const double decay = pair.coherence.decay == 0 ? 0 : pair.coherence.decay * pair.coherence.distance / (2 * std::numbers::pi * pair.coherence.speed);
+    const double decay =
+        pair.coherence.decay == 0 ? 0 : pair.coherence.decay * pair.coherence.distance / (2 * std::numbers::pi * pair.coherence.speed);
     of_pairs = std::max(of_pairs, std::abs(pair.delay) + decay);
   }
   return std::max(0.0, longest - shortest) + of_pairs;
 }
 
-Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const RandomLoading& loading, const std::vector<RandomMoment>& moments) {
+Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const RandomLoading& loading,
+                                     const std::vector<RandomMoment>& moments) {
   std::vector<Complex> all(poles.begin(), poles.end());
   for (const RandomMoment& moment : moments)
     if (moment.weighting)
-      for (const Complex& root : numerics::polynomial_roots(excitation::rational_transfer(*moment.weighting).denominator)) all.push_back(root);
+      for (const Complex& root : numerics::polynomial_roots(excitation::rational_transfer(*moment.weighting).denominator))
+        all.push_back(root);
   if (!loading.pairs.empty())
     for (const double omega : zeros_of_density(loading)) all.emplace_back(0, omega);
   return Eigen::Map<const Eigen::VectorXcd>(all.data(), static_cast<Eigen::Index>(all.size()));
@@ -132,7 +136,8 @@ std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles, 
   const std::set<double> points = all_breakpoints(loading);
   std::vector<Eigen::Index> result;
   for (Eigen::Index k = 0; k < poles.size(); ++k)
-    if (is_undamped(poles(k), fastest) && poles(k).imag() > 0 && poles(k).imag() >= *points.begin() && poles(k).imag() <= *points.rbegin()) result.push_back(k);
+    if (is_undamped(poles(k), fastest) && poles(k).imag() > 0 && poles(k).imag() >= *points.begin() && poles(k).imag() <= *points.rbegin())
+      result.push_back(k);
   return result;
 }
 
@@ -141,7 +146,7 @@ RandomVariances no_variances(Eigen::Index channels, std::size_t moments, std::si
   result.mean_square = Eigen::MatrixXd::Zero(channels, static_cast<Eigen::Index>(moments));
   result.share = Eigen::MatrixXd::Zero(channels, static_cast<Eigen::Index>(inputs));
   result.reason.assign(static_cast<std::size_t>(channels), std::vector<std::string>(moments));
-  result.error = Eigen::VectorXd::Zero(channels);
+  result.error = result.misfit = Eigen::VectorXd::Zero(channels);
   result.vanishes.assign(static_cast<std::size_t>(channels), false);
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,8 @@
 /// What both ways to the variances of random vibration share.
 namespace trivet::response {
 
-/// A mean square ∫ ω^(2 derivative) |W|² S_yy dω wanted of some channels. The first moment is the variance of all channels, the second that of their
-/// derivatives.
+/// A mean square ∫ ω^(2 derivative) |W|² S_yy dω wanted of some channels. The first moment is the variance of all channels, the second that
+/// of their derivatives.
 struct RandomMoment {
   std::vector<Eigen::Index> channels;
   int derivative = 0;
@@ -20,7 +21,12 @@ struct RandomMoment {
 };
 
 [[nodiscard]] std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& channels, const RandomOptions& options);
-[[nodiscard]] double multiplier(const RandomMoment& moment, double angular_frequency);
+/// |W|², or 1.
+[[nodiscard]] double weight(const RandomMoment& moment, double angular_frequency);
+/// ω^(2 derivative) |W|².
+[[nodiscard]] inline double multiplier(const RandomMoment& moment, double angular_frequency) {
+  return weight(moment, angular_frequency) * std::pow(angular_frequency, 2 * moment.derivative);
+}
 /// The multiplier goes like ω to this power toward 0.
 [[nodiscard]] int order_at_rest(const RandomMoment& moment);
 
@@ -32,9 +38,12 @@ struct RandomMoment {
 [[nodiscard]] std::optional<int> order_at_rest(const excitation::Spectrum& spectrum);
 
 /// Where S or a weighting is not smooth besides the poles of the response: the poles of the weightings, and 0 for power laws.
-[[nodiscard]] Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const RandomLoading& loading, const std::vector<RandomMoment>& moments);
-/// Ends of graded panels over the band of all spectra; every breakpoint is one. Gaps where no spectrum holds are left out by their weight 0.
-[[nodiscard]] std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoading& loading, const std::vector<RandomMoment>& moments);
+[[nodiscard]] Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const RandomLoading& loading,
+                                                   const std::vector<RandomMoment>& moments);
+/// Ends of graded panels over the band of all spectra; every breakpoint is one. Gaps where no spectrum holds are left out by their weight
+/// 0.
+[[nodiscard]] std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoading& loading,
+                                             const std::vector<RandomMoment>& moments);
 
 /// A pole so near the axis that a double cannot tell its damping.
 [[nodiscard]] bool is_undamped(const std::complex<double>& pole, double fastest);
@@ -49,6 +58,7 @@ struct RandomVariances {
   Eigen::MatrixXd share;                         ///< channels × inputs, of the first moment [unit²]
   std::vector<std::vector<std::string>> reason;  ///< channels × moments: why there is none; empty where there is
   Eigen::VectorXd error;                         ///< per channel, relative, of the variance
+  Eigen::VectorXd misfit;                        ///< the part of it that another way could mend
   std::vector<bool> vanishes;
   int solutions = 0;
 };
