@@ -137,6 +137,16 @@ std::string shock_spectrum_text(const study::Answers& answers) {
   return text;
 }
 
+std::string earthquake_text(const study::Answers& answers) {
+  const response::EarthquakeResponse& e = *answers.earthquake;
+  TextTable modes({"f [Hz]", "damping ratio", "effective mass [kg]", "S_a [m/s²]"});
+  for (const response::ModalShare& m : e.modes) modes.add({shown(hertz(m.angular_frequency), 5), shown(m.damping_ratio, 3), shown(m.effective_mass, 5), shown(m.spectral_acceleration, 5)});
+  TextTable table({"answer", "CQC", "SRSS", "unit"});
+  for (const response::CombinedAnswer& a : e.answers) table.add({a.name, shown(a.complete_quadratic), shown(a.square_root_of_sum_of_squares), a.unit});
+  return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() + table.text() +
+         fmt::format("  the spectrum reaches modes with {} of the effective mass\n", percent(e.effective_mass_share));
+}
+
 std::string limit_lines_text(const study::Answers& answers) {
   if (answers.limit_lines.empty()) return "";
   TextTable table({"limit line", "answer", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
@@ -168,6 +178,7 @@ std::string further_text(const study::Answers& answers) {
   add(answers.power.has_value(), power_text);
   add(!answers.shapes.empty(), shapes_text);
   add(!answers.shock_spectra.empty(), shock_spectrum_text);
+  add(answers.earthquake.has_value(), earthquake_text);
   add(!answers.limit_lines.empty(), limit_lines_text);
   return text;
 }

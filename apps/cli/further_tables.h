@@ -15,6 +15,7 @@ namespace trivet::cli {
 [[nodiscard]] std::string power_text(const study::Answers& answers);
 [[nodiscard]] std::string shapes_text(const study::Answers& answers);
 [[nodiscard]] std::string shock_spectrum_text(const study::Answers& answers);
+[[nodiscard]] std::string earthquake_text(const study::Answers& answers);
 [[nodiscard]] std::string limit_lines_text(const study::Answers& answers);
 [[nodiscard]] std::string load_sharing_text(const study::Answers& answers);
 

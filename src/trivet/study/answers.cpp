@@ -133,6 +133,7 @@ class CaseStudy {
     if (analyses.power) attempt([&] { result.power = power_answer(c, *analyses.power); });
     if (analyses.shapes) attempt([&] { result.shapes = shapes_answer(c, *analyses.shapes); });
     if (analyses.shock_spectrum) attempt([&] { result.shock_spectra = shock_spectrum_answer(c, *analyses.shock_spectrum); });
+    if (analyses.earthquake) attempt([&] { result.earthquake = earthquake_answer(c, *analyses.earthquake, result.warnings); });
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] { result.limit_lines = limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band); });
   }

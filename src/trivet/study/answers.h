@@ -12,6 +12,7 @@
 #include "trivet/response/campbell.h"
 #include "trivet/response/deep_check.h"
 #include "trivet/response/deflection_shape.h"
+#include "trivet/response/earthquake.h"
 #include "trivet/response/frequency_response.h"
 #include "trivet/response/load_sharing.h"
 #include "trivet/response/peaks.h"
@@ -108,6 +109,7 @@ struct Answers {
   std::optional<response::PowerFlow> power;
   std::vector<response::DeflectionShape> shapes;
   std::vector<ShockSpectrumResult> shock_spectra;
+  std::optional<response::EarthquakeResponse> earthquake;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
   std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "trivet/study/pairs_reader.h"
@@ -117,6 +118,39 @@ ShockSpectrumRequest read_shock_spectrum(TableReader& reader, const Mentioned& m
   return request;
 }
 
+/// `rows` or `file` of S_a over natural period (default) or frequency.
+EarthquakeRequest read_earthquake(TableReader& reader, const ResultNames& names) {
+  EarthquakeRequest request;
+  read_of(reader, names, request.wanted.of);
+  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  if (quantity == "velocity") request.wanted.quantity = assembly::Quantity::velocity;
+  if (quantity == "acceleration") request.wanted.quantity = assembly::Quantity::acceleration;
+  if (!reader.has("direction")) reader.missing("direction", "say how the ground shakes: direction = \"x\"");
+  request.direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
+  const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
+  const bool over_period = reader.choice("over", {"period", "frequency"}).value_or("period") == "period";
+  const auto rows = reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, over_period ? "period" : "frequency_hz", "acceleration");
+  if (!rows) return request;
+  const std::string source = reader.has("rows") ? "rows" : "file";
+  std::vector<double> places(rows->col(0).begin(), rows->col(0).end()), accelerations(rows->col(1).begin(), rows->col(1).end());
+  if (std::any_of(places.begin(), places.end(), [](double x) { return !(x > 0); })) {
+    reader.error(source, "a period or frequency that is not > 0", "a spectrum over logarithmic axes begins above 0", "give a short period for the acceleration of the ground");
+    return request;
+  }
+  if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end()) {
+    reader.error(source, over_period ? "periods" : "frequencies", "they increase from row to row", "sort the rows");
+    return request;
+  }
+  if (over_period) {
+    request.spectrum = excitation::over_period(places, accelerations, damping);
+  } else {
+    for (double& hertz : places) hertz *= 2 * std::numbers::pi;
+    request.spectrum = {places, accelerations, damping};
+  }
+  reader.add(excitation::check(request.spectrum, source));
+  return request;
+}
+
 ShapesRequest read_shapes(TableReader& reader, const Mentioned& mentioned) {
   ShapesRequest request;
   request.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
@@ -156,6 +190,7 @@ void read_further_analyses(TableReader& analyses, const ResultNames& names, cons
     result.power = request;
   });
   with("shapes", harmonic, [&](TableReader& reader) { result.shapes = read_shapes(reader, mentioned); });
+  with("earthquake", std::nullopt, [&](TableReader& reader) { result.earthquake = read_earthquake(reader, names); });
   with("shock_spectrum", time, [&](TableReader& reader) { result.shock_spectrum = read_shock_spectrum(reader, mentioned); });
 }
 

@@ -166,6 +166,14 @@ std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, con
   return results;
 }
 
+response::EarthquakeResponse earthquake_answer(const CaseContext& c, const EarthquakeRequest& request, foundation::Problems& warnings) {
+  spatial::Vector6 direction = spatial::Vector6::Zero();
+  direction.head<3>() = request.direction;
+  response::EarthquakeResponse result = response::earthquake_response(c.assembled, channels_of(c, request.wanted), request.spectrum, direction);
+  warnings.add(result.warnings);
+  return result;
+}
+
 std::vector<LimitLineResult> limit_line_answer(const CaseContext& c, const std::vector<LimitLineRequest>& requests, const Wanted& wanted, const response::Band& band) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, wanted.excitations);
   std::vector<LimitLineResult> results;

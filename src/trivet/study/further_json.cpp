@@ -124,6 +124,17 @@ Json shock_spectrum(const Answers& answers) {
   return result;
 }
 
+Json earthquake(const Answers& answers) {
+  const response::EarthquakeResponse& e = *answers.earthquake;
+  Json result{{"results", Json::array()}, {"modes", Json::array()}, {"effective_mass_share", e.effective_mass_share}, {"warnings", warnings(answers.warnings)}};
+  for (const response::CombinedAnswer& a : e.answers)
+    result["results"].push_back({{"name", a.name}, {"unit", a.unit}, {"srss", a.square_root_of_sum_of_squares}, {"cqc", a.complete_quadratic}, {"modal_maxima", list(a.modal_maxima)}});
+  for (const response::ModalShare& m : e.modes)
+    result["modes"].push_back({{"angular_frequency", m.angular_frequency}, {"damping_ratio", m.damping_ratio}, {"participation", m.participation}, {"effective_mass", m.effective_mass},
+                               {"spectral_acceleration", number(m.spectral_acceleration)}});
+  return result;
+}
+
 Json limit_lines(const Answers& answers) {
   Json result = Json::array();
   for (const LimitLineResult& l : answers.limit_lines) {
@@ -151,6 +162,7 @@ void add_further(const Answers& answers, Json& result) {
   if (answers.power) result["power"] = power(answers);
   if (!answers.shapes.empty()) result["shapes"] = shapes(answers);
   if (!answers.shock_spectra.empty()) result["shock_spectrum"] = shock_spectrum(answers);
+  if (answers.earthquake) result["earthquake"] = earthquake(answers);
   if (!answers.limit_lines.empty()) result["limit_lines"] = limit_lines(answers);
   if (answers.load_sharing) result["load_sharing"] = load_sharing(answers);
 }
