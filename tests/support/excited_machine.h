@@ -15,7 +15,7 @@ namespace trivet::test {
 
 inline constexpr double turn = 2 * std::numbers::pi;
 
-/// A machine of 400 kg with a point "seat" on four mounts of unequal stiffness, loss by dashpots.
+/// A machine of 400 kg with a point "seat" on four mounts of unequal stiffness, with dashpots; one stands on a deck that gives.
 inline model::Description machine_on_four_mounts() {
   model::Description d;
   model::Body machine;
@@ -40,6 +40,9 @@ inline model::Description machine_on_four_mounts() {
     mount.law.damping = elements::DampingMatrix{8e-4 * mount.law.nominal_stiffness};
     d.elements.push_back(mount);
   }
+  model::Foundation deck{"deck", Eigen::MatrixXd::Constant(1, 1, 900), Eigen::MatrixXd::Constant(1, 1, 4e3), Eigen::MatrixXd::Constant(1, 1, 2e7)};
+  d.foundations = {deck};
+  d.elements.back().n.foundation = model::OnFoundation{0, spatial::Vector6::Unit(2)};
   return d;
 }
 
@@ -101,7 +104,7 @@ inline study::Answers answers_of_everything() {
   std::vector<double> natural;
   for (int i = 0; i <= 300; ++i) natural.push_back(turn * std::pow(10.0, 3.3 * i / 300));
   a.shock_spectra = {{"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
-  const response::LimitLine line{"class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-3, 5e-4, 3e-4, 3e-4}};
+  const response::LimitLine line{"class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};
   const auto velocity_peaks = response::peaks(assembled, velocities, harmonic, a.modes, a.roots);
   a.limit_lines = {{"machine.seat.z", line, response::compared_with_limit(assembled, velocities.front(), harmonic, a.roots.poles, velocity_peaks, line, band)}};
   return a;

@@ -48,6 +48,35 @@ std::vector<PixelPoint> thinned(const std::vector<PixelPoint>& points) {
   return kept;
 }
 
+/// Of a curve what a line needs that keeps within `tolerance` of it [pixels] (Douglas and Peucker).
+void keep_corners(const std::vector<PixelPoint>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+  constexpr double tolerance = 0.1;
+  const PixelPoint a = points[from], b = points[to];
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  double farthest = tolerance;
+  std::size_t corner = from;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double dx = points[i].x - a.x, dy = points[i].y - a.y;
+    const double distance = length > 0 ? std::abs(dx * (b.y - a.y) - dy * (b.x - a.x)) / length : std::hypot(dx, dy);
+    if (distance > farthest) farthest = distance, corner = i;
+  }
+  if (corner == from) return;
+  kept[corner] = true;
+  keep_corners(points, from, corner, kept);
+  keep_corners(points, corner, to, kept);
+}
+
+std::vector<PixelPoint> corners(const std::vector<PixelPoint>& points) {
+  if (points.size() < 3) return points;
+  std::vector<bool> kept(points.size(), false);
+  kept.front() = kept.back() = true;
+  keep_corners(points, 0, points.size() - 1, kept);
+  std::vector<PixelPoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (kept[i]) result.push_back(points[i]);
+  return result;
+}
+
 double key_height(const std::vector<PanelCurve>& curves) {
   std::size_t lines = 0;
   for (const PanelCurve& curve : curves) lines += curve.key.size();
@@ -60,8 +89,8 @@ void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
   const PixelPoint at = p.at(mark.x, mark.y);
   canvas.circle(at, 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", mark.colour));
   if (mark.text.empty()) return;
-  const bool at_right = p.x.share(mark.x) > 0.75, at_top = p.y.share(mark.y) > 0.92;
-  canvas.text({at.x + (at_right ? -7 : 7), at.y + (at_top ? 12 : -5)}, mark.text,
+  const bool at_right = p.x.share(mark.x) > 0.75, low = p.y.share(mark.y) < 0.4;
+  canvas.text({at.x + (at_right ? -8 : 8), at.y + (low ? 11 : at.y < p.corner.y + 12 ? 6 : -3)}, mark.text,
               fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"", at_right ? "end" : "start", mark.colour));
 }
 
@@ -85,7 +114,7 @@ std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const st
     pieces.back().push_back(part(to));
     open = to == 1;
   }
-  for (auto& piece : pieces) piece = thinned(piece);
+  for (auto& piece : pieces) piece = corners(thinned(piece));
   return pieces;
 }
 

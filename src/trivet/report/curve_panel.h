@@ -31,7 +31,7 @@ struct PanelRow {
   std::vector<std::pair<double, double>> shaded = {};   ///< from, to along x
 };
 
-/// The part of a curve inside its panel, thinned to what half a pixel can show (extremes stay).
+/// The part of a curve inside its panel, thinned to what can be seen (extremes stay).
 /// @param x  ascending
 [[nodiscard]] std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& panel, const std::vector<double>& x, const std::vector<double>& y);
 

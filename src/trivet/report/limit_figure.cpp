@@ -24,6 +24,9 @@ std::vector<double> levels(const study::LimitLineResult& answer, double factor) 
     const double limit = response::zero_to_peak_limit(answer.line, answer.comparison.angular_frequency[i]) * (answer.line.rms ? std::sqrt(0.5) : 1);
     result.push_back(margin > 0 && std::isfinite(margin) ? factor * limit / margin : std::numeric_limits<double>::quiet_NaN());
   }
+  const std::vector<double>& omega = answer.comparison.angular_frequency;
+  for (std::size_t i = 1; i < result.size(); ++i)  // at a step both margins stand, but the lower limit belongs to one of them
+    if (omega[i] == omega[i - 1]) result[i - 1] = result[i] = std::max(result[i - 1], result[i]);
   return result;
 }
 

@@ -25,13 +25,14 @@ PixelPoint PlotPanel::at(double x_value, double y_value) const { return {corner.
 
 namespace {
 
-/// Short marks at 2 … 9 times the powers of ten, where there is room.
+/// Short marks at the powers of ten and, where there is room, at 2 … 9 times them.
 std::vector<double> minor_values(const Axis& axis) {
   constexpr double most_decades = 8;
   std::vector<double> values;
-  if (!axis.logarithmic || std::log10(axis.to / axis.from) > most_decades) return values;
+  if (!axis.logarithmic) return values;
+  const int last_digit = std::log10(axis.to / axis.from) > most_decades ? 1 : 9;
   for (double decade = std::pow(10.0, std::floor(std::log10(axis.from))); decade < axis.to; decade *= 10)
-    for (int digit = 2; digit < 10; ++digit)
+    for (int digit = 1; digit <= last_digit; ++digit)
       if (digit * decade > axis.from && digit * decade < axis.to) values.push_back(digit * decade);
   return values;
 }

@@ -21,6 +21,12 @@ PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& powe
   return curve;
 }
 
+/// Does anything enter the ground beyond round-off of what the excitations feed in? A rigid ground takes nothing.
+bool flows(const response::PowerFlow& power) {
+  constexpr double round_off = 1e-12;
+  return power.into_ground.cwiseAbs().maxCoeff() > round_off * std::max(power.by_forces.cwiseAbs().maxCoeff(), power.by_ground.cwiseAbs().maxCoeff());
+}
+
 bool any_positive(const PanelCurve& curve) {
   return std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return y > 0; });
 }
@@ -35,6 +41,7 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   double largest = 0;
   for (const double p : power.into_ground_in_total)
     if (std::isfinite(p)) largest = std::max(largest, std::abs(p));
+  if (!flows(power)) return {};
   const UnitPrefix unit = unit_prefix(largest, "W");
   PanelRow row;
   row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"total"}, "stroke=\"#000000\" stroke-width=\"2.4\" stroke-linejoin=\"round\""));

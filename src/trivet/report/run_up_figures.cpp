@@ -67,7 +67,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
     for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor);
     row.curves.push_back(std::move(one));
     for (const response::CriticalSpeed& critical : run_up.critical)
-      if (critical.curve == curve && critical.order == order.order && critical.relative_height >= 0.05)
+      if (critical.curve == curve && critical.order == order.order && critical.relative_height >= 0.2)
         row.marks.push_back({critical.speed * per_minute, critical.amplitude * unit.factor, series_colour(style),
                              critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * per_minute) : ""});
   }

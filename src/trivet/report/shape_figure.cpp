@@ -149,7 +149,7 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
     const PixelPoint corner{40 + 460.0 * static_cast<double>(v % 2), 40 + 325.0 * static_cast<double>(v / 2)};
     canvas.rectangle(corner, 440, 315, "fill=\"none\" stroke=\"#ccc\"");
     canvas.text({corner.x + 8, corner.y + 16}, all[v].name, "fill=\"#333\" font-weight=\"bold\"");
-    Drawing drawing(canvas, all[v], {corner.x + 220, corner.y + 157}, size, 300);
+    Drawing drawing(canvas, all[v], {corner.x + 220, corner.y + 157}, size, 270);
     drawing.draw(rest, "#b5b5b5", 1);
     for (const Places* places : {&shape.bodies, &shape.points})
       for (const response::MovingPlace& place : *places) drawing.draw_path(place, scale, series_colour(1));

@@ -12,7 +12,7 @@ namespace {
 UnitPrefix time_unit(const Eigen::VectorXd& time) { return unit_prefix(time.cwiseAbs().maxCoeff(), "s"); }
 
 std::string extreme_words(const char* which, const response::Extreme& extreme, const UnitPrefix& unit, const UnitPrefix& second) {
-  return fmt::format("{} {:.4g} at {:.4g} {}", which, extreme.value * unit.factor, extreme.time * second.factor, second.unit);
+  return fmt::format("{} {:.4g} {} at {:.4g} {}", which, extreme.value * unit.factor, unit.unit, extreme.time * second.factor, second.unit);
 }
 
 PanelRow history_row(const response::TransientResponse& transient, const std::vector<GroupedCurve>& series) {

@@ -14,7 +14,7 @@ namespace trivet::report {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
-constexpr int spectra = 31;
+constexpr int spectra = 41;
 
 /// The curve with the highest rms among those of the first unit that moves at all.
 std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
@@ -30,7 +30,7 @@ std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
 /// Frequency to the right, shaft speed backwards (up and to the right), amplitude upwards.
 struct Space {
   PixelPoint origin{90, 500};
-  double width = 560, height = 150;
+  double width = 560, height = 190;
   PixelPoint back{220, -290};
   double hertz_to, rpm_from, rpm_to, amplitude_to;
 
@@ -54,7 +54,8 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
     canvas.text({right.x + 9, right.y + 4}, tick.label, "fill=\"#333\"");
   }
   const PixelPoint middle = s.at(s.hertz_to, (s.rpm_from + s.rpm_to) / 2, 0);
-  canvas.text({middle.x + 70, middle.y + 18}, "shaft speed [rpm]", "");
+  const double x_name = middle.x + 58, y_name = middle.y + 12, slope = std::atan2(s.back.y, s.back.x) * 360 / turn;
+  canvas.text({x_name, y_name}, "shaft speed [rpm]", fmt::format("text-anchor=\"middle\" transform=\"rotate({:.1f} {:.2f} {:.2f})\"", slope, x_name, y_name));
   for (const Tick& tick : linear_ticks(0, s.amplitude_to, 4)) {
     const PixelPoint left = s.at(0, s.rpm_from, tick.value);
     canvas.line({left.x - 5, left.y}, left, "stroke=\"#333\"");
@@ -107,7 +108,9 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
   Space space;
   space.rpm_from = run_up.speed.front() * per_minute;
   space.rpm_to = run_up.speed.back() * per_minute;
-  space.hertz_to = orders.back() * run_up.speed.back() / turn;
+  space.hertz_to = orders.front() * run_up.speed.back() / turn;  // all of the lowest order, and whatever is visible of the others
+  for (const response::WaterfallLine& line : lines)
+    if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / turn);
   space.amplitude_to = largest * unit.factor;
   std::vector<response::WaterfallLine> visible;
   std::copy_if(lines.begin(), lines.end(), std::back_inserter(visible), [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
