@@ -41,7 +41,7 @@ std::vector<Tick> decade_ticks(double from, double to) {
   std::vector<Tick> ticks;
   const bool few = std::log10(to / from) < 2;
   const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
-  const int step = 1 + (last - first) / 9;
+  const int step = 1 + (last - first) / 12;
   for (int decade = first; decade <= last; decade += step)
     for (const int digit : few ? std::vector<int>{1, 2, 5} : std::vector<int>{1}) {
       const double value = digit * std::pow(10.0, decade);

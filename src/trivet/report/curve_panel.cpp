@@ -90,7 +90,8 @@ void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
   canvas.circle(at, 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", mark.colour));
   if (mark.text.empty()) return;
   const bool at_right = p.x.share(mark.x) > 0.75, low = p.y.share(mark.y) < 0.4;
-  canvas.text({at.x + (at_right ? -8 : 8), at.y + (low ? 11 : at.y < p.corner.y + 12 ? 6 : -3)}, mark.text,
+  const double room_below = p.corner.y + p.height - at.y, beside = low ? std::min(11.0, room_below - 8) : at.y < p.corner.y + 12 ? 6 : -3;
+  canvas.text({at.x + (at_right ? -8 : 8), at.y + beside}, mark.text,
               fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"", at_right ? "end" : "start", mark.colour));
 }
 

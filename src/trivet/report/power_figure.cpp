@@ -27,6 +27,14 @@ bool flows(const response::PowerFlow& power) {
   return power.into_ground.cwiseAbs().maxCoeff() > round_off * std::max(power.by_forces.cwiseAbs().maxCoeff(), power.by_ground.cwiseAbs().maxCoeff());
 }
 
+std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
+  const double largest = power.into_ground.cwiseAbs().maxCoeff();
+  std::vector<std::size_t> found;
+  for (Eigen::Index m = 0; m < power.into_ground.rows(); ++m)
+    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible * largest) found.push_back(static_cast<std::size_t>(m));
+  return found;
+}
+
 bool any_positive(const PanelCurve& curve) {
   return std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return y > 0; });
 }
@@ -47,10 +55,11 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"total"}, "stroke=\"#000000\" stroke-width=\"2.4\" stroke-linejoin=\"round\""));
   std::vector<PanelCurve> back;
   back.push_back(one_way(hertz, power.into_ground_in_total, -unit.factor, {"total, out of the ground"}, "stroke=\"#000000\" stroke-width=\"1.2\" stroke-dasharray=\"1,4\""));
-  const std::size_t mounts = power.mounts.size() > 1 ? power.mounts.size() : 0;  // one mount is the total
-  for (std::size_t m = 0; m < mounts; ++m) {
+  const std::vector<std::size_t> mounts = mounts_with_power(power);
+  if (mounts.size() == 1) row.curves.front().key.push_back("all of it by " + power.mounts[mounts.front()]);
+  for (std::size_t i = 0; i < mounts.size() && mounts.size() > 1; ++i) {
+    const std::size_t m = mounts[i], style = i % 5 < 4 ? i % 5 : 5;  // black is the total's
     const Eigen::VectorXd mine = power.into_ground.row(static_cast<Eigen::Index>(m)).transpose();
-    const std::size_t style = m % 5 < 4 ? m % 5 : 5;  // black is the total's
     row.curves.push_back(one_way(hertz, mine, unit.factor, {power.mounts[m]}, series_stroke(style)));
     back.push_back(one_way(hertz, mine, -unit.factor, {power.mounts[m] + ", out of the ground"},
                            std::string("stroke=\"") + series_colour(style) + "\" stroke-width=\"1.2\" stroke-dasharray=\"1,4\""));
