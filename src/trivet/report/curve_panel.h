@@ -27,13 +27,14 @@ struct PanelRow {
   Axis x, y;
   std::vector<PanelCurve> curves;
   std::vector<PanelMark> marks;
-  std::vector<double> levels = {};                      ///< thin lines across
-  std::vector<std::pair<double, double>> shaded = {};   ///< from, to along x
+  std::vector<double> levels = {};                     ///< thin lines across
+  std::vector<std::pair<double, double>> shaded = {};  ///< from, to along x
 };
 
 /// The part of a curve inside its panel, thinned to what can be seen (extremes stay).
 /// @param x  ascending
-[[nodiscard]] std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& panel, const std::vector<double>& x, const std::vector<double>& y);
+[[nodiscard]] std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& panel, const std::vector<double>& x,
+                                                                  const std::vector<double>& y);
 
 void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row);
 

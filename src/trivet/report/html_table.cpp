@@ -29,7 +29,8 @@ Cell quantity_cell(double value, const std::string& unit) {
 Cell number_cell(double value, int digits) { return {std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "∞", true}; }
 
 std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows) {
-  std::string html = fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table><thead><tr>", rows.size() >= tall_from ? " tall" : "");
+  std::string html = fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table><thead><tr>",
+                                 rows.size() >= tall_from ? " tall" : "");
   for (const Cell& heading : headings) html += cell(heading, "th");
   html += "</tr></thead><tbody>";
   for (const auto& row : rows) {

@@ -15,7 +15,8 @@ constexpr double invisible = 1e-8;  // of the largest power
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Power one way, gaps where it flows the other way.
-PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& power, double factor, std::vector<std::string> key, std::string stroke) {
+PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& power, double factor, std::vector<std::string> key,
+                   std::string stroke) {
   PanelCurve curve{std::move(key), hertz, {}, std::move(stroke)};
   for (const double p : power) curve.y.push_back(p * factor > 0 ? p * factor : none);
   return curve;
@@ -24,7 +25,8 @@ PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& powe
 /// Does anything enter the ground beyond round-off of what the excitations feed in? A rigid ground takes nothing.
 bool flows(const response::PowerFlow& power) {
   constexpr double round_off = 1e-12;
-  return power.into_ground.cwiseAbs().maxCoeff() > round_off * std::max(power.by_forces.cwiseAbs().maxCoeff(), power.by_ground.cwiseAbs().maxCoeff());
+  return power.into_ground.cwiseAbs().maxCoeff() >
+         round_off * std::max(power.by_forces.cwiseAbs().maxCoeff(), power.by_ground.cwiseAbs().maxCoeff());
 }
 
 std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
@@ -52,9 +54,11 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   if (!flows(power)) return {};
   const UnitPrefix unit = unit_prefix(largest, "W");
   PanelRow row;
-  row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"total"}, "stroke=\"#000000\" stroke-width=\"2.4\" stroke-linejoin=\"round\""));
+  row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"total"},
+                               "stroke=\"#000000\" stroke-width=\"2.4\" stroke-linejoin=\"round\""));
   std::vector<PanelCurve> back;
-  back.push_back(one_way(hertz, power.into_ground_in_total, -unit.factor, {"total, out of the ground"}, "stroke=\"#000000\" stroke-width=\"1.2\" stroke-dasharray=\"1,4\""));
+  back.push_back(one_way(hertz, power.into_ground_in_total, -unit.factor, {"total, out of the ground"},
+                         "stroke=\"#000000\" stroke-width=\"1.2\" stroke-dasharray=\"1,4\""));
   const std::vector<std::size_t> mounts = mounts_with_power(power);
   if (mounts.size() == 1) row.curves.front().key.push_back("all of it by " + power.mounts[mounts.front()]);
   for (std::size_t i = 0; i < mounts.size() && mounts.size() > 1; ++i) {

@@ -71,7 +71,8 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
         row.marks.push_back({critical.speed * per_minute, critical.amplitude * unit.factor, series_colour(style),
                              critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * per_minute) : ""});
   }
-  if (shown.size() < run_up.orders.size()) row.curves.back().key.push_back(fmt::format("({} weaker orders not drawn)", run_up.orders.size() - shown.size()));
+  if (shown.size() < run_up.orders.size())
+    row.curves.back().key.push_back(fmt::format("({} weaker orders not drawn)", run_up.orders.size() - shown.size()));
   row.x = {rpm.front(), rpm.back(), false, "shaft speed [rpm]"};
   row.y = amplitude_axis(row.curves, fmt::format("{} [{}]", quantity_name(overall.unit), unit.unit));
   return row;

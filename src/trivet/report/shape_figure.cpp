@@ -27,7 +27,9 @@ struct View {
 
 std::vector<View> views() {
   const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
-  return {{"front", "x", "z", {1, 0, 0}, {0, 0, 1}}, {"side", "y", "z", {0, 1, 0}, {0, 0, 1}}, {"top", "x", "y", {1, 0, 0}, {0, 1, 0}},
+  return {{"front", "x", "z", {1, 0, 0}, {0, 0, 1}},
+          {"side", "y", "z", {0, 1, 0}, {0, 0, 1}},
+          {"top", "x", "y", {1, 0, 0}, {0, 1, 0}},
           {"isometric", "", "", {c, -c, 0}, {-s * c, -s * c, c}}};
 }
 
@@ -46,7 +48,12 @@ std::vector<Eigen::Vector3d> positions(const Places& places, double phase, doubl
 }
 
 Skeleton skeleton(const response::DeflectionShape& shape, double phase, double scale) {
-  Skeleton s{positions(shape.bodies, phase, scale), positions(shape.points, phase, scale), positions(shape.feet, phase, scale), positions(shape.heads, phase, scale), {}, {}};
+  Skeleton s{positions(shape.bodies, phase, scale),
+             positions(shape.points, phase, scale),
+             positions(shape.feet, phase, scale),
+             positions(shape.heads, phase, scale),
+             {},
+             {}};
   const auto join = [&](const Places& places, const std::vector<Eigen::Vector3d>& at) {
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i].body) s.limbs.emplace_back(s.poles[*places[i].body], at[i]);
@@ -95,14 +102,16 @@ Frame frame(const response::DeflectionShape& shape) {
 
 class Drawing {
  public:
-  Drawing(SvgCanvas& canvas, const View& view, PixelPoint middle, const Frame& frame, double pixels) : canvas_(canvas), view_(view), middle_(middle), frame_(frame), scale_(pixels / frame.size) {}
+  Drawing(SvgCanvas& canvas, const View& view, PixelPoint middle, const Frame& frame, double pixels)
+      : canvas_(canvas), view_(view), middle_(middle), frame_(frame), scale_(pixels / frame.size) {}
 
   PixelPoint at(const Eigen::Vector3d& r) const {
     const Eigen::Vector3d d = r - frame_.centre;
     return {middle_.x + scale_ * view_.right.dot(d), middle_.y - scale_ * view_.up.dot(d)};
   }
   void draw(const Skeleton& s, const std::string& colour, double width) {
-    for (const auto& [a, b] : s.springs) canvas_.line(at(a), at(b), fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-dasharray=\"3,2\"", colour, width));
+    for (const auto& [a, b] : s.springs)
+      canvas_.line(at(a), at(b), fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-dasharray=\"3,2\"", colour, width));
     for (const auto& [a, b] : s.limbs) canvas_.line(at(a), at(b), fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\"", colour, width));
     for (const auto& r : s.feet) triangle(at(r), colour);
     for (const auto& r : s.heads) canvas_.circle(at(r), 2.2, fmt::format("fill=\"{}\"", colour));
@@ -132,7 +141,8 @@ void draw_axes(SvgCanvas& canvas, const View& view, PixelPoint corner) {
     const PixelPoint way{26 * view.right(axis), -26 * view.up(axis)};
     if (std::hypot(way.x, way.y) < 1) continue;
     canvas.line(corner, {corner.x + way.x, corner.y + way.y}, "stroke=\"#333\"");
-    canvas.text({corner.x + 1.35 * way.x, corner.y + 1.35 * way.y + 4}, std::string(1, "xyz"[axis]), "text-anchor=\"middle\" fill=\"#333\"");
+    canvas.text({corner.x + 1.35 * way.x, corner.y + 1.35 * way.y + 4}, std::string(1, "xyz"[axis]),
+                "text-anchor=\"middle\" fill=\"#333\"");
   }
 }
 
@@ -157,10 +167,13 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
     draw_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
   }
   const UnitPrefix unit = unit_prefix(most.excursion, "m");
-  canvas.text({490, 708}, fmt::format("Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and points. Motion × {:.3g}.",
-                                      std::fmod(most.phase * 360 / turn + 360, 360), most.name, most.excursion * unit.factor, unit.unit, scale),
+  canvas.text({490, 708},
+              fmt::format("Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
+                          "points. Motion × {:.3g}.",
+                          std::fmod(most.phase * 360 / turn + 360, 360), most.name, most.excursion * unit.factor, unit.unit, scale),
               "text-anchor=\"middle\"");
-  canvas.text({490, 726}, "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.", "text-anchor=\"middle\" fill=\"#444\"");
+  canvas.text({490, 726}, "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.",
+              "text-anchor=\"middle\" fill=\"#444\"");
   return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / turn))), canvas.svg(title)};
 }
 

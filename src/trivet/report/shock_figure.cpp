@@ -29,8 +29,10 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
   row.curves = {{{"positive maximax"}, hertz, up, series_stroke(0)},
                 {{"negative maximax"}, hertz, down, series_stroke(1)},
                 {{"residual: after the shock,", "either sign"}, hertz, after, series_stroke(2)}};
-  const auto top = std::max_element(answer.spectrum.begin(), answer.spectrum.end(), [](const auto& a, const auto& b) { return a.maximax() < b.maximax(); });
-  row.marks = {{top->angular_frequency / (2 * std::numbers::pi), top->maximax() * unit.factor, series_colour(top->largest() >= -top->smallest() ? 0 : 1),
+  const auto top = std::max_element(answer.spectrum.begin(), answer.spectrum.end(),
+                                    [](const auto& a, const auto& b) { return a.maximax() < b.maximax(); });
+  row.marks = {{top->angular_frequency / (2 * std::numbers::pi), top->maximax() * unit.factor,
+                series_colour(top->largest() >= -top->smallest() ? 0 : 1),
                 fmt::format("{:.4g} {}", top->maximax() * unit.factor, unit.unit)}};
   row.y = logarithmic_axis(row.curves, invisible, fmt::format("absolute {} [{}]", quantity_name(answer.unit), unit.unit));
   return row;

@@ -31,14 +31,19 @@ PanelRow history_row(const response::TransientResponse& transient, const std::ve
   for (const double t : transient.time) time.push_back(t * second.factor);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::TimeCurve& c = transient.curves[series[i].curve];
-    PanelCurve curve{{series[i].label + ", " + extreme_words("max", c.largest, unit, second), extreme_words("min", c.smallest, unit, second)}, time, {}, series_stroke(i)};
+    PanelCurve curve{
+        {series[i].label + ", " + extreme_words("max", c.largest, unit, second), extreme_words("min", c.smallest, unit, second)},
+        time,
+        {},
+        series_stroke(i)};
     for (const double value : c.values) curve.y.push_back(value * unit.factor);
     row.curves.push_back(std::move(curve));
     const bool above = c.largest.value >= -c.smallest.value;
     for (const auto* extreme : {&c.largest, &c.smallest})
       if (absolute(c) > 0)
-        row.marks.push_back({extreme->time * second.factor, extreme->value * unit.factor, series_colour(i),
-                             &c == tallest && above == (extreme == &c.largest) ? fmt::format("{:.4g} {}", extreme->value * unit.factor, unit.unit) : ""});
+        row.marks.push_back(
+            {extreme->time * second.factor, extreme->value * unit.factor, series_colour(i),
+             &c == tallest && above == (extreme == &c.largest) ? fmt::format("{:.4g} {}", extreme->value * unit.factor, unit.unit) : ""});
   }
   row.x = {time.front(), time.back(), false, fmt::format("t [{}]", second.unit)};
   row.y = airy_axis(low * unit.factor, high * unit.factor, fmt::format("{} [{}]", quantity_name(tallest->unit), unit.unit));

@@ -16,7 +16,8 @@ constexpr double deepest = -80;  // dB
 
 std::string isolation_words(const response::Crossover& crossover) {
   if (!crossover.angular_frequency) return "does not isolate";
-  return *crossover.angular_frequency == 0 ? "isolates everywhere" : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / turn);
+  return *crossover.angular_frequency == 0 ? "isolates everywhere"
+                                           : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / turn);
 }
 
 }  // namespace

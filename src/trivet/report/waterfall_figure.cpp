@@ -55,13 +55,15 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
   }
   const PixelPoint middle = s.at(s.hertz_to, (s.rpm_from + s.rpm_to) / 2, 0);
   const double x_name = middle.x + 58, y_name = middle.y + 12, slope = std::atan2(s.back.y, s.back.x) * 360 / turn;
-  canvas.text({x_name, y_name}, "shaft speed [rpm]", fmt::format("text-anchor=\"middle\" transform=\"rotate({:.1f} {:.2f} {:.2f})\"", slope, x_name, y_name));
+  canvas.text({x_name, y_name}, "shaft speed [rpm]",
+              fmt::format("text-anchor=\"middle\" transform=\"rotate({:.1f} {:.2f} {:.2f})\"", slope, x_name, y_name));
   for (const Tick& tick : linear_ticks(0, s.amplitude_to, 4)) {
     const PixelPoint left = s.at(0, s.rpm_from, tick.value);
     canvas.line({left.x - 5, left.y}, left, "stroke=\"#333\"");
     canvas.text({left.x - 8, left.y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
   }
-  for (const auto& [a, b] : {std::pair{s.at(0, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_from, 0)}, std::pair{s.at(s.hertz_to, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_to, 0)},
+  for (const auto& [a, b] : {std::pair{s.at(0, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_from, 0)},
+                             std::pair{s.at(s.hertz_to, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_to, 0)},
                              std::pair{s.at(0, s.rpm_from, 0), s.at(0, s.rpm_from, s.amplitude_to)}})
     canvas.line(a, b, "stroke=\"#333\"");
   const double x = s.origin.x - 56, y = s.origin.y - s.height / 2;
@@ -69,19 +71,23 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
 }
 
 /// Lines of one order keep their colour; the farthest spectrum is drawn first.
-void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response::WaterfallLine>& lines, const std::vector<double>& orders, double factor) {
+void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response::WaterfallLine>& lines, const std::vector<double>& orders,
+                  double factor) {
   for (std::size_t i = lines.size(); i-- > 0;) {
     const response::WaterfallLine& line = lines[i];
     const double rpm = line.speed * per_minute, hertz = line.angular_frequency / turn;
-    if (i + 1 == lines.size() || lines[i + 1].speed != line.speed) canvas.line(s.at(0, rpm, 0), s.at(s.hertz_to, rpm, 0), "stroke=\"#b8b8b8\" stroke-width=\"0.8\"");
+    if (i + 1 == lines.size() || lines[i + 1].speed != line.speed)
+      canvas.line(s.at(0, rpm, 0), s.at(s.hertz_to, rpm, 0), "stroke=\"#b8b8b8\" stroke-width=\"0.8\"");
     if (hertz > s.hertz_to || !std::isfinite(line.amplitude)) continue;
     const auto order = static_cast<std::size_t>(std::find(orders.begin(), orders.end(), line.order) - orders.begin());
-    canvas.line(s.at(hertz, rpm, 0), s.at(hertz, rpm, line.amplitude * factor), fmt::format("stroke=\"{}\" stroke-width=\"2\"", series_colour(order)));
+    canvas.line(s.at(hertz, rpm, 0), s.at(hertz, rpm, line.amplitude * factor),
+                fmt::format("stroke=\"{}\" stroke-width=\"2\"", series_colour(order)));
   }
   for (std::size_t k = 0; k < orders.size(); ++k) {
     const double rpm = std::min(s.rpm_to, 60 * s.hertz_to / orders[k]);
     if (rpm <= s.rpm_from) continue;
-    canvas.line(s.at(orders[k] * s.rpm_from / 60, s.rpm_from, 0), s.at(orders[k] * rpm / 60, rpm, 0), fmt::format("stroke=\"{}\" stroke-width=\"0.8\" stroke-dasharray=\"2,3\"", series_colour(k)));
+    canvas.line(s.at(orders[k] * s.rpm_from / 60, s.rpm_from, 0), s.at(orders[k] * rpm / 60, rpm, 0),
+                fmt::format("stroke=\"{}\" stroke-width=\"0.8\" stroke-dasharray=\"2,3\"", series_colour(k)));
   }
 }
 
@@ -113,7 +119,8 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
     if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / turn);
   space.amplitude_to = largest * unit.factor;
   std::vector<response::WaterfallLine> visible;
-  std::copy_if(lines.begin(), lines.end(), std::back_inserter(visible), [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(visible),
+               [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
 
   const std::string title = case_title("Waterfall: " + run_up.overall[*curve].name, answers);
   SvgCanvas canvas(980, 556);
