@@ -8,6 +8,7 @@
 #include "cli/console.h"
 #include "cli/further_tables.h"
 #include "trivet/report/figures.h"
+#include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
 #include "trivet/study/further_json.h"
 #include "trivet/study/result_folder.h"
@@ -40,6 +41,7 @@ void write_case(study::ResultFolder& folder, const std::string& stem, const stud
   if (!answers.shock_spectra.empty()) folder.write(stem + "/shock_spectrum.csv", study::shock_spectrum_csv(answers));
   if (answers.response)
     for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
+  for (const report::Figure& figure : report::further_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
 }
 
 std::string case_text(const study::Case& variant, const study::Answers& answers) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace trivet::report {
@@ -23,15 +24,28 @@ std::vector<Tick> linear_ticks(double from, double to, int wanted) {
   return ticks;
 }
 
+namespace {
+
+/// digit · 10^exponent as plain as it reads: "0.02", "500", "2·10⁻⁶".
+std::string power_label(int digit, int exponent) {
+  if (exponent >= -3 && exponent <= 4) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
+  static const char* const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string label = digit == 1 ? "10" : fmt::format("{}·10", digit);
+  for (const char sign : std::to_string(exponent)) label += sign == '-' ? "⁻" : raised[sign - '0'];
+  return label;
+}
+
+}  // namespace
+
 std::vector<Tick> decade_ticks(double from, double to) {
   std::vector<Tick> ticks;
   const bool few = std::log10(to / from) < 2;
   const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
-  const int step = last - first > 8 ? 2 : 1;
+  const int step = 1 + (last - first) / 12;
   for (int decade = first; decade <= last; decade += step)
-    for (const double digit : few ? std::vector<double>{1, 2, 5} : std::vector<double>{1}) {
+    for (const int digit : few ? std::vector<int>{1, 2, 5} : std::vector<int>{1}) {
       const double value = digit * std::pow(10.0, decade);
-      if (value >= from * (1 - 1e-9) && value <= to * (1 + 1e-9)) ticks.push_back({value, fmt::format("{:g}", value)});
+      if (value >= from * (1 - 1e-9) && value <= to * (1 + 1e-9)) ticks.push_back({value, power_label(digit, decade)});
     }
   return ticks;
 }
@@ -49,7 +63,7 @@ UnitPrefix unit_prefix(double largest, const std::string& unit) {
   static const char* const names[] = {"n", "µ", "m", "", "k", "M"};
   if (!(largest > 0) || !std::isfinite(largest)) return {1, unit};
   int n = static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
-  n = std::max(-3, std::min(2, n));
+  n = std::max(-3, std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // nobody reads "km/s²" or "krad"
   return {std::pow(10.0, -3 * n), names[n + 3] + unit};
 }
 

@@ -20,7 +20,8 @@ struct Tick {
 /// Multiples of 30°, 45°, 90° or 180° inside [from, to] degrees.
 [[nodiscard]] std::vector<Tick> angle_ticks(double from, double to);
 
-/// A factor 10^(3n) that brings `largest` near 1 … 1000, and what it turns the unit into: 0.01 m → 1000, "mm".
+/// A factor 10^(3n) that brings `largest` near 1 … 1000, and what it turns the unit into: 0.01 m → 1000, "mm". Only newtons and
+/// watts get larger units.
 struct UnitPrefix {
   double factor = 1;
   std::string unit;

@@ -5,24 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 
 #include "trivet/report/axis_ticks.h"
+#include "trivet/report/curve_groups.h"
+#include "trivet/report/plot_panel.h"
 #include "trivet/report/svg_canvas.h"
 
 namespace trivet::report {
 namespace {
-
-// Okabe-Ito colours, told apart by colour-blind readers, and by their dashes in grey print.
-constexpr std::array<const char*, 6> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00"};
-constexpr std::array<const char*, 6> dashes = {"", "7,3", "2,2", "9,3,2,3", "5,2", "1,3"};
-
-struct Series {
-  std::string label;
-  std::size_t curve = 0;
-};
 
 /// Where a panel lies on the canvas, and its data ranges.
 struct Panel {
@@ -35,33 +27,6 @@ struct Panel {
   }
 };
 
-/// Curves that share a picture: "machine", "machine.seat", "ground.force" … with those in length above, in angle below.
-struct Group {
-  std::string name;
-  std::vector<Series> upper, lower;
-};
-
-std::vector<Group> groups(const study::ResponseAnswer& answer) {
-  std::vector<Group> result;
-  for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
-    const std::string& full = answer.curves.curves[c].name;
-    const std::size_t dot = full.rfind('.');
-    std::string name = full.substr(0, dot), component = full.substr(dot + 1);
-    bool lower = component.starts_with("r");
-    if (answer.curves.curves[c].unit.starts_with("N")) {
-      lower = name.ends_with(".moment");
-      component = (lower ? "M" : "F") + component;
-      name = name.substr(0, name.rfind('.'));
-    } else if (lower) {
-      component = "θ" + component.substr(1);
-    }
-    auto group = std::find_if(result.begin(), result.end(), [&](const Group& g) { return g.name == name; });
-    if (group == result.end()) group = result.insert(result.end(), Group{name, {}, {}});
-    (lower ? group->lower : group->upper).push_back({component, c});
-  }
-  return result;
-}
-
 /// Amplitudes of some curves over their band: the largest, the median and the smallest worth showing.
 struct Extent {
   double largest = 0, median = 0, smallest = 0;
@@ -72,10 +37,10 @@ struct Extent {
   }
 };
 
-Extent extent(const study::ResponseAnswer& answer, const std::vector<Series>& series) {
+Extent extent(const study::ResponseAnswer& answer, const std::vector<GroupedCurve>& series) {
   constexpr double invisible = 1e-5;  // of the largest amplitude
   std::vector<double> all;
-  for (const Series& s : series)
+  for (const GroupedCurve& s : series)
     for (const auto& value : answer.curves.curves[s.curve].value)
       if (std::isfinite(std::abs(value))) all.push_back(std::abs(value));
   if (all.empty()) return {};
@@ -97,11 +62,6 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
   return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
 }
 
-std::string curve_style(std::size_t i) {
-  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", colours[i % 6],
-                     dashes[i % 6][0] ? fmt::format(" stroke-dasharray=\"{}\"", dashes[i % 6]) : "");
-}
-
 void draw_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label, const std::string& y_label) {
   for (const Tick& tick : linear_ticks(p.x_from, p.x_to, std::max(3, static_cast<int>(p.width / 70)))) {
     const PixelPoint low = p.at(tick.value, p.y_from);
@@ -119,12 +79,12 @@ void draw_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ti
   if (!y_label.empty()) canvas.text({x, y}, y_label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
 }
 
-void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<Series>& series) {
+void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCurve>& series) {
   const double width = 52, left = p.left + p.width - width - 6;
   canvas.rectangle({left - 4, p.top + 5}, width + 4, 15.0 * static_cast<double>(series.size()) + 4, "fill=\"white\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double y = p.top + 15 + 15.0 * static_cast<double>(i);
-    canvas.line({left, y}, {left + 26, y}, curve_style(i));
+    canvas.line({left, y}, {left + 26, y}, series_stroke(i));
     canvas.text({left + 31, y + 4}, series[i].label, "");
   }
 }
@@ -148,16 +108,16 @@ std::vector<std::vector<PixelPoint>> visible_pieces(const Panel& p, const std::v
   return pieces;
 }
 
-void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<Series>& series, double factor) {
+void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<GroupedCurve>& series, double factor) {
   const auto& omega = answers.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto& values = answers.response->curves.curves[series[i].curve].value;
-    for (const auto& piece : visible_pieces(p, omega, factor * values.cwiseAbs())) canvas.polyline(piece, curve_style(i));
+    for (const auto& piece : visible_pieces(p, omega, factor * values.cwiseAbs())) canvas.polyline(piece, series_stroke(i));
     if (!answers.peaks) continue;
     for (const response::Peak& peak : answers.peaks->peaks.list) {
       const bool mine = answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
       if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to && factor * peak.amplitude <= p.y_to && factor * peak.amplitude >= p.y_from)
-        canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", colours[i % 6]));
+        canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", series_colour(i)));
     }
   }
   for (const study::LimitAnswer& limit : answers.limits)
@@ -169,7 +129,7 @@ void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& an
       }
 }
 
-void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<Series>& series) {
+void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<GroupedCurve>& series) {
   const auto& omega = answers.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Eigen::VectorXd& phase = answers.response->phase[series[i].curve];
@@ -179,19 +139,19 @@ void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answer
       const double degrees = phase(static_cast<Eigen::Index>(k)) * 180 / std::numbers::pi;
       if (!std::isfinite(degrees)) continue;
       if (!points.empty() && std::abs(degrees - last) > 270) {  // the curve leaves at ±180° and enters at the other side
-        canvas.polyline(points, curve_style(i));
+        canvas.polyline(points, series_stroke(i));
         points.clear();
       }
       points.push_back(p.at(omega[k], degrees));
       last = degrees;
     }
-    canvas.polyline(points, curve_style(i));
+    canvas.polyline(points, series_stroke(i));
   }
 }
 
-std::pair<double, double> phase_range(const study::Answers& answers, const std::vector<Series>& series) {
+std::pair<double, double> phase_range(const study::Answers& answers, const std::vector<GroupedCurve>& series) {
   double low = -180, high = 180;
-  for (const Series& s : series)
+  for (const GroupedCurve& s : series)
     for (const double phase : answers.response->phase[s.curve])
       if (std::isfinite(phase)) {
         low = std::min(low, std::floor(phase * 180 / std::numbers::pi / 90 + 1e-9) * 90);
@@ -200,13 +160,8 @@ std::pair<double, double> phase_range(const study::Answers& answers, const std::
   return {low, high};
 }
 
-const char* quantity_letter(const study::ResponseAnswer& answer, const std::vector<Series>& series) {
-  const std::string& unit = answer.curves.curves[series.front().curve].unit;
-  if (unit == "N") return "force";
-  if (unit == "N m") return "moment";
-  static constexpr const char* translation[] = {"displacement", "velocity", "acceleration"};
-  static constexpr const char* rotation[] = {"rotation", "angular velocity", "angular acceleration"};
-  return (unit.starts_with("rad") ? rotation : translation)[static_cast<int>(answer.quantity)];
+std::string quantity_of(const study::ResponseAnswer& answer, const std::vector<GroupedCurve>& series) {
+  return quantity_name(answer.curves.curves[series.front().curve].unit);
 }
 
 bool is_drawable(const study::Answers& answers) { return answers.response && answers.response->curves.angular_frequency.size() >= 2; }
@@ -219,10 +174,10 @@ bool repeats_as_case(const study::Answers& base, const std::vector<study::Answer
   });
 }
 
-Figure group_figure(const study::Answers& answers, const Group& group) {
+Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
   const study::ResponseAnswer& answer = *answers.response;
   const double row_height = 200, panel_width = 400;
-  std::vector<const std::vector<Series>*> rows;
+  std::vector<const std::vector<GroupedCurve>*> rows;
   for (const auto* series : {&group.upper, &group.lower})
     if (!series->empty()) rows.push_back(series);
   const double height = 46 + static_cast<double>(rows.size()) * (row_height + 52);
@@ -230,13 +185,13 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
   const std::string title = group.name + (answers.case_name.empty() ? "" : ", " + answers.case_name);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const std::vector<Series>& series = *rows[r];
+    const std::vector<GroupedCurve>& series = *rows[r];
     const double top = 40 + static_cast<double>(r) * (row_height + 52);
     const Extent range = extent(answer, series);
     const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
     Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
-    draw_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} [{}]{}", quantity_letter(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
+    draw_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
@@ -244,9 +199,7 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
     draw_frame(canvas, phase, angle_ticks(low, high), "ω [rad/s]", "phase [°]");
     draw_phases(canvas, phase, answers, series);
   }
-  std::string file = group.name;
-  std::replace_if(file.begin(), file.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-'; }, '_');
-  return {title, file + ".svg", canvas.svg("Amplitude and phase of " + title)};
+  return {title, file_part(group.name) + ".svg", canvas.svg("Amplitude and phase of " + title)};
 }
 
 }  // namespace
@@ -254,7 +207,7 @@ Figure group_figure(const study::Answers& answers, const Group& group) {
 std::vector<Figure> characteristics(const study::Answers& answers) {
   std::vector<Figure> result;
   if (!is_drawable(answers)) return result;
-  for (const Group& group : groups(*answers.response)) {
+  for (const CurveGroup& group : curve_groups(curve_names(answers.response->curves.curves))) {
     result.push_back(group_figure(answers, group));
     // Numbered, because different names may share the letters that are safe in a file name.
     result.back().file_name = fmt::format("{:02}-{}", result.size(), result.back().file_name);
@@ -275,13 +228,13 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   // One scale for all, so that the cases compare.
   std::array<Extent, 2> ranges;
   for (const study::Answers* answers : shown) {
-    const Group group = groups(*answers->response).front();
+    const CurveGroup group = curve_groups(curve_names(answers->response->curves.curves)).front();
     ranges[0].include(extent(*answers->response, group.upper));
     ranges[1].include(extent(*answers->response, group.lower));
   }
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const study::Answers& answers = *shown[i];
-    const Group group = groups(*answers.response).front();
+    const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
     const double left = 68 + column_pitch * static_cast<double>(i % columns), top = 66 + row_pitch * static_cast<double>(i / columns);
     canvas.text({left + width / 2, top - 8}, (answers.case_name.empty() ? "Base model" : answers.case_name) + ": " + group.name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
@@ -291,7 +244,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
       Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, 1};
       set_amplitude_axis(panel, range, unit.factor);
       draw_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
-                 fmt::format("{} [{}]{}", quantity_letter(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
+                 fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);
     }

@@ -695,9 +695,14 @@ function elementsTables(elements) {
   const found = e => folded(`How ${e.name} was found`, '', table(['what', 'value'], e.facts.map(f => [f.what, f.value])));
   return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'], elements.map(row)), elements.filter(e => e.facts.length).map(found), elements.map(stiffness), elements.filter(e => e.damping === 'viscous matrix').map(viscous)];
 }
+/// The course of an excitation is in its type; of a force or motion only the components that act are named.
 function excitationsTable(excitations) {
-  const row = e => [e.name, e.type, e.on, vector(e.at), vector(e.force), vector(e.moment), e.phase ? vector(e.phase.map(p => p * 360 / TURN)) : '–'];
-  return table(['excitation', 'type', 'on', 'at, body axes [m]', 'force x, y, z [N]', 'moment x, y, z [N m]', 'phases of the six [°]'], excitations.map(row));
+  const parts = (values, names, unit) => (values ?? []).map((v, i) => (v ? `${names[i]} ${number(v)}` : '')).filter(Boolean).map(text => `${text} ${unit}`);
+  const amplitudes = e => [...parts(e.force, FORCES, 'N'), ...parts(e.moment, FORCES.slice(3), 'N m'), ...parts(e.translation, MOTIONS, e.units?.[0] ?? 'm'),
+                           ...parts(e.rotation, MOTIONS.slice(3), e.units?.[1] ?? 'rad')].join(', ') || '–';
+  const phases = e => (e.phase?.some(p => p !== 0) ? vector(e.phase.map(p => p * 360 / TURN)) : '–');
+  const row = e => [e.name, e.type, e.on ?? 'ground', e.at ? vector(e.at) : '–', amplitudes(e), phases(e)];
+  return table(['excitation', 'type', 'on', 'at, body or ground axes [m]', 'components', 'phases of the six [°]'], excitations.map(row));
 }
 function inputsSection(c) {
   const {bodies, elements, excitations, gravity, damping} = c.model, part = (title, list, make) => [html('h3', {}, title), list.length ? make(list) : html('p', {}, 'None.')];
@@ -772,10 +777,11 @@ function caseHead(c) {
 function buildCase() {
   const c = cases[view.case];
   cursor = null;
+  for (const block of byId('case-answers').children) block.hidden = Number(block.dataset.case) !== view.case;
   put('case-pictures', caseHead(c), limitsSection(c), characteristics(c), peaksSection(c));
   put('case-tables', modesSection(c), rootsSection(c), staticSection(c), inputsSection(c), checksSection(c));
   buildComparison();
-  const shown = [...document.querySelectorAll('main section')].filter(s => !s.hidden && s.id !== 'case-head');
+  const shown = [...document.querySelectorAll('main section')].filter(s => !s.closest('[hidden]') && s.id !== 'case-head');
   const link = s => html('button', {type: 'button', class: 'link', onclick: () => s.scrollIntoView()}, s.querySelector('h2').textContent);
   put('contents', shown.map(link));
   byId('switches').hidden = !allPictures().length;

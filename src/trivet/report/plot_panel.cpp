@@ -15,14 +15,29 @@ constexpr std::array<const char*, 6> dashes = {"", "7,3", "2,2", "9,3,2,3", "5,2
 
 }  // namespace
 
-double Axis::share(double value) const {
-  const double kept = std::clamp(value, from, to);
-  return logarithmic ? std::log(kept / from) / std::log(to / from) : (kept - from) / (to - from);
-}
+double Axis::position(double value) const { return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from); }
+
+double Axis::share(double value) const { return position(std::clamp(value, from, to)); }
 
 std::vector<Tick> Axis::ticks(int wanted) const { return logarithmic ? decade_ticks(from, to) : linear_ticks(from, to, wanted); }
 
 PixelPoint PlotPanel::at(double x_value, double y_value) const { return {corner.x + x.share(x_value) * width, corner.y + (1 - y.share(y_value)) * height}; }
+
+namespace {
+
+/// Short marks at the powers of ten and, where there is room, at 2 … 9 times them.
+std::vector<double> minor_values(const Axis& axis) {
+  constexpr double most_decades = 8;
+  std::vector<double> values;
+  if (!axis.logarithmic) return values;
+  const int last_digit = std::log10(axis.to / axis.from) > most_decades ? 1 : 9;
+  for (double decade = std::pow(10.0, std::floor(std::log10(axis.from))); decade < axis.to; decade *= 10)
+    for (int digit = 1; digit <= last_digit; ++digit)
+      if (digit * decade > axis.from && digit * decade < axis.to) values.push_back(digit * decade);
+  return values;
+}
+
+}  // namespace
 
 void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
   const double bottom = p.corner.y + p.height, right = p.corner.x + p.width;
@@ -36,6 +51,14 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#e4e4e4\"");
     canvas.text({p.corner.x - 6, y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
   }
+  for (const double value : minor_values(p.x)) {
+    const double x = p.at(value, p.y.from).x;
+    canvas.line({x, bottom - 4}, {x, bottom}, "stroke=\"#777\" stroke-width=\"0.8\"");
+  }
+  for (const double value : minor_values(p.y)) {
+    const double y = p.at(p.x.from, value).y;
+    canvas.line({p.corner.x, y}, {p.corner.x + 4, y}, "stroke=\"#777\" stroke-width=\"0.8\"");
+  }
   canvas.rectangle(p.corner, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
   canvas.text({p.corner.x + p.width / 2, bottom + 31}, p.x.label, "text-anchor=\"middle\"");
   const double x = p.corner.x - 48, y = p.corner.y + p.height / 2;
@@ -45,7 +68,7 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
 const char* series_colour(std::size_t series) { return colours[series % colours.size()]; }
 
 std::string series_stroke(std::size_t series) {
-  const char* dash = dashes[series % dashes.size()];
+  const char* dash = dashes[(series + series / dashes.size()) % dashes.size()];
   return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", series_colour(series), dash[0] ? fmt::format(" stroke-dasharray=\"{}\"", dash) : "");
 }
 

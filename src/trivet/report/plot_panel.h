@@ -15,6 +15,8 @@ struct Axis {
   bool logarithmic = false;
   std::string label;
 
+  /// 0 at `from`, 1 at `to`, also beyond; a logarithmic axis takes values > 0.
+  [[nodiscard]] double position(double value) const;
   /// 0 at `from`, 1 at `to`; values beyond stay at the edge.
   [[nodiscard]] double share(double value) const;
   [[nodiscard]] std::vector<Tick> ticks(int wanted) const;
@@ -34,7 +36,7 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& panel);
 
 /// Okabe–Ito colours, told apart by colour-blind readers.
 [[nodiscard]] const char* series_colour(std::size_t series);
-/// Stroke of a curve: its colour, and a dash for grey print.
+/// Stroke of a curve: its colour, and a dash for grey print; 36 differ.
 [[nodiscard]] std::string series_stroke(std::size_t series);
 
 }  // namespace trivet::report

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "trivet/report/answer_sections.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/svg_canvas.h"
 #include "trivet/study/version.h"
@@ -30,18 +31,28 @@ std::string inside_script(const std::string& json) {
   return result;
 }
 
+/// One block per case; the script shows that of the selected case, without it the first shows.
+std::string case_blocks(const std::vector<study::Answers>& answers) {
+  std::string blocks;
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    blocks += fmt::format("<div data-case=\"{}\"{}>{}</div>\n", i, i == 0 ? "" : " hidden", answer_sections(answers[i]));
+  return blocks;
+}
+
 }  // namespace
 
 std::string report_page(const study::Project& project, const std::vector<study::Answers>& answers, const std::string& results) {
   const std::string title = project.title.empty() ? project.source : project.title;
   std::string page = page_html;
-  replace(page, "{{title}}", escaped(title));
-  replace(page, "{{heading}}", escaped(title));
-  replace(page, "{{program}}", fmt::format("trivet {}", study::version()));
-  replace(page, "{{overview}}", overview(title, answers).svg);
-  replace(page, "{{style}}", page_css);
-  replace(page, "{{results}}", inside_script(results));
+  // From the end to the start: a name that looks like a place stands behind the place itself.
   replace(page, "{{script}}", page_js);
+  replace(page, "{{results}}", inside_script(results));
+  replace(page, "{{answers}}", case_blocks(answers));
+  replace(page, "{{overview}}", overview(title, answers).svg);
+  replace(page, "{{program}}", fmt::format("trivet {}", study::version()));
+  replace(page, "{{heading}}", escaped(title));
+  replace(page, "{{style}}", page_css);
+  replace(page, "{{title}}", escaped(title));
   return page;
 }
 

@@ -19,7 +19,7 @@ Vector6c turned(const Eigen::Matrix3d& rotation, const Vector6c& motion) {
 
 MovingPlace end_place(const model::System& system, const std::string& name, const model::End& end, const Vector6c& motion) {
   const spatial::Pose pose = model::end_in_ground(system.bodies(), end);
-  return {name, pose.position, turned(pose.rotation, motion)};
+  return {name, pose.position, turned(pose.rotation, motion), end.body};
 }
 
 }  // namespace
@@ -33,10 +33,10 @@ DeflectionShape deflection_shape(const model::System& system, const assembly::As
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const model::Body& body = system.bodies()[b];
     const Vector6c q = assembled.layout.of_body(b, motion.free);
-    shape.bodies.push_back({body.name, body.pose.position, turned(body.pose.rotation, q)});
+    shape.bodies.push_back({body.name, body.pose.position, turned(body.pose.rotation, q), b});
     for (const model::Point& point : body.points)
       shape.points.push_back({body.name + "." + point.name, body.pose.position + body.pose.rotation * point.at,
-                              turned(body.pose.rotation, spatial::rigid_motion(point.at).cast<std::complex<double>>() * q)});
+                              turned(body.pose.rotation, spatial::rigid_motion(point.at).cast<std::complex<double>>() * q), b});
   }
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];

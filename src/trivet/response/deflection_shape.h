@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct MovingPlace {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< at rest, ground frame [m]
   /// translation [m] and rotation [rad], ground axes
   Eigen::Matrix<std::complex<double>, 6, 1> motion = Eigen::Matrix<std::complex<double>, 6, 1>::Zero();
+  std::optional<std::size_t> body = {};  ///< it moves with; none on the ground or a foundation
 };
 
 /// Operating deflection shape: where everything goes at one ω.

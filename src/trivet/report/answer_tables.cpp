@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/answer_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/report/html_table.h"
+#include "trivet/report/svg_canvas.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
+
+Cell right(std::string text) { return {std::move(text), true}; }
+Cell percent_cell(double share) { return right(fmt::format("{:.1f}\u00a0%", 100 * share)); }
+Cell hertz_cell(double omega) { return number_cell(omega / turn, 5); }
+std::string hint(const std::string& text) { return "<p class=\"hint\">" + escaped(text) + "</p>\n"; }
+std::string folded(const std::string& title, const std::string& html) {
+  return "<details><summary>" + escaped(title) + "</summary>" + html + "</details>\n";
+}
+
+bool weighted(const study::RandomResult& random) {
+  return std::any_of(random.response.answers.begin(), random.response.answers.end(),
+                     [](const auto& a) { return a.weighted_rms.has_value(); });
+}
+
+/// m → m/s², m/s → m/s² …
+std::string acceleration_unit(const std::string& unit) { return unit.starts_with("rad") ? "rad/s²" : "m/s²"; }
+
+}  // namespace
+
+std::string random_table(const study::Answers& answers) {
+  if (!answers.random) return "";
+  const study::RandomResult& random = *answers.random;
+  const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
+  std::vector<Cell> headings = {{"answer"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
+  if (has_weights) headings.push_back(right("weighted rms"));
+  if (has_shares)
+    for (const std::string& input : random.inputs) headings.push_back(right("variance from " + input));
+  headings.push_back({"remark"});
+  std::vector<std::vector<Cell>> rows;
+  for (const response::RandomAnswer& a : random.response.answers) {
+    const auto given = [&](const std::optional<double>& value, const std::string& unit) {
+      return value ? quantity_cell(*value, unit) : right("–");
+    };
+    std::vector<Cell> row = {
+        {a.name}, given(a.rms, a.unit), given(a.three_sigma, a.unit), a.zero_crossings ? number_cell(*a.zero_crossings) : right("–")};
+    if (has_weights) row.push_back(given(a.weighted_rms, acceleration_unit(a.unit)));
+    if (has_shares)
+      for (std::size_t i = 0; i < random.inputs.size(); ++i)
+        row.push_back(i < a.variance_share.size() && !a.vanishes ? percent_cell(a.variance_share[i]) : right("–"));
+    row.push_back({a.vanishes ? "below round-off" : a.reason});
+    rows.push_back(std::move(row));
+  }
+  return html_table(headings, rows) +
+         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, not read off the curves: {}.{}", random.response.from / turn,
+                          random.response.to / turn, response::name(random.response.method),
+                          random.response.remark.empty() ? "" : " " + random.response.remark));
+}
+
+std::string transient_table(const study::Answers& answers) {
+  if (!answers.transient) return "";
+  std::vector<std::vector<Cell>> rows;
+  for (const response::TimeCurve& c : answers.transient->response.curves)
+    rows.push_back({{c.name},
+                    quantity_cell(c.largest.value, c.unit),
+                    quantity_cell(c.largest.time, "s"),
+                    quantity_cell(c.smallest.value, c.unit),
+                    quantity_cell(c.smallest.time, "s"),
+                    quantity_cell(c.rms, c.unit)});
+  return html_table({{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")}, rows) +
+         hint("Counted from the position of rest. The extremes are those of the exact motion, also between the points of time.");
+}
+
+std::string run_up_tables(const study::Answers& answers) {
+  if (!answers.orders) return "";
+  constexpr double worth_naming = 0.01;
+  const response::RunUp& run_up = answers.orders->run_up;
+  std::vector<std::vector<Cell>> rows;
+  for (const response::CriticalSpeed& c : run_up.critical) {
+    const response::Overall& curve = run_up.overall[c.curve];
+    if (std::isfinite(c.amplitude) && c.relative_height < worth_naming) continue;
+    rows.push_back({{curve.name},
+                    number_cell(c.order),
+                    number_cell(c.speed * per_minute, 5),
+                    hertz_cell(c.angular_frequency),
+                    quantity_cell(c.amplitude, curve.unit),
+                    percent_cell(c.relative_height),
+                    right(c.nearest_mode ? std::to_string(*c.nearest_mode) : "–")});
+  }
+  std::vector<std::vector<Cell>> points;
+  for (const response::Interference& p : answers.orders->campbell.points)
+    points.push_back({right(p.mode ? std::to_string(*p.mode) : "–"),
+                      number_cell(p.order),
+                      number_cell(p.speed * per_minute, 5),
+                      hertz_cell(p.angular_frequency),
+                      p.modal_force_share ? percent_cell(*p.modal_force_share) : right("–"),
+                      {p.excited ? "yes" : "no"}});
+  return html_table({{"answer"},
+                     right("order"),
+                     right("critical speed [rpm]"),
+                     right("f [Hz]"),
+                     right("amplitude"),
+                     right("of its highest"),
+                     right("nearest mode")},
+                    rows) +
+         hint("Peaks of single orders over the speed; those lower than 1 % of the highest of their answer are left out here.") +
+         folded("Interference points: where an order meets a natural frequency",
+                html_table({right("mode"), right("order"), right("speed [rpm]"), right("f [Hz]"), right("modal force share"), {"excited"}},
+                           points));
+}
+
+std::string transmissibility_table(const study::Answers& answers) {
+  if (!answers.transmissibility) return "";
+  const study::TransmissibilityResult& t = *answers.transmissibility;
+  std::vector<std::vector<Cell>> rows;
+  for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
+    const response::Curve& c = t.curves.curves[i];
+    std::vector<Cell> row = {{c.name}};
+    const auto summary = std::find_if(t.peaks.curves.begin(), t.peaks.curves.end(), [&](const auto& s) { return s.name == c.name; });
+    row.push_back(summary == t.peaks.curves.end() ? right("–") : number_cell(response::transmissibility_level(summary->highest)));
+    row.push_back(summary == t.peaks.curves.end() ? right("–") : hertz_cell(summary->highest_at));
+    const bool known = i < t.crossovers.size() && t.crossovers[i].angular_frequency;
+    row.push_back(!known                                    ? right("none")
+                  : *t.crossovers[i].angular_frequency == 0 ? right("everywhere")
+                                                            : hertz_cell(*t.crossovers[i].angular_frequency));
+    const double last = c.value.size() > 0 ? std::abs(c.value(c.value.size() - 1)) : 0;
+    row.push_back(number_cell(response::transmissibility_level(last)));
+    row.push_back(percent_cell(response::isolation_efficiency(last)));
+    rows.push_back(std::move(row));
+  }
+  const std::string end = t.curves.angular_frequency.empty() ? "" : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / turn);
+  return "<p>" + escaped(t.words) + "</p>\n" +
+         html_table({{"answer"},
+                     right("highest [dB]"),
+                     right("at [Hz]"),
+                     right("isolates above [Hz]"),
+                     right("level" + end + " [dB]"),
+                     right("isolation efficiency there")},
+                    rows);
+}
+
+std::string power_table(const study::Answers& answers) {
+  if (!answers.power || answers.power->angular_frequency.empty() || answers.power->mounts.empty()) return "";
+  const response::PowerFlow& p = *answers.power;
+  const auto row = [&](const std::string& name, const Eigen::VectorXd& power) {
+    Eigen::Index at = 0;
+    const double most = power.maxCoeff(&at), total = p.into_ground_in_total(at), fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
+    return std::vector<Cell>{{name},
+                             quantity_cell(most, "W"),
+                             hertz_cell(p.angular_frequency[static_cast<std::size_t>(at)]),
+                             total > 0 && most > 0 ? percent_cell(most / total) : right("–"),
+                             quantity_cell(fed, "W")};
+  };
+  std::vector<std::vector<Cell>> rows;
+  for (std::size_t m = 0; m < p.mounts.size(); ++m)
+    rows.push_back(row(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose()));
+  rows.push_back(row("all mounts", p.into_ground_in_total));
+  return html_table(
+             {{"mount"}, right("largest power into the ground"), right("at [Hz]"), right("of all mounts there"), right("fed in there")},
+             rows) +
+         hint(
+             "Mean power in the steady state at the computed frequencies. Rigid ground that stands still takes no power; only ground that "
+             "gives or is driven does.");
+}
+
+std::string shock_table(const study::Answers& answers) {
+  if (answers.shock_spectra.empty()) return "";
+  std::vector<std::vector<Cell>> rows;
+  for (const study::ShockSpectrumResult& s : answers.shock_spectra) {
+    if (s.spectrum.empty()) continue;
+    const auto most = [&](const auto& of) {
+      return *std::max_element(s.spectrum.begin(), s.spectrum.end(), [&](const auto& a, const auto& b) { return of(a) < of(b); });
+    };
+    const auto up = most([](const auto& r) { return r.largest(); }), down = most([](const auto& r) { return -r.smallest(); });
+    const auto far = most([](const auto& r) { return r.relative_displacement; }),
+               fast = most([](const auto& r) { return r.pseudo_velocity(); });
+    rows.push_back({{s.excitation},
+                    number_cell(s.damping_ratio),
+                    quantity_cell(up.largest(), s.unit),
+                    hertz_cell(up.angular_frequency),
+                    quantity_cell(down.smallest(), s.unit),
+                    hertz_cell(down.angular_frequency),
+                    quantity_cell(fast.pseudo_velocity(), "m/s"),
+                    quantity_cell(far.relative_displacement, "m")});
+  }
+  return html_table({{"excitation"},
+                     right("damping ratio"),
+                     right("positive maximax"),
+                     right("at [Hz]"),
+                     right("negative maximax"),
+                     right("at [Hz]"),
+                     right("largest pseudo-velocity"),
+                     right("largest relative displacement")},
+                    rows);
+}
+
+std::string limit_line_table(const study::Answers& answers) {
+  if (answers.limit_lines.empty()) return "";
+  std::vector<std::vector<Cell>> rows;
+  for (const study::LimitLineResult& l : answers.limit_lines) {
+    const response::LimitComparison& c = l.comparison;
+    std::string bands;
+    for (const response::Band& band : c.exceeded)
+      bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / turn, band.to / turn);
+    rows.push_back({{l.of},
+                    {l.line.name},
+                    number_cell(response::margin_level(c.least_margin)),
+                    hertz_cell(c.least_margin_at),
+                    {bands.empty() ? "–" : bands},
+                    {c.kept() ? "✓ kept" : "✗ EXCEEDED", false, !c.kept()}});
+  }
+  return html_table({{"answer"}, {"limit line"}, right("least margin [dB]"), right("at [Hz]"), {"exceeded [Hz]"}, {"verdict"}}, rows);
+}
+
+std::string load_sharing_table(const study::Answers& answers) {
+  if (!answers.load_sharing) return "";
+  std::vector<std::vector<Cell>> rows;
+  for (const response::MountLoad& m : answers.load_sharing->mounts) {
+    std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, "N"), percent_cell(m.share)};
+    row.back().bad = m.bearing < 0;
+    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), "m"));
+    rows.push_back(std::move(row));
+  }
+  return html_table({{"mount"}, right("bears"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
+         hint(fmt::format(
+             "Along gravity, {:.5g} N in total; a negative share holds down. Deflections of end K against N in the element's axes.",
+             answers.load_sharing->bearing_in_total));
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/answers.h"
+
+/// Key numbers of each kind of answer as HTML; empty where the case did not ask for it.
+namespace trivet::report {
+
+/// rms, 3σ, zero crossings, weighted rms, and the inputs' shares of the variance.
+[[nodiscard]] std::string random_table(const study::Answers& answers);
+
+/// Extremes with their times.
+[[nodiscard]] std::string transient_table(const study::Answers& answers);
+
+/// Critical speeds, and below them the interference points.
+[[nodiscard]] std::string run_up_tables(const study::Answers& answers);
+
+/// Highest level, crossover, and isolation at the end of the band.
+[[nodiscard]] std::string transmissibility_table(const study::Answers& answers);
+
+/// Largest power at each mount.
+[[nodiscard]] std::string power_table(const study::Answers& answers);
+
+[[nodiscard]] std::string shock_table(const study::Answers& answers);
+
+/// Least margins and exceeded bands.
+[[nodiscard]] std::string limit_line_table(const study::Answers& answers);
+
+[[nodiscard]] std::string load_sharing_table(const study::Answers& answers);
+
+}  // namespace trivet::report

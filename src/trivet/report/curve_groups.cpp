@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/curve_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace trivet::report {
+
+std::vector<CurveGroup> curve_groups(const std::vector<CurveName>& curves) {
+  std::vector<CurveGroup> result;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::string& full = curves[c].name;
+    const std::size_t dot = full.rfind('.');
+    std::string name = full.substr(0, dot), component = full.substr(dot + 1);
+    bool lower = component.starts_with("r");
+    if (curves[c].unit.starts_with("N")) {
+      lower = name.ends_with(".moment");
+      component = (lower ? "M" : "F") + component;
+      name = name.substr(0, name.rfind('.'));
+    } else if (lower) {
+      component = "θ" + component.substr(1);
+    }
+    auto group = std::find_if(result.begin(), result.end(), [&](const CurveGroup& g) { return g.name == name; });
+    if (group == result.end()) group = result.insert(result.end(), CurveGroup{name, {}, {}});
+    (lower ? group->lower : group->upper).push_back({component, c});
+  }
+  return result;
+}
+
+std::string quantity_name(const std::string& unit) {
+  static constexpr std::array<std::pair<const char*, const char*>, 8> names = {{{"m", "displacement"},
+                                                                                {"m/s", "velocity"},
+                                                                                {"m/s²", "acceleration"},
+                                                                                {"rad", "rotation"},
+                                                                                {"rad/s", "angular velocity"},
+                                                                                {"rad/s²", "angular acceleration"},
+                                                                                {"N", "force"},
+                                                                                {"N m", "moment"}}};
+  for (const auto& [of, name] : names)
+    if (unit == of) return name;
+  return unit;
+}
+
+std::string file_part(std::string name) {
+  const auto unsafe = [](char c) {
+    return static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-';
+  };
+  std::replace_if(name.begin(), name.end(), unsafe, '_');
+  return name;
+}
+
+std::string density_unit(const std::string& unit) {
+  const bool composed = unit.find_first_of("/ ") != std::string::npos;
+  return (composed ? "(" + unit + ")" : unit) + "²/Hz";
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/curve_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::report {
+namespace {
+
+constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52, key_line = 15,
+                 title_height = 40;
+
+/// Is the value somewhere on the axis or beyond it?
+bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
+
+/// The stretch of a segment inside the unit square, as shares of its length (Liang and Barsky).
+bool clipped(PixelPoint a, PixelPoint b, double& from, double& to) {
+  from = 0;
+  to = 1;
+  for (const auto& [start, step] : {std::pair{a.x, b.x - a.x}, std::pair{a.y, b.y - a.y}})
+    for (const auto& [p, q] : {std::pair{-step, start}, std::pair{step, 1 - start}}) {
+      if (p == 0) {
+        if (q < 0) return false;
+      } else if (p < 0) {
+        from = std::max(from, q / p);
+      } else {
+        to = std::min(to, q / p);
+      }
+    }
+  return from <= to;
+}
+
+/// First, lowest, highest and last point of every column of half a pixel.
+std::vector<PixelPoint> thinned(const std::vector<PixelPoint>& points) {
+  std::vector<PixelPoint> kept;
+  for (std::size_t i = 0; i < points.size();) {
+    std::size_t end = i, low = i, high = i;
+    for (; end < points.size() && std::floor(2 * points[end].x) == std::floor(2 * points[i].x); ++end) {
+      if (points[end].y < points[low].y) low = end;
+      if (points[end].y > points[high].y) high = end;
+    }
+    std::size_t last = points.size();
+    for (const std::size_t each : {i, std::min(low, high), std::max(low, high), end - 1})
+      if (each != last) kept.push_back(points[last = each]);
+    i = end;
+  }
+  return kept;
+}
+
+/// Of a curve what a line needs that keeps within `tolerance` of it [pixels] (Douglas and Peucker).
+void keep_corners(const std::vector<PixelPoint>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+  constexpr double tolerance = 0.1;
+  const PixelPoint a = points[from], b = points[to];
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  double farthest = tolerance;
+  std::size_t corner = from;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double dx = points[i].x - a.x, dy = points[i].y - a.y;
+    const double distance = length > 0 ? std::abs(dx * (b.y - a.y) - dy * (b.x - a.x)) / length : std::hypot(dx, dy);
+    if (distance > farthest) farthest = distance, corner = i;
+  }
+  if (corner == from) return;
+  kept[corner] = true;
+  keep_corners(points, from, corner, kept);
+  keep_corners(points, corner, to, kept);
+}
+
+std::vector<PixelPoint> corners(const std::vector<PixelPoint>& points) {
+  if (points.size() < 3) return points;
+  std::vector<bool> kept(points.size(), false);
+  kept.front() = kept.back() = true;
+  keep_corners(points, 0, points.size() - 1, kept);
+  std::vector<PixelPoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (kept[i]) result.push_back(points[i]);
+  return result;
+}
+
+double key_height(const std::vector<PanelCurve>& curves) {
+  std::size_t lines = 0;
+  for (const PanelCurve& curve : curves) lines += curve.key.size();
+  return key_line * static_cast<double>(lines) + 5 * static_cast<double>(curves.size());
+}
+
+double height_of(const PanelRow& row) { return std::max(row_height + below_panel, key_height(row.curves) + 16); }
+
+void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
+  const PixelPoint at = p.at(mark.x, mark.y);
+  canvas.circle(at, 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", mark.colour));
+  if (mark.text.empty()) return;
+  const bool at_right = p.x.share(mark.x) > 0.75, low = p.y.share(mark.y) < 0.4;
+  const double room_below = p.corner.y + p.height - at.y, beside = low ? std::min(11.0, room_below - 8) : at.y < p.corner.y + 12 ? 6 : -3;
+  canvas.text(
+      {at.x + (at_right ? -8 : 8), at.y + beside}, mark.text,
+      fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"",
+                  at_right ? "end" : "start", mark.colour));
+}
+
+}  // namespace
+
+std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const std::vector<double>& x, const std::vector<double>& y) {
+  const auto share = [&](std::size_t i) { return PixelPoint{p.x.position(x[i]), p.y.position(y[i])}; };
+  const auto pixel = [&](PixelPoint s) { return PixelPoint{p.corner.x + s.x * p.width, p.corner.y + (1 - s.y) * p.height}; };
+  std::vector<std::vector<PixelPoint>> pieces;
+  bool open = false;
+  for (std::size_t i = 1; i < std::min(x.size(), y.size()); ++i) {
+    const auto known = [&](std::size_t k) { return drawable(p.x, x[k]) && drawable(p.y, y[k]); };
+    double from = 0, to = 0;
+    if (!known(i - 1) || !known(i) || !clipped(share(i - 1), share(i), from, to)) {
+      open = false;
+      continue;
+    }
+    const PixelPoint a = share(i - 1), b = share(i);
+    const auto part = [&](double t) { return pixel({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}); };
+    if (!open) pieces.push_back({part(from)});
+    pieces.back().push_back(part(to));
+    open = to == 1;
+  }
+  for (auto& piece : pieces) piece = corners(thinned(piece));
+  return pieces;
+}
+
+void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves) {
+  double y = corner.y + 10;
+  for (const PanelCurve& curve : curves) {
+    canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
+    for (const std::string& text : curve.key) {
+      canvas.text({corner.x + 34, y + 4}, text, &text == &curve.key.front() ? "" : "fill=\"#444\"");
+      y += key_line;
+    }
+    y += 5;
+  }
+}
+
+void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
+  for (const auto& [from, to] : row.shaded) {
+    const double left = panel.at(from, panel.y.from).x, right = panel.at(to, panel.y.from).x;
+    canvas.rectangle({left, panel.corner.y}, std::max(right - left, 1.0), panel.height, "fill=\"#f7d9d0\"");
+  }
+  draw_frame(canvas, panel);
+  for (const double level : row.levels)
+    canvas.line(panel.at(panel.x.from, level), panel.at(panel.x.to, level), "stroke=\"#333\" stroke-width=\"0.9\"");
+  for (const PanelCurve& curve : row.curves)
+    for (const auto& piece : visible_pieces(panel, curve.x, curve.y)) canvas.polyline(piece, curve.stroke);
+  for (const PanelMark& mark : row.marks) draw_mark(canvas, panel, mark);
+}
+
+std::string stacked_rows(const std::string& title, const std::vector<PanelRow>& rows) {
+  double height = title_height;
+  for (const PanelRow& row : rows) height += height_of(row);
+  SvgCanvas canvas(canvas_width, height);
+  canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  double top = title_height;
+  for (const PanelRow& row : rows) {
+    const PlotPanel panel{{panel_left, top}, panel_width, row_height, row.x, row.y};
+    draw_row(canvas, panel, row);
+    draw_key(canvas, {panel_left + panel_width + 18, top}, row.curves);
+    top += height_of(row);
+  }
+  return canvas.svg(title);
+}
+
+Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label) {
+  double largest = 0;
+  for (const PanelCurve& curve : curves)
+    for (const double y : curve.y)
+      if (std::isfinite(y)) largest = std::max(largest, y);
+  if (!(largest > 0)) return {0.1, 1, true, std::move(label)};
+  double smallest = largest;
+  for (const PanelCurve& curve : curves)
+    for (const double y : curve.y)
+      if (std::isfinite(y) && y >= depth * largest) smallest = std::min(smallest, y);
+  return {0.7 * std::min(smallest, 0.2 * largest), 1.6 * largest, true, std::move(label)};
+}
+
+Axis airy_axis(double from, double to, std::string label) {
+  const double air = to > from ? 0.06 * (to - from) : 1;
+  return {from == 0 && to > 0 ? 0 : from - air, to == 0 && from < 0 ? 0 : to + air, false, std::move(label)};
+}
+
+}  // namespace trivet::report

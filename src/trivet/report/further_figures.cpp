@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/further_figures.h"
+
+#include <fmt/format.h>
+
+#include "trivet/report/answer_figures.h"
+
+namespace trivet::report {
+
+std::vector<Figure> further_figures(const study::Answers& answers) {
+  std::vector<Figure> all;
+  for (const auto& kind : {random_figures, transient_figures, run_up_figures, campbell_figures, waterfall_figures, transmissibility_figures,
+                           power_figures, shock_figures, limit_figures, shape_figures}) {
+    int number = 0;  // different names may share the letters that are safe in a file name
+    for (Figure& figure : kind(answers)) {
+      const std::size_t dash = figure.file_name.find('-');
+      if (dash != std::string::npos) figure.file_name.insert(dash, fmt::format("-{:02}", ++number));
+      all.push_back(std::move(figure));
+    }
+  }
+  return all;
+}
+
+}  // namespace trivet::report

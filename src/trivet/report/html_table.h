@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace trivet::report {
+
+/// A cell of a table; numbers stand at the right.
+struct Cell {
+  std::string text;
+  bool number = false;
+  bool bad = false;  ///< a limit is broken
+};
+
+/// With an SI prefix and four digits: 0.00123 m → "1.23 mm"; "∞" where it is not finite.
+[[nodiscard]] Cell quantity_cell(double value, const std::string& unit);
+/// A plain number.
+[[nodiscard]] Cell number_cell(double value, int digits = 4);
+
+/// In the dress of the page's own tables.
+[[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows);
+
+}  // namespace trivet::report

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/curve_groups.h"
+#include "trivet/report/curve_panel.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double invisible = 1e-4;  // of the highest of level and limit
+
+/// Level of the answer in the measure of its line, from the margin.
+std::vector<double> levels(const study::LimitLineResult& answer, double factor) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < answer.comparison.angular_frequency.size(); ++i) {
+    const double margin = answer.comparison.margin(static_cast<Eigen::Index>(i));
+    const double limit =
+        response::zero_to_peak_limit(answer.line, answer.comparison.angular_frequency[i]) * (answer.line.rms ? std::sqrt(0.5) : 1);
+    result.push_back(margin > 0 && std::isfinite(margin) ? factor * limit / margin : std::numeric_limits<double>::quiet_NaN());
+  }
+  const std::vector<double>& omega = answer.comparison.angular_frequency;
+  for (std::size_t i = 1; i < result.size(); ++i)  // at a step both margins stand, but the lower limit belongs to one of them
+    if (omega[i] == omega[i - 1]) result[i - 1] = result[i] = std::max(result[i - 1], result[i]);
+  return result;
+}
+
+PanelRow limit_row(const study::LimitLineResult& answer) {
+  const response::LimitComparison& comparison = answer.comparison;
+  const UnitPrefix unit = unit_prefix(*std::max_element(answer.line.limit.begin(), answer.line.limit.end()), answer.line.unit);
+  PanelRow row;
+  PanelCurve limit{
+      {answer.line.name.empty() ? "limit" : answer.line.name}, {}, {}, "stroke=\"#b00020\" stroke-width=\"2\" stroke-dasharray=\"10,4\""};
+  for (std::size_t i = 0; i < answer.line.limit.size(); ++i) {
+    limit.x.push_back(answer.line.angular_frequency[i] / turn);
+    limit.y.push_back(answer.line.limit[i] * unit.factor);
+  }
+  PanelCurve level{{answer.of}, {}, levels(answer, unit.factor), series_stroke(0)};
+  for (const double omega : comparison.angular_frequency) level.x.push_back(omega / turn);
+  if (std::isfinite(comparison.least_margin))
+    level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
+  if (std::isfinite(comparison.least_margin)) level.key.push_back(fmt::format("at {:.4g} Hz", comparison.least_margin_at / turn));
+  if (comparison.least_margin > 0 && std::isfinite(comparison.least_margin)) {
+    const double lowest = response::zero_to_peak_limit(answer.line, comparison.least_margin_at) * (answer.line.rms ? std::sqrt(0.5) : 1);
+    row.marks.push_back({comparison.least_margin_at / turn, unit.factor * lowest / comparison.least_margin, series_colour(0),
+                         fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
+  }
+  for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(band.from / turn, band.to / turn);
+  row.curves = {std::move(limit), std::move(level)};
+  row.x = {std::max(comparison.compared.from / turn, 1e-4 * comparison.compared.to / turn), comparison.compared.to / turn, true, "f [Hz]"};
+  row.y = logarithmic_axis(row.curves, invisible,
+                           fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), answer.line.rms ? "rms" : "amplitude", unit.unit));
+  return row;
+}
+
+}  // namespace
+
+std::vector<Figure> limit_figures(const study::Answers& answers) {
+  std::vector<Figure> figures;
+  for (const study::LimitLineResult& answer : answers.limit_lines) {
+    if (answer.comparison.angular_frequency.size() < 2) continue;
+    const std::string title =
+        case_title(answer.of + " against its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
+    figures.push_back({title, "limit-" + file_part(answer.of) + ".svg", stacked_rows(title, {limit_row(answer)})});
+  }
+  return figures;
+}
+
+}  // namespace trivet::report

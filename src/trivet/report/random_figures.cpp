@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/curve_groups.h"
+#include "trivet/report/curve_panel.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double invisible = 1e-8;  // of the largest density
+
+std::string rms_words(const response::RandomAnswer& answer, const UnitPrefix& unit) {
+  if (answer.vanishes) return "≈ 0";
+  return answer.rms ? fmt::format("{:.4g} {} rms", *answer.rms * unit.factor, unit.unit) : "rms not finite";
+}
+
+PanelRow density_row(const study::RandomResult& random, const std::vector<GroupedCurve>& series) {
+  const auto& answers = random.response.answers;
+  double largest = 0;
+  for (const GroupedCurve& s : series) largest = std::max(largest, answers[s.curve].rms.value_or(0));
+  const std::string& si = answers[series.front().curve].unit;
+  const UnitPrefix unit = unit_prefix(largest, si);
+  PanelRow row;
+  std::vector<double> hertz;
+  for (const double omega : random.curves.angular_frequency) hertz.push_back(omega / turn);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const response::RandomAnswer& answer = answers[series[i].curve];
+    PanelCurve curve{{series[i].label + ": " + rms_words(answer, unit)}, hertz, {}, series_stroke(i)};
+    if (!answer.vanishes)
+      for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(turn * unit.factor * unit.factor * density);
+    row.curves.push_back(std::move(curve));
+  }
+  row.x = {hertz.front() > 0 ? hertz.front() : hertz[1], hertz.back(), true, "f [Hz]"};
+  row.y = logarithmic_axis(row.curves, invisible, fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
+  return row;
+}
+
+}  // namespace
+
+std::vector<Figure> random_figures(const study::Answers& answers) {
+  std::vector<Figure> figures;
+  if (!answers.random || answers.random->curves.angular_frequency.size() < 3) return figures;
+  for (const CurveGroup& group : curve_groups(curve_names(answers.random->response.answers))) {
+    std::vector<PanelRow> rows;
+    for (const auto* series : {&group.upper, &group.lower})
+      if (!series->empty()) rows.push_back(density_row(*answers.random, *series));
+    const std::string title = case_title("Power spectral density: " + group.name, answers);
+    figures.push_back({title, "random-" + file_part(group.name) + ".svg", stacked_rows(title, rows)});
+  }
+  return figures;
+}
+
+}  // namespace trivet::report

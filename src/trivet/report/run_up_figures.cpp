@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/curve_groups.h"
+#include "trivet/report/curve_panel.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double per_minute = 60 / (2 * std::numbers::pi);
+constexpr std::size_t most_orders = 6;
+constexpr double spiky = 30, invisible = 1e-4;
+
+double highest(const Eigen::VectorXcd& values) {
+  double largest = 0;
+  for (const auto& v : values)
+    if (std::isfinite(std::abs(v))) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+/// The orders that make the highest amplitudes of a curve, ascending.
+std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size_t curve) {
+  constexpr double negligible = 1e-3;
+  std::vector<std::pair<double, std::size_t>> heights;
+  for (std::size_t k = 0; k < run_up.orders.size(); ++k) heights.emplace_back(highest(run_up.orders[k].curves[curve].value), k);
+  std::sort(heights.rbegin(), heights.rend());
+  std::vector<std::size_t> kept;
+  for (const auto& [height, k] : heights)
+    if (height > negligible * heights.front().first && kept.size() < most_orders) kept.push_back(k);
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+/// Linear from zero, or logarithmic where a linear axis would show one spike and nothing else.
+Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
+  std::vector<double> overall;
+  for (const double y : curves.front().y)
+    if (std::isfinite(y)) overall.push_back(y);
+  std::sort(overall.begin(), overall.end());
+  const double top = logarithmic_axis(curves, invisible, "").to / 1.6;
+  if (!overall.empty() && top > spiky * overall[overall.size() / 2]) return logarithmic_axis(curves, invisible, std::move(label));
+  return airy_axis(0, top, std::move(label));
+}
+
+PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve) {
+  const response::Overall& overall = run_up.overall[curve];
+  double largest = 0;
+  for (const double rms : overall.rms)
+    if (std::isfinite(rms)) largest = std::max(largest, rms);
+  const UnitPrefix unit = unit_prefix(largest, overall.unit);
+  std::vector<double> rpm;
+  for (const double speed : run_up.speed) rpm.push_back(speed * per_minute);
+  PanelRow row;
+  PanelCurve all{{name + ", all orders, rms"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
+  for (const double rms : overall.rms) all.y.push_back(rms * unit.factor);
+  row.curves.push_back(std::move(all));
+  const std::vector<std::size_t> shown = tallest_orders(run_up, curve);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const response::OrderCurves& order = run_up.orders[shown[i]];
+    const std::size_t style = i < 4 ? i : i == 4 ? 5 : 3 + 6;  // black is the sum's
+    PanelCurve one{{fmt::format("order {:g}, amplitude", order.order)}, rpm, {}, series_stroke(style)};
+    for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor);
+    row.curves.push_back(std::move(one));
+    for (const response::CriticalSpeed& critical : run_up.critical)
+      if (critical.curve == curve && critical.order == order.order && critical.relative_height >= 0.2)
+        row.marks.push_back({critical.speed * per_minute, critical.amplitude * unit.factor, series_colour(style),
+                             critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * per_minute) : ""});
+  }
+  if (shown.size() < run_up.orders.size())
+    row.curves.back().key.push_back(fmt::format("({} weaker orders not drawn)", run_up.orders.size() - shown.size()));
+  row.x = {rpm.front(), rpm.back(), false, "shaft speed [rpm]"};
+  row.y = amplitude_axis(row.curves, fmt::format("{} [{}]", quantity_name(overall.unit), unit.unit));
+  return row;
+}
+
+/// Amplitudes of a group that are worth a panel: not 1e-6 of the tallest of the same unit.
+std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series) {
+  constexpr double negligible = 1e-6;
+  const auto height = [&](const GroupedCurve& s) { return run_up.overall[s.curve].highest_rms; };
+  double largest = 0;
+  for (const GroupedCurve& s : series) largest = std::max(largest, height(s));
+  std::vector<PanelRow> rows;
+  for (const GroupedCurve& s : series)
+    if (height(s) > negligible * largest) rows.push_back(amplitude_row(run_up, s.label, s.curve));
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Figure> run_up_figures(const study::Answers& answers) {
+  std::vector<Figure> figures;
+  if (!answers.orders || answers.orders->run_up.speed.size() < 2) return figures;
+  const response::RunUp& run_up = answers.orders->run_up;
+  for (const CurveGroup& group : curve_groups(curve_names(run_up.overall))) {
+    std::vector<PanelRow> rows = amplitude_rows(run_up, group.upper);
+    for (PanelRow& row : amplitude_rows(run_up, group.lower)) rows.push_back(std::move(row));
+    if (rows.empty()) continue;
+    const std::string title = case_title("Run-up: " + group.name, answers);
+    figures.push_back({title, "orders-" + file_part(group.name) + ".svg", stacked_rows(title, rows)});
+  }
+  return figures;
+}
+
+}  // namespace trivet::report

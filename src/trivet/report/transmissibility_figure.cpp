@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/curve_panel.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double deepest = -80;  // dB
+
+std::string isolation_words(const response::Crossover& crossover) {
+  if (!crossover.angular_frequency) return "does not isolate";
+  return *crossover.angular_frequency == 0 ? "isolates everywhere"
+                                           : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / turn);
+}
+
+}  // namespace
+
+std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
+  if (!answers.transmissibility || answers.transmissibility->curves.angular_frequency.size() < 3) return {};
+  const study::TransmissibilityResult& answer = *answers.transmissibility;
+  PanelRow row;
+  std::vector<double> hertz;
+  for (const double omega : answer.curves.angular_frequency) hertz.push_back(omega / turn);
+  row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back()), hertz.back(), true, "f [Hz]"};
+  double low = 0, high = 0;
+  for (std::size_t i = 0; i < answer.curves.curves.size(); ++i) {
+    const response::Curve& c = answer.curves.curves[i];
+    PanelCurve curve{{c.name}, hertz, {}, series_stroke(i)};
+    for (std::size_t k = 0; k < hertz.size(); ++k) {
+      const double level = response::transmissibility_level(std::abs(c.value(static_cast<Eigen::Index>(k))));
+      curve.y.push_back(level);
+      if (hertz[k] < row.x.from || !std::isfinite(level)) continue;
+      low = std::min(low, level);
+      high = std::max(high, level);
+    }
+    for (const response::Crossover& crossover : answer.crossovers) {
+      if (crossover.name != c.name) continue;
+      curve.key.push_back(isolation_words(crossover));
+      if (crossover.angular_frequency && *crossover.angular_frequency / turn > row.x.from && *crossover.angular_frequency / turn < row.x.to)
+        row.marks.push_back({*crossover.angular_frequency / turn, 0, series_colour(i), ""});
+    }
+    row.curves.push_back(std::move(curve));
+  }
+  row.y = {std::max(deepest, 10 * std::floor(low / 10 - 0.2)), 10 * std::ceil(high / 10 + 0.2), false, "transmissibility [dB]"};
+  row.levels = {0};
+  const std::string title = case_title("Transmissibility: " + answer.words, answers);
+  return {{title, "transmissibility-level.svg", stacked_rows(title, {row})}};
+}
+
+}  // namespace trivet::report

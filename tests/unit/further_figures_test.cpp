@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/further_figures.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/excited_machine.h"
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/answer_sections.h"
+#include "trivet/report/curve_panel.h"
+
+namespace {
+
+using namespace trivet;
+using testing::HasSubstr;
+using testing::Not;
+
+const study::Answers& everything() {
+  static const study::Answers answers = test::answers_of_everything();
+  return answers;
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
+/// Every element closed in its order, every attribute quoted, no bare & or <: what the first fault is, or "".
+std::string xml_fault(const std::string& text) {
+  std::vector<std::string> open;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '&') {
+      const std::string entity = text.substr(i, text.find(';', i) - i + 1);
+      if (entity != "&amp;" && entity != "&lt;" && entity != "&gt;" && entity != "&quot;") return "bare & at " + std::to_string(i);
+    }
+    if (text[i] != '<') continue;
+    const std::size_t end = text.find('>', i);
+    if (end == std::string::npos) return "no > at " + std::to_string(i);
+    const std::string tag = text.substr(i + 1, end - i - 1);
+    if (tag.find('<') != std::string::npos) return "< inside a tag: " + tag;
+    if (count(tag, "\"") % 2) return "open quote: " + tag;
+    const std::string name = tag.substr(0, tag.find_first_of(" />", 1));
+    if (tag[0] == '/') {
+      if (open.empty() || "/" + open.back() != tag) return "unexpected <" + tag + ">";
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(name);
+    }
+    i = end;
+  }
+  return open.empty() ? "" : "never closed: " + open.back();
+}
+
+/// With the name of a file that begins so.
+const report::Figure& figure(const std::vector<report::Figure>& figures, const std::string& file) {
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const report::Figure& f) { return f.file_name.starts_with(file); });
+  if (found == figures.end()) throw std::out_of_range(file);
+  return *found;
+}
+
+TEST(FurtherFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
+  std::vector<std::string> names;
+  for (const report::Figure& f : report::further_figures(everything())) {
+    EXPECT_EQ(xml_fault(f.svg), "") << f.file_name;
+    EXPECT_THAT(f.svg, Not(HasSubstr("nan"))) << f.file_name;
+    EXPECT_THAT(f.svg, Not(HasSubstr("inf"))) << f.file_name;
+    names.push_back(f.file_name);
+  }
+  EXPECT_EQ(names.size(), 3u * 3 + 2 + 2 + 3);  // random, transient and run-up of machine, seat and ground; Campbell, waterfall; …
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(FurtherFigures, NameQuantityAndUnitOnTheirAxes) {
+  const auto all = report::further_figures(everything());
+  const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
+      {"random-01", {"f [Hz]", "displacement density [mm²/Hz]", "rotation density [mrad²/Hz]"}},
+      {"random-03", {"force density [kN²/Hz]", "moment density [(N m)²/Hz]"}},
+      {"transient-01", {"t [ms]", "displacement [mm]", "rotation [mrad]"}},
+      {"orders-01", {"shaft speed [rpm]", "displacement [µm]", "rotation [µrad]"}},
+      {"campbell", {"shaft speed [rpm]", "frequency [Hz]"}},
+      {"waterfall", {"shaft speed [rpm]", "frequency [Hz]", "displacement amplitude [mm]"}},
+      {"transmissibility", {"f [Hz]", "transmissibility [dB]"}},
+      {"power", {"f [Hz]", "mean power into the ground ["}},
+      {"shock", {"natural frequency [Hz]", "absolute acceleration [m/s²]"}},
+      {"limit", {"f [Hz]", "velocity, rms [mm/s]"}},
+      {"shape", {"front<", "isometric<", "Grey: at rest."}}};
+  for (const auto& [file, labels] : expected)
+    for (const std::string& label : labels) EXPECT_NE(figure(all, file).svg.find(">" + label), std::string::npos) << file << ": " << label;
+}
+
+TEST(FurtherFigures, DrawOneLinePerCurve) {
+  const auto all = report::further_figures(everything());
+  for (const char* six_curves : {"random-01", "random-03", "transient-01", "transient-02", "transient-03"})
+    EXPECT_EQ(count(figure(all, six_curves).svg, "<polyline"), 6) << six_curves;
+  EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"), 6 * (1 + 4));  // six coordinates: all orders, and each of the four
+  EXPECT_EQ(count(figure(all, "transmissibility").svg, "<polyline"), 5);     // in total and by four mounts
+  EXPECT_EQ(count(figure(all, "shock").svg, "<polyline"), 3);
+  EXPECT_EQ(count(figure(all, "limit").svg, "<polyline"), 2);
+}
+
+TEST(FurtherFigures, WithoutAnswersThereAreNone) {
+  EXPECT_TRUE(report::further_figures({}).empty());
+  EXPECT_EQ(report::answer_sections({}), "");
+}
+
+TEST(FurtherFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
+  study::Answers answers;
+  answers.power = everything().power;
+  answers.power->into_ground.setZero();
+  answers.power->into_ground_in_total.setZero();
+  EXPECT_TRUE(report::power_figures(answers).empty());
+}
+
+TEST(FurtherFigures, GapsOfUndefinedValuesPartTheCurve) {
+  study::Answers answers;
+  answers.random = everything().random;
+  auto& density = answers.random->curves.density.front();
+  density[density.size() / 4] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(count(report::random_figures(answers).front().svg, "<polyline"), 7);
+}
+
+TEST(AnswerSections, HoldTheFiguresAndTheKeyNumbers) {
+  const std::string html = report::answer_sections(everything());
+  EXPECT_EQ(xml_fault(html), "");
+  EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::further_figures(everything()).size()));
+  for (const char* title : {"Random response", "Motion in time", "Run-up", "Transmissibility", "Power into the ground",
+                            "Shock response spectrum", "Limit lines", "Operating shapes"})
+    EXPECT_THAT(html, HasSubstr("<h2>" + std::string(title) + "</h2>"));
+  EXPECT_THAT(html, HasSubstr("zero crossings"));
+  EXPECT_THAT(html, HasSubstr("critical speed [rpm]"));
+}
+
+TEST(VisiblePieces, AreCutExactlyAtTheEdgesOfThePanel) {
+  const report::PlotPanel panel{{0, 0}, 100, 100, {0, 10, false, ""}, {0, 1, false, ""}};
+  const auto pieces = report::visible_pieces(panel, {0, 4, 8, 10}, {0, 2, 0, 0.5});
+  ASSERT_EQ(pieces.size(), 2u);  // over the upper edge from 2 to 6
+  EXPECT_NEAR(pieces[0].back().x, 20, 1e-12);
+  EXPECT_NEAR(pieces[0].back().y, 0, 1e-12);
+  EXPECT_NEAR(pieces[1].front().x, 60, 1e-12);
+  EXPECT_NEAR(pieces[1].back().y, 50, 1e-12);
+}
+
+TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
+  const report::PlotPanel panel{{0, 0}, 100, 100, {0, 1, false, ""}, {0, 1, false, ""}};
+  std::vector<double> x, y;
+  for (int i = 0; i <= 100'000; ++i) {
+    x.push_back(i / 1e5);
+    y.push_back(i == 54'321 ? 0.9 : 0.1);
+  }
+  const auto pieces = report::visible_pieces(panel, x, y);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_LT(pieces[0].size(), 10u);
+  EXPECT_NEAR(std::min_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; })->y, 10, 1e-12);
+}
+
+}  // namespace
