@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Random, time, run-up and transmissibility questions at the command line, on the examples and on small models of their own."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+EXAMPLES = pathlib.Path(os.environ["TRIVET_SOURCE"]) / "examples"
+
+
+def trivet(*arguments):
+    return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+def answer(test, *arguments):
+    done = trivet(*arguments, "--json")
+    test.assertEqual(done.returncode, 0, done.stderr)
+    return json.loads(done.stdout)
+
+
+MASS = """trivet = 1
+[bodies.mass]
+mass = 10
+free = ["z"]
+[elements.spring]
+type = "three_springs"
+on = "mass"
+at = [0, 0, 0]
+translation = [0, 0, 4000]
+damping = {proportional = 0.005}
+"""
+
+
+def model(folder, text):
+    path = pathlib.Path(folder) / "model.toml"
+    path.write_text(MASS + text)
+    return path
+
+
+class FurtherAnswers(unittest.TestCase):
+    def test_root_mean_square_is_the_area_under_the_density(self):
+        result = answer(self, "random", EXAMPLES / "optical_table/table.toml")
+        hertz = [w / 6.283185307179586 for w in result["angular_frequency"]]
+        for one in result["results"]:
+            if one["vanishes"]:
+                continue
+            density = one["density_per_hz"]
+            area = sum((density[i] + density[i + 1]) / 2 * (hertz[i + 1] - hertz[i]) for i in range(len(hertz) - 1))
+            self.assertAlmostEqual(area / one["rms"] ** 2, 1, delta=0.02, msg=one["name"])  # straight lines over a drawn grid
+            self.assertAlmostEqual(sum(one["variance_share"]), 1, delta=1e-6)
+
+    def test_step_doubles_the_static_deflection_of_an_undamped_mass(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(folder, """[excitations.push]
+type = "time"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+history = {step = {amplitude = "40 N"}}
+[analyses]
+transient = {to = 1, step = 0.001}
+""")
+            curve = answer(self, "transient", path, "--set", "elements.spring.damping.proportional=0")["results"][0]
+            self.assertAlmostEqual(curve["largest"]["value"], 2 * 40 / 4000, delta=1e-12)
+            self.assertAlmostEqual(curve["largest"]["time"] * 20 / 3.141592653589793 % 2, 1, delta=1e-6)
+
+    def test_a_loss_factor_in_time_is_refused_with_an_offer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(folder, """[excitations.push]
+type = "time"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+history = {step = {amplitude = 1}}
+""")
+            refused = trivet("transient", path, "--set", "elements.spring.damping={loss_factor=0.1}")
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("loss factor", refused.stderr)
+            self.assertIn("proportional", refused.stderr)
+
+    def test_coarse_samples_are_warned_of_with_the_number(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = ", ".join(f"[{0.1 * i}, {(i * 7) % 5 - 2}]" for i in range(40))
+            path = model(folder, f"""[excitations.push]
+type = "time"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+history = {{rows = [{rows}]}}
+[analyses]
+transient = {{to = 5, step = 0.01}}
+""")
+            warned = trivet("transient", path)
+            self.assertEqual(warned.returncode, 0, warned.stderr)
+            self.assertIn("3.18", warned.stdout + warned.stderr)  # the natural frequency in Hz
+
+    def test_critical_speeds_stand_where_orders_meet_modes(self):
+        result = answer(self, "orders", EXAMPLES / "genset/genset.toml")
+        self.assertGreater(len(result["critical_speeds"]), 5)
+        for speed in result["critical_speeds"]:
+            self.assertAlmostEqual(speed["speed"] * speed["order"], speed["angular_frequency"], delta=1e-9 * speed["angular_frequency"])
+        for point in result["campbell"]["interference"]:
+            self.assertAlmostEqual(point["speed"] * point["order"], point["angular_frequency"], delta=1e-9 * point["angular_frequency"])
+
+    def test_transmissibility_of_one_mass_is_the_text_book_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(folder, "[analyses]\ntransmissibility = {base = \"z\", band = [1, 200]}\n")
+            result = answer(self, "transmissibility", path)
+            curve = next(one for one in result["results"] if one["name"].startswith("mass"))
+            for omega, (re, im) in zip(result["angular_frequency"], curve["complex"]):
+                direct = complex(4000, 20 * omega) / complex(4000 - 10 * omega**2, 20 * omega)
+                self.assertAlmostEqual(abs(complex(re, im) - direct), 0, delta=1e-10)
+            self.assertAlmostEqual(curve["isolates_from"], 2**0.5 * 20, delta=1e-6)
+
+    def test_a_free_system_under_a_constant_force_is_explained(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(folder, """[excitations.pull]
+type = "constant"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+""")
+            path.write_text(path.read_text().replace("[0, 0, 4000]", "[4000, 0, 0]"))
+            refused = trivet("static", path)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("free to slide along z", refused.stderr)
+
+    def test_run_writes_tables_figures_and_sections(self):
+        with tempfile.TemporaryDirectory() as folder:
+            target = pathlib.Path(folder) / "out"
+            done = trivet("run", EXAMPLES / "transport_shock/device.toml", "-o", target)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = {path.name for path in (target / "00-base").iterdir()}
+            self.assertLessEqual({"transient.csv", "shock_spectrum.csv"}, names)
+            self.assertTrue(any(name.startswith("transient-") and name.endswith(".svg") for name in names))
+            page = (target / "report.html").read_text()
+            for title in ("Motion in time", "Shock response spectrum"):
+                self.assertIn(title, page)
+
+    def test_every_example_of_this_kind_passes_its_checks(self):
+        for example in ("genset/genset", "track/bogie", "optical_table/table", "transport_shock/device"):
+            checked = trivet("check", EXAMPLES / (example + ".toml"), "--deep")
+            self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
