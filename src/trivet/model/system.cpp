@@ -16,11 +16,12 @@ struct NameOnly {
 };
 
 template <typename Things>
-void check_names(const Things& things, const std::string& kind, foundation::Problems& problems) {
+void check_names(const Things& things, const std::string& kind, foundation::Problems& problems, bool with_results = true) {
   std::set<std::string> seen;
   for (const auto& thing : things) {
     const bool empty = thing.name.empty();
-    if (empty || thing.name.find_first_of(".\n") != std::string::npos || thing.name == "ground" || thing.name == "base" || thing.name == "coordinates")
+    const bool a_word = with_results && (thing.name == "ground" || thing.name == "base" || thing.name == "coordinates");
+    if (empty || a_word || thing.name.find_first_of(".\n") != std::string::npos)
       problems.error(kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
                      "a name is not empty, has no dot and no line break, and is none of \"ground\", \"base\" and \"coordinates\"", "choose another name");
     if (!seen.insert(thing.name).second)
@@ -87,7 +88,13 @@ void check_random(const Description& description, foundation::Problems& problems
                          guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
           known = false;
         } else {
-          inputs.pairs.push_back({at(partner.other), at(excitation.name), partner.coherence, 0});
+          // Both may tell it of each other, if they agree.
+          const excitation::InputPair pair{at(partner.other), at(excitation.name), partner.coherence, 0};
+          const bool told = std::any_of(inputs.pairs.begin(), inputs.pairs.end(), [&](const excitation::InputPair& p) {
+            return p.first == pair.second && p.second == pair.first && p.coherence.at_zero == pair.coherence.at_zero && p.coherence.decay == pair.coherence.decay &&
+                   p.coherence.distance == pair.coherence.distance && p.coherence.speed == pair.coherence.speed;
+          });
+          if (!told) inputs.pairs.push_back(pair);
         }
       }
   if (known && !inputs.pairs.empty()) problems.add(excitation::check(inputs, "excitations"));
@@ -106,7 +113,7 @@ foundation::Expected<System> System::checked(Description description) {
   std::vector<NameOnly> excitations;
   for (const auto& excitation : description.excitations) excitations.push_back({excitation.name});
   for (const auto& force : description.constant_forces) excitations.push_back({force.name});
-  check_names(excitations, "excitations", problems);
+  check_names(excitations, "excitations", problems, false);
   check_random(description, problems);
   check_shared_names(description, problems);
   for (const auto& body : description.bodies) {

@@ -98,6 +98,11 @@ class CaseStudy {
         compute();
       } catch (const foundation::NotComputable& reason) {
         refuse(reason);
+      }
+    };
+    const auto attempt_question = [&](const auto& compute) {
+      try {
+        attempt(compute);
       } catch (const foundation::InvalidInput& reason) {  // a question that this model cannot be asked
         refuse(reason);
       }
@@ -110,7 +115,7 @@ class CaseStudy {
       attempt([&] {
         result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
       });
-    further_answers(analyses, attempt, result);
+    further_answers(analyses, attempt_question, result);
     return result;
   }
 
