@@ -178,7 +178,7 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
   std::vector<std::string> of = {"coordinates"};
   for (const model::Element& element : system.elements()) of.push_back(element.name);
   const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::velocity);
-  const response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {1e-6, to});
+  const response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {1e-12, to});  // shallow ones too
   std::vector<double> scan;
   constexpr int points = 8000;
   for (int i = 1; i <= points; ++i) scan.push_back(to * i / points);
@@ -192,7 +192,10 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
       bool there = false;
       for (const response::Peak& peak : peaks.list)
         if (peak.curve == c && std::abs(peak.angular_frequency - w) <= to / points && peak.amplitude >= y(i) * (1 - 1e-9)) there = true;
-      EXPECT_TRUE(there) << curves[c].name << " at " << w;
+      std::string near;
+      for (const response::Peak& peak : peaks.list)
+        if (peak.curve == c && std::abs(peak.angular_frequency - w) < 0.02 * to) near += std::to_string(peak.angular_frequency) + " ";
+      EXPECT_TRUE(there) << curves[c].name << " at " << w << ", " << y(i) << " of " << y.maxCoeff() << ", rises " << y(i) - y(i - 1) << " " << y(i) - y(i + 1) << ", peaks near: " << near;
       ++found;
     }
   }
