@@ -41,6 +41,7 @@ std::string random_text(const study::Answers& answers) {
     table.add(row);
     if (!a.reason.empty()) reasons += "  " + a.name + ": " + a.reason + "\n";
   }
+  for (const auto& [name, value] : random.total_values) reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s²\n", name, shown(value, 4));
   double worst = 0;
   for (const response::RandomAnswer& a : list) worst = std::max(worst, a.estimated_error);
   return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4), shown(hertz(random.response.to), 4)) + table.text() + reasons +

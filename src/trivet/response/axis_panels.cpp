@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/axis_panels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
+
+#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::response {
 namespace {
+
+constexpr double most_turns = 20'000;  // of a delayed load's phase
 
 double distance_to_poles(const Eigen::VectorXcd& poles, double omega) {
   return (poles.array() - std::complex<double>(0, omega)).abs().minCoeff();
@@ -49,6 +56,9 @@ PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed)
   const bool turning = delayed.longest_delay > 0;
   const double end = turning ? delayed.highest : largest / panel_ratio;
   const double most = turning ? most_turning / delayed.longest_delay : std::numeric_limits<double>::infinity();
+  if (turning && end * delayed.longest_delay > most_turns * 2 * std::numbers::pi)
+    throw foundation::NotComputable(fmt::format("peaks: a delay of {:.4g} s turns the phase {:.3g} times up to {:.4g} rad/s; at most {:.0f} turns are searched: a faster wave, or a lower band",
+                                                delayed.longest_delay, end * delayed.longest_delay / (2 * std::numbers::pi), end, most_turns));
   double from = cover.lowest;
   auto pole = cover.poles_on_axis.begin();
   while (from < end) {

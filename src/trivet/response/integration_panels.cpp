@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/integration_panels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::response {
 namespace {
@@ -13,6 +18,8 @@ namespace {
 constexpr double ellipse = 2.8 + 1 / 2.8;
 /// Of e^{−iωτ} on a panel: half width times delay.
 constexpr double most_turn = 6;
+/// Of a delay between inputs over the whole band.
+constexpr double most_turns_in_all = 20'000;
 
 double sum_of_distances(const Eigen::VectorXcd& poles, double from, double to) {
   const Eigen::ArrayXd real = poles.real().array().square();
@@ -41,6 +48,9 @@ constexpr GaussRule gauss16{{0.0950125098376374402, 0.2816035507792589132, 0.458
 }  // namespace
 
 std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, double to, double longest_delay) {
+  if (const double turns = (to - from) * longest_delay / (2 * std::numbers::pi); turns > most_turns_in_all)
+    throw foundation::NotComputable(fmt::format("random response: a delay of {:.4g} s between inputs turns their phase {:.3g} times over the band; at most {:.0f} turns are integrated",
+                                                longest_delay, turns, most_turns_in_all));
   const double most = longest_delay > 0 ? most_turn / longest_delay : std::numeric_limits<double>::infinity();
   std::vector<double> ends = {from};
   while (ends.back() < to) {

@@ -48,6 +48,7 @@ struct Limit {
 struct RandomRequest {
   Wanted wanted;
   std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all motions that are asked for
+  std::optional<excitation::ContactPoint> contact; ///< instead: each axis as people feel it there, with the vibration total value
 };
 
 /// Time histories under the excitations of type time.

@@ -55,6 +55,8 @@ struct RandomResult {
   response::RandomResponse response;
   response::RandomCurves curves;   ///< densities [unit²/(rad/s)]
   std::vector<std::string> inputs; ///< of the variance shares
+  /// Where a contact with people is given: √Σ (k a_w)² over x, y, z of each body or point [m/s²]. [ISO 2631-1:1997 section 8.2]
+  std::vector<std::pair<std::string, double>> total_values;
   assembly::Quantity quantity = assembly::Quantity::displacement;
 };
 

@@ -34,7 +34,14 @@ RandomRequest read_random(TableReader& reader, const ResultNames& names, const M
                                                                               {"Wf", Weighting::Wf}, {"Wj", Weighting::Wj}, {"Wk", Weighting::Wk}, {"Wm", Weighting::Wm}}};
   std::vector<std::string> words;
   for (const auto& weighting : weightings) words.emplace_back(weighting.first);
-  if (const auto word = reader.choice("weighting", words))
+  using excitation::ContactPoint;
+  static const std::array<std::pair<const char*, ContactPoint>, 4> contacts = {
+      {{"seat", ContactPoint::seat_surface}, {"backrest", ContactPoint::backrest}, {"feet", ContactPoint::feet}, {"standing", ContactPoint::standing}}};
+  for (const auto& contact : contacts) words.emplace_back(contact.first);
+  const auto word = reader.choice("weighting", words);
+  for (const auto& [name, contact] : contacts)
+    if (word == name) request.contact = contact;
+  if (word)
     for (const auto& [name, weighting] : weightings)
       if (*word == name) request.weighting = weighting;
   return request;

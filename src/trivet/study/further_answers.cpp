@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "trivet/assembly/loads.h"
@@ -35,6 +36,32 @@ std::vector<response::TimeInput> time_inputs(const CaseContext& c, const std::ve
     if (const auto* history = std::get_if<model::History>(&excitation.course); history && selected(names, excitation.name))
       inputs.push_back({excitation.name, history->signal, assembly::loading(c.assembled, excitation.action)});
   return inputs;
+}
+
+/// 0 … 5 for a motion along x … about z, none for a force.
+std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
+  if (!channel.unit.starts_with("m") && !channel.unit.starts_with("rad")) return std::nullopt;
+  const std::string component = channel.name.substr(channel.name.rfind('.') + 1);
+  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component) - model::coordinate_names.begin();
+  return static_cast<std::size_t>(at);
+}
+
+/// Of every body or point all of whose three translations were asked for.
+std::vector<std::pair<std::string, double>> total_values(const std::vector<assembly::Channel>& channels, const response::RandomResponse& response,
+                                                         const std::array<excitation::WeightedAxis, 6>& axes) {
+  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> groups;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const auto axis = axis_of(channels[i]);
+    const response::RandomAnswer& answer = response.answers[i];
+    if (!axis || *axis > 2 || (!answer.weighted_rms && !answer.vanishes)) continue;
+    auto& [accelerations, factors] = groups[channels[i].name.substr(0, channels[i].name.rfind('.'))];
+    accelerations.push_back(answer.weighted_rms.value_or(0));
+    factors.push_back(axes[*axis].k);
+  }
+  std::vector<std::pair<std::string, double>> totals;
+  for (const auto& [name, values] : groups)
+    if (values.first.size() == 3) totals.emplace_back(name, excitation::vibration_total_value(values.first, values.second));
+  return totals;
 }
 
 /// Row of a coordinate by its full name.
@@ -76,13 +103,14 @@ RandomResult random_answer(const CaseContext& c, const RandomRequest& request) {
   const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.wanted.excitations);
   if (loading.inputs.empty()) throw foundation::NotComputable("random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
   response::RandomOptions options;
-  if (request.weighting)
-    for (std::size_t i = 0; i < channels.size(); ++i)
-      if (channels[i].unit.starts_with("m") || channels[i].unit.starts_with("rad")) options.weighted.push_back({i, *request.weighting});
+  const auto axes = request.contact ? excitation::comfort_axes(*request.contact) : std::array<excitation::WeightedAxis, 6>{};
+  for (std::size_t i = 0; i < channels.size() && (request.weighting || request.contact); ++i)
+    if (const auto axis = axis_of(channels[i])) options.weighted.push_back({i, request.contact ? axes[*axis].weighting : *request.weighting});
   RandomResult result;
   result.quantity = request.wanted.quantity;
   for (const response::RandomInput& input : loading.inputs) result.inputs.push_back(input.name);
   result.response = response::random_response(c.assembled, channels, loading, options, c.progress);
+  if (request.contact) result.total_values = total_values(channels, result.response, axes);
   result.curves = response::random_curves(c.assembled, channels, loading, {}, c.progress);
   return result;
 }

@@ -30,6 +30,10 @@ Json random(const Answers& answers) {
   const RandomResult& random = *answers.random;
   Json result{{"results", Json::array()}, {"method", response::name(random.response.method)}, {"remark", random.response.remark}, {"inputs", random.inputs},
               {"band", {random.response.from, number(random.response.to)}}, {"angular_frequency", random.curves.angular_frequency}, {"warnings", warnings(answers.warnings)}};
+  if (!random.total_values.empty()) {
+    result["vibration_total_values"] = Json::object();
+    for (const auto& [name, value] : random.total_values) result["vibration_total_values"][name] = value;
+  }
   for (std::size_t i = 0; i < random.response.answers.size(); ++i) {
     const response::RandomAnswer& a = random.response.answers[i];
     Json density = Json::array();
