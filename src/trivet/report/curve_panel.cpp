@@ -12,6 +12,8 @@ namespace {
 constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52, key_line = 15,
                  title_height = 40;
 
+constexpr double widest_text = 36;  // signs that fit beside a panel
+
 /// Is the value somewhere on the axis or beyond it?
 bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
@@ -127,7 +129,8 @@ void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve
   for (const PanelCurve& curve : curves) {
     canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
     for (const std::string& text : curve.key) {
-      canvas.text({corner.x + 34, y + 4}, text, &text == &curve.key.front() ? "" : "fill=\"#444\"");
+      const double size = std::clamp(11 * widest_text / static_cast<double>(text.size()), 6.0, 11.0);
+      canvas.text({corner.x + 34, y + 4}, text, fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
       y += key_line;
     }
     y += 5;

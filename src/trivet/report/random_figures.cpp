@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "trivet/report/answer_figures.h"
@@ -34,7 +35,7 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
       for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(turn * unit.factor * unit.factor * density);
     row.curves.push_back(std::move(curve));
   }
-  row.x = {hertz.front() > 0 ? hertz.front() : hertz[1], hertz.back(), true, "f [Hz]"};
+  row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-4 * hertz.back()), hertz.back(), true, "f [Hz]"};
   row.y = logarithmic_axis(row.curves, invisible, fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
   return row;
 }

@@ -16,18 +16,11 @@ constexpr double per_minute = 60 / (2 * std::numbers::pi);
 constexpr std::size_t most_orders = 6;
 constexpr double spiky = 30, invisible = 1e-4;
 
-double highest(const Eigen::VectorXcd& values) {
-  double largest = 0;
-  for (const auto& v : values)
-    if (std::isfinite(std::abs(v))) largest = std::max(largest, std::abs(v));
-  return largest;
-}
-
 /// The orders that make the highest amplitudes of a curve, ascending.
 std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size_t curve) {
   constexpr double negligible = 1e-3;
   std::vector<std::pair<double, std::size_t>> heights;
-  for (std::size_t k = 0; k < run_up.orders.size(); ++k) heights.emplace_back(highest(run_up.orders[k].curves[curve].value), k);
+  for (std::size_t k = 0; k < run_up.orders.size(); ++k) heights.emplace_back(highest_finite(run_up.orders[k].curves[curve].value.cwiseAbs()), k);
   std::sort(heights.rbegin(), heights.rend());
   std::vector<std::size_t> kept;
   for (const auto& [height, k] : heights)
@@ -49,10 +42,7 @@ Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
 
 PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve) {
   const response::Overall& overall = run_up.overall[curve];
-  double largest = 0;
-  for (const double rms : overall.rms)
-    if (std::isfinite(rms)) largest = std::max(largest, rms);
-  const UnitPrefix unit = unit_prefix(largest, overall.unit);
+  const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), overall.unit);
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * per_minute);
   PanelRow row;
@@ -81,7 +71,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
 /// Amplitudes of a group that are worth a panel: not 1e-6 of the tallest of the same unit.
 std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series) {
   constexpr double negligible = 1e-6;
-  const auto height = [&](const GroupedCurve& s) { return run_up.overall[s.curve].highest_rms; };
+  const auto height = [&](const GroupedCurve& s) { return highest_finite(run_up.overall[s.curve].rms); };
   double largest = 0;
   for (const GroupedCurve& s : series) largest = std::max(largest, height(s));
   std::vector<PanelRow> rows;
