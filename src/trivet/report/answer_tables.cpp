@@ -15,14 +15,6 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
 
-Cell right(std::string text) { return {std::move(text), true}; }
-Cell percent_cell(double share) { return right(fmt::format("{:.1f}\u00a0%", 100 * share)); }
-Cell hertz_cell(double omega) { return number_cell(omega / turn, 5); }
-std::string hint(const std::string& text) { return "<p class=\"hint\">" + escaped(text) + "</p>\n"; }
-std::string folded(const std::string& title, const std::string& html) {
-  return "<details><summary>" + escaped(title) + "</summary>" + html + "</details>\n";
-}
-
 bool weighted(const study::RandomResult& random) {
   return std::any_of(random.response.answers.begin(), random.response.answers.end(),
                      [](const auto& a) { return a.weighted_rms.has_value(); });
@@ -166,70 +158,6 @@ std::string power_table(const study::Answers& answers) {
          hint(
              "Mean power in the steady state at the computed frequencies. Rigid ground that stands still takes no power; only ground that "
              "gives or is driven does.");
-}
-
-std::string shock_table(const study::Answers& answers) {
-  if (answers.shock_spectra.empty()) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const study::ShockSpectrumResult& s : answers.shock_spectra) {
-    if (s.spectrum.empty()) continue;
-    const auto most = [&](const auto& of) {
-      return *std::max_element(s.spectrum.begin(), s.spectrum.end(), [&](const auto& a, const auto& b) { return of(a) < of(b); });
-    };
-    const auto up = most([](const auto& r) { return r.largest(); }), down = most([](const auto& r) { return -r.smallest(); });
-    const auto far = most([](const auto& r) { return r.relative_displacement; }),
-               fast = most([](const auto& r) { return r.pseudo_velocity(); });
-    rows.push_back({{s.excitation},
-                    number_cell(s.damping_ratio),
-                    quantity_cell(up.largest(), s.unit),
-                    hertz_cell(up.angular_frequency),
-                    quantity_cell(down.smallest(), s.unit),
-                    hertz_cell(down.angular_frequency),
-                    quantity_cell(fast.pseudo_velocity(), "m/s"),
-                    quantity_cell(far.relative_displacement, "m")});
-  }
-  return html_table({{"excitation"},
-                     right("damping ratio"),
-                     right("positive maximax"),
-                     right("at [Hz]"),
-                     right("negative maximax"),
-                     right("at [Hz]"),
-                     right("largest pseudo-velocity"),
-                     right("largest relative displacement")},
-                    rows);
-}
-
-std::string limit_line_table(const study::Answers& answers) {
-  if (answers.limit_lines.empty()) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const study::LimitLineResult& l : answers.limit_lines) {
-    const response::LimitComparison& c = l.comparison;
-    std::string bands;
-    for (const response::Band& band : c.exceeded)
-      bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / turn, band.to / turn);
-    rows.push_back({{l.of},
-                    {l.line.name},
-                    number_cell(response::margin_level(c.least_margin)),
-                    hertz_cell(c.least_margin_at),
-                    {bands.empty() ? "–" : bands},
-                    {c.kept() ? "✓ kept" : "✗ EXCEEDED", false, !c.kept()}});
-  }
-  return html_table({{"answer"}, {"limit line"}, right("least margin [dB]"), right("at [Hz]"), {"exceeded [Hz]"}, {"verdict"}}, rows);
-}
-
-std::string load_sharing_table(const study::Answers& answers) {
-  if (!answers.load_sharing) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, "N"), percent_cell(m.share)};
-    row.back().bad = m.bearing < 0;
-    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), "m"));
-    rows.push_back(std::move(row));
-  }
-  return html_table({{"mount"}, right("bears"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
-         hint(fmt::format(
-             "Along gravity, {:.5g} N in total; a negative share holds down. Deflections of end K against N in the element's axes.",
-             answers.load_sharing->bearing_in_total));
 }
 
 }  // namespace trivet::report

@@ -130,7 +130,8 @@ void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve
     canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
     for (const std::string& text : curve.key) {
       const double size = std::clamp(11 * widest_text / static_cast<double>(text.size()), 6.0, 11.0);
-      canvas.text({corner.x + 34, y + 4}, text, fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
+      canvas.text({corner.x + 34, y + 4}, text,
+                  fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
       y += key_line;
     }
     y += 5;

@@ -20,7 +20,8 @@ constexpr double spiky = 30, invisible = 1e-4;
 std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size_t curve) {
   constexpr double negligible = 1e-3;
   std::vector<std::pair<double, std::size_t>> heights;
-  for (std::size_t k = 0; k < run_up.orders.size(); ++k) heights.emplace_back(highest_finite(run_up.orders[k].curves[curve].value.cwiseAbs()), k);
+  for (std::size_t k = 0; k < run_up.orders.size(); ++k)
+    heights.emplace_back(highest_finite(run_up.orders[k].curves[curve].value.cwiseAbs()), k);
   std::sort(heights.rbegin(), heights.rend());
   std::vector<std::size_t> kept;
   for (const auto& [height, k] : heights)

@@ -21,7 +21,8 @@ std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
   std::optional<std::size_t> best;
   for (std::size_t c = 0; c < run_up.overall.size(); ++c) {
     const double height = highest_finite(run_up.overall[c].rms);
-    if (height > 0 && (!best || (run_up.overall[c].unit == run_up.overall[*best].unit && height > highest_finite(run_up.overall[*best].rms))))
+    if (height > 0 &&
+        (!best || (run_up.overall[c].unit == run_up.overall[*best].unit && height > highest_finite(run_up.overall[*best].rms))))
       best = c;
   }
   return best;
