@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/report/answer_figures.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 
@@ -57,13 +58,18 @@ std::string random_table(const study::Answers& answers) {
 std::string transient_table(const study::Answers& answers) {
   if (!answers.transient) return "";
   std::vector<std::vector<Cell>> rows;
-  for (const response::TimeCurve& c : answers.transient->response.curves)
+  for (const response::TimeCurve& c : answers.transient->response.curves) {
+    if (is_round_off(answers.transient->response, c)) {
+      rows.push_back({{c.name}, right("≈ 0"), right("–"), right("≈ 0"), right("–"), right("≈ 0")});
+      continue;
+    }
     rows.push_back({{c.name},
                     quantity_cell(c.largest.value, c.unit),
                     quantity_cell(c.largest.time, "s"),
                     quantity_cell(c.smallest.value, c.unit),
                     quantity_cell(c.smallest.time, "s"),
                     quantity_cell(c.rms, c.unit)});
+  }
   return html_table({{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")}, rows) +
          hint("Counted from the position of rest. The extremes are those of the exact motion, also between the points of time.");
 }

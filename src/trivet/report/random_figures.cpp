@@ -24,7 +24,7 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
   double largest = 0;
   for (const GroupedCurve& s : series) largest = std::max(largest, answers[s.curve].rms.value_or(0));
   const std::string& si = answers[series.front().curve].unit;
-  const UnitPrefix unit = unit_prefix(largest, si);
+  const UnitPrefix unit = unit_prefix(10 * largest, si);  // (m/s²)²/Hz from 0.1 m/s² rms
   PanelRow row;
   std::vector<double> hertz;
   for (const double omega : random.curves.angular_frequency) hertz.push_back(omega / turn);

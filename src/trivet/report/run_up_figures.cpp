@@ -13,7 +13,7 @@ namespace trivet::report {
 namespace {
 
 constexpr double per_minute = 60 / (2 * std::numbers::pi);
-constexpr std::size_t most_orders = 6;
+constexpr std::size_t most_orders = 5;
 constexpr double spiky = 30, invisible = 1e-4;
 
 /// The orders that make the highest amplitudes of a curve, ascending.
@@ -30,13 +30,20 @@ std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size
   return kept;
 }
 
+double tallest(const std::vector<PanelCurve>& curves) {
+  double top = 0;
+  for (const PanelCurve& curve : curves)
+    top = std::max(top, highest_finite(Eigen::Map<const Eigen::VectorXd>(curve.y.data(), std::ssize(curve.y))));
+  return top;
+}
+
 /// Linear from zero, or logarithmic where a linear axis would show one spike and nothing else.
 Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
   std::vector<double> overall;
   for (const double y : curves.front().y)
     if (std::isfinite(y)) overall.push_back(y);
   std::sort(overall.begin(), overall.end());
-  const double top = logarithmic_axis(curves, invisible, "").to / 1.6;
+  const double top = tallest(curves);
   if (!overall.empty() && top > spiky * overall[overall.size() / 2]) return logarithmic_axis(curves, invisible, std::move(label));
   return airy_axis(0, top, std::move(label));
 }
@@ -53,7 +60,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   const std::vector<std::size_t> shown = tallest_orders(run_up, curve);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const response::OrderCurves& order = run_up.orders[shown[i]];
-    const std::size_t style = i < 4 ? i : i == 4 ? 5 : 3 + 6;  // black is the sum's
+    const std::size_t style = i < 4 ? i : 5;  // black is the sum's
     PanelCurve one{{fmt::format("order {:g}, amplitude", order.order)}, rpm, {}, series_stroke(style)};
     for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor);
     row.curves.push_back(std::move(one));
@@ -62,8 +69,8 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
         row.marks.push_back({critical.speed * per_minute, critical.amplitude * unit.factor, series_colour(style),
                              critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * per_minute) : ""});
   }
-  if (shown.size() < run_up.orders.size())
-    row.curves.back().key.push_back(fmt::format("({} weaker orders not drawn)", run_up.orders.size() - shown.size()));
+  const std::size_t left_out = run_up.orders.size() - shown.size();
+  if (left_out > 0) row.curves.back().key.push_back(fmt::format("({} weaker order{} not drawn)", left_out, left_out > 1 ? "s" : ""));
   row.x = {rpm.front(), rpm.back(), false, "shaft speed [rpm]"};
   row.y = amplitude_axis(row.curves, fmt::format("{} [{}]", quantity_name(overall.unit), unit.unit));
   return row;
