@@ -16,6 +16,8 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
 
+std::string remark(const response::RandomAnswer& answer) { return answer.vanishes ? "below round-off" : answer.reason; }
+
 bool weighted(const study::RandomResult& random) {
   return std::any_of(random.response.answers.begin(), random.response.answers.end(),
                      [](const auto& a) { return a.weighted_rms.has_value(); });
@@ -30,11 +32,13 @@ std::string random_table(const study::Answers& answers) {
   if (!answers.random) return "";
   const study::RandomResult& random = *answers.random;
   const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
+  const bool has_remarks =
+      std::any_of(random.response.answers.begin(), random.response.answers.end(), [](const auto& a) { return !remark(a).empty(); });
   std::vector<Cell> headings = {{"answer"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
   if (has_weights) headings.push_back(right("weighted rms"));
   if (has_shares)
     for (const std::string& input : random.inputs) headings.push_back(right("variance from " + input));
-  headings.push_back({"remark"});
+  if (has_remarks) headings.push_back({"remark"});
   std::vector<std::vector<Cell>> rows;
   for (const response::RandomAnswer& a : random.response.answers) {
     const auto given = [&](const std::optional<double>& value, const std::string& unit) {
@@ -46,12 +50,13 @@ std::string random_table(const study::Answers& answers) {
     if (has_shares)
       for (std::size_t i = 0; i < random.inputs.size(); ++i)
         row.push_back(i < a.variance_share.size() && !a.vanishes ? percent_cell(a.variance_share[i]) : right("–"));
-    row.push_back({a.vanishes ? "below round-off" : a.reason});
+    if (has_remarks) row.push_back({remark(a)});
     rows.push_back(std::move(row));
   }
+  const bool by_poles = random.response.method == response::RandomMethod::poles;
   return html_table(headings, rows) +
-         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, not read off the curves: {}.{}", random.response.from / turn,
-                          random.response.to / turn, response::name(random.response.method),
+         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / turn, random.response.to / turn,
+                          by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
                           random.response.remark.empty() ? "" : " " + random.response.remark));
 }
 

@@ -14,9 +14,11 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double invisible = 1e-8;  // of the largest density
 
-std::string rms_words(const response::RandomAnswer& answer, const UnitPrefix& unit) {
+std::string rms_words(const response::RandomAnswer& answer) {
   if (answer.vanishes) return "≈ 0";
-  return answer.rms ? fmt::format("{:.4g} {} rms", *answer.rms * unit.factor, unit.unit) : "rms not finite";
+  if (!answer.rms) return "rms not finite";
+  const UnitPrefix unit = unit_prefix(*answer.rms, answer.unit);
+  return fmt::format("{:.4g} {} rms", *answer.rms * unit.factor, unit.unit);
 }
 
 PanelRow density_row(const study::RandomResult& random, const std::vector<GroupedCurve>& series) {
@@ -30,7 +32,7 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
   for (const double omega : random.curves.angular_frequency) hertz.push_back(omega / turn);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::RandomAnswer& answer = answers[series[i].curve];
-    PanelCurve curve{{series[i].label + ": " + rms_words(answer, unit)}, hertz, {}, series_stroke(i)};
+    PanelCurve curve{{series[i].label + ": " + rms_words(answer)}, hertz, {}, series_stroke(i)};
     if (!answer.vanishes)
       for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(turn * unit.factor * unit.factor * density);
     row.curves.push_back(std::move(curve));
