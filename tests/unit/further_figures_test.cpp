@@ -79,13 +79,13 @@ TEST(FurtherFigures, NameQuantityAndUnitOnTheirAxes) {
   const auto all = report::further_figures(everything());
   const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
       {"random-01", {"f [Hz]", "displacement density [mm²/Hz]", "rotation density [mrad²/Hz]"}},
-      {"random-03", {"force density [kN²/Hz]", "moment density [(N m)²/Hz]"}},
+      {"random-03", {"force density [kN²/Hz]", "moment density [(kN m)²/Hz]"}},
       {"transient-01", {"t [ms]", "displacement [mm]", "rotation [mrad]"}},
       {"orders-01", {"shaft speed [rpm]", "displacement [µm]", "rotation [µrad]"}},
       {"campbell", {"shaft speed [rpm]", "frequency [Hz]"}},
       {"waterfall", {"shaft speed [rpm]", "frequency [Hz]", "displacement amplitude [mm]"}},
       {"transmissibility", {"f [Hz]", "transmissibility [dB]"}},
-      {"power", {"f [Hz]", "mean power into the ground ["}},
+      {"power", {"f [Hz]", "mean power ["}},
       {"shock", {"natural frequency [Hz]", "absolute acceleration [m/s²]"}},
       {"limit", {"f [Hz]", "velocity, rms [mm/s]"}},
       {"shape", {"front<", "isometric<", "Grey: at rest."}}};

@@ -36,6 +36,12 @@ namespace trivet::report {
 /// Operating deflection shapes in three views and at an angle, at rest and when farthest from it.
 [[nodiscard]] std::vector<Figure> shape_figures(const study::Answers& answers);
 
+/// Nothing but round-off: 1e-9 of the largest curve of its unit.
+[[nodiscard]] bool is_round_off(const response::TransientResponse& transient, const response::TimeCurve& curve);
+
+/// Largest value that is finite; 0 if none is above. An undamped resonance is infinite.
+[[nodiscard]] double highest_finite(const Eigen::VectorXd& values);
+
 /// "Power of pump" or, in a named case, "Power of pump, stiff mounts".
 [[nodiscard]] inline std::string case_title(const std::string& what, const study::Answers& answers) {
   return answers.case_name.empty() ? what : what + ", " + answers.case_name;

@@ -34,7 +34,7 @@ std::string answer_sections(const study::Answers& answers) {
          section("Transmissibility", transmissibility_table(answers), transmissibility_figures(answers)) +
          section("Power into the ground", power_table(answers), power_figures(answers)) +
          section("Shock response spectrum", shock_table(answers), shock_figures(answers)) +
-         section("Limit lines", limit_line_table(answers), limit_figures(answers)) +
+         section("Earthquake", earthquake_tables(answers), {}) + section("Limit lines", limit_line_table(answers), limit_figures(answers)) +
          section("Operating shapes", "", shape_figures(answers)) + section("Load sharing", load_sharing_table(answers), {});
 }
 

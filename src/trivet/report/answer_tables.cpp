@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/report/answer_figures.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 
@@ -15,13 +16,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
 
-Cell right(std::string text) { return {std::move(text), true}; }
-Cell percent_cell(double share) { return right(fmt::format("{:.1f}\u00a0%", 100 * share)); }
-Cell hertz_cell(double omega) { return number_cell(omega / turn, 5); }
-std::string hint(const std::string& text) { return "<p class=\"hint\">" + escaped(text) + "</p>\n"; }
-std::string folded(const std::string& title, const std::string& html) {
-  return "<details><summary>" + escaped(title) + "</summary>" + html + "</details>\n";
-}
+std::string remark(const response::RandomAnswer& answer) { return answer.vanishes ? "below round-off" : answer.reason; }
 
 bool weighted(const study::RandomResult& random) {
   return std::any_of(random.response.answers.begin(), random.response.answers.end(),
@@ -37,11 +32,13 @@ std::string random_table(const study::Answers& answers) {
   if (!answers.random) return "";
   const study::RandomResult& random = *answers.random;
   const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
+  const bool has_remarks =
+      std::any_of(random.response.answers.begin(), random.response.answers.end(), [](const auto& a) { return !remark(a).empty(); });
   std::vector<Cell> headings = {{"answer"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
   if (has_weights) headings.push_back(right("weighted rms"));
   if (has_shares)
     for (const std::string& input : random.inputs) headings.push_back(right("variance from " + input));
-  headings.push_back({"remark"});
+  if (has_remarks) headings.push_back({"remark"});
   std::vector<std::vector<Cell>> rows;
   for (const response::RandomAnswer& a : random.response.answers) {
     const auto given = [&](const std::optional<double>& value, const std::string& unit) {
@@ -53,25 +50,31 @@ std::string random_table(const study::Answers& answers) {
     if (has_shares)
       for (std::size_t i = 0; i < random.inputs.size(); ++i)
         row.push_back(i < a.variance_share.size() && !a.vanishes ? percent_cell(a.variance_share[i]) : right("–"));
-    row.push_back({a.vanishes ? "below round-off" : a.reason});
+    if (has_remarks) row.push_back({remark(a)});
     rows.push_back(std::move(row));
   }
+  const bool by_poles = random.response.method == response::RandomMethod::poles;
   return html_table(headings, rows) +
-         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, not read off the curves: {}.{}", random.response.from / turn,
-                          random.response.to / turn, response::name(random.response.method),
+         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / turn, random.response.to / turn,
+                          by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
                           random.response.remark.empty() ? "" : " " + random.response.remark));
 }
 
 std::string transient_table(const study::Answers& answers) {
   if (!answers.transient) return "";
   std::vector<std::vector<Cell>> rows;
-  for (const response::TimeCurve& c : answers.transient->response.curves)
+  for (const response::TimeCurve& c : answers.transient->response.curves) {
+    if (is_round_off(answers.transient->response, c)) {
+      rows.push_back({{c.name}, right("≈ 0"), right("–"), right("≈ 0"), right("–"), right("≈ 0")});
+      continue;
+    }
     rows.push_back({{c.name},
                     quantity_cell(c.largest.value, c.unit),
                     quantity_cell(c.largest.time, "s"),
                     quantity_cell(c.smallest.value, c.unit),
                     quantity_cell(c.smallest.time, "s"),
                     quantity_cell(c.rms, c.unit)});
+  }
   return html_table({{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")}, rows) +
          hint("Counted from the position of rest. The extremes are those of the exact motion, also between the points of time.");
 }
@@ -166,70 +169,6 @@ std::string power_table(const study::Answers& answers) {
          hint(
              "Mean power in the steady state at the computed frequencies. Rigid ground that stands still takes no power; only ground that "
              "gives or is driven does.");
-}
-
-std::string shock_table(const study::Answers& answers) {
-  if (answers.shock_spectra.empty()) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const study::ShockSpectrumResult& s : answers.shock_spectra) {
-    if (s.spectrum.empty()) continue;
-    const auto most = [&](const auto& of) {
-      return *std::max_element(s.spectrum.begin(), s.spectrum.end(), [&](const auto& a, const auto& b) { return of(a) < of(b); });
-    };
-    const auto up = most([](const auto& r) { return r.largest(); }), down = most([](const auto& r) { return -r.smallest(); });
-    const auto far = most([](const auto& r) { return r.relative_displacement; }),
-               fast = most([](const auto& r) { return r.pseudo_velocity(); });
-    rows.push_back({{s.excitation},
-                    number_cell(s.damping_ratio),
-                    quantity_cell(up.largest(), s.unit),
-                    hertz_cell(up.angular_frequency),
-                    quantity_cell(down.smallest(), s.unit),
-                    hertz_cell(down.angular_frequency),
-                    quantity_cell(fast.pseudo_velocity(), "m/s"),
-                    quantity_cell(far.relative_displacement, "m")});
-  }
-  return html_table({{"excitation"},
-                     right("damping ratio"),
-                     right("positive maximax"),
-                     right("at [Hz]"),
-                     right("negative maximax"),
-                     right("at [Hz]"),
-                     right("largest pseudo-velocity"),
-                     right("largest relative displacement")},
-                    rows);
-}
-
-std::string limit_line_table(const study::Answers& answers) {
-  if (answers.limit_lines.empty()) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const study::LimitLineResult& l : answers.limit_lines) {
-    const response::LimitComparison& c = l.comparison;
-    std::string bands;
-    for (const response::Band& band : c.exceeded)
-      bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / turn, band.to / turn);
-    rows.push_back({{l.of},
-                    {l.line.name},
-                    number_cell(response::margin_level(c.least_margin)),
-                    hertz_cell(c.least_margin_at),
-                    {bands.empty() ? "–" : bands},
-                    {c.kept() ? "✓ kept" : "✗ EXCEEDED", false, !c.kept()}});
-  }
-  return html_table({{"answer"}, {"limit line"}, right("least margin [dB]"), right("at [Hz]"), {"exceeded [Hz]"}, {"verdict"}}, rows);
-}
-
-std::string load_sharing_table(const study::Answers& answers) {
-  if (!answers.load_sharing) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, "N"), percent_cell(m.share)};
-    row.back().bad = m.bearing < 0;
-    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), "m"));
-    rows.push_back(std::move(row));
-  }
-  return html_table({{"mount"}, right("bears"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
-         hint(fmt::format(
-             "Along gravity, {:.5g} N in total; a negative share holds down. Deflections of end K against N in the element's axes.",
-             answers.load_sharing->bearing_in_total));
 }
 
 }  // namespace trivet::report

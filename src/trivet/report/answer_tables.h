@@ -25,6 +25,9 @@ namespace trivet::report {
 
 [[nodiscard]] std::string shock_table(const study::Answers& answers);
 
+/// Estimated maxima, and the modes behind them.
+[[nodiscard]] std::string earthquake_tables(const study::Answers& answers);
+
 /// Least margins and exceeded bands.
 [[nodiscard]] std::string limit_line_table(const study::Answers& answers);
 

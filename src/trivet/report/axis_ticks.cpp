@@ -28,7 +28,7 @@ namespace {
 
 /// digit · 10^exponent as plain as it reads: "0.02", "500", "2·10⁻⁶".
 std::string power_label(int digit, int exponent) {
-  if (exponent >= -3 && exponent <= 4) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
+  if (exponent >= -3 && exponent <= 3) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
   static const char* const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string label = digit == 1 ? "10" : fmt::format("{}·10", digit);
   for (const char sign : std::to_string(exponent)) label += sign == '-' ? "⁻" : raised[sign - '0'];

@@ -31,6 +31,7 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
     if (hertz > p.y.to) break;
     const double y = p.at(p.x.from, hertz).y, at = std::min(y, last - line_height);
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
+    if (at < p.corner.y - line_height) continue;  // so many that their names find no room
     canvas.polyline({{right, y}, {right + 12, at}, {right + 16, at}}, "stroke=\"#999\" stroke-width=\"0.8\"");
     canvas.text({right + 20, at + 4},
                 fmt::format("{}{:.4g} Hz, ζ = {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "", hertz,

@@ -12,6 +12,9 @@ namespace {
 constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52, key_line = 15,
                  title_height = 40;
 
+constexpr double widest_text = 36;  // signs that fit beside a panel
+constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
+
 /// Is the value somewhere on the axis or beyond it?
 bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
@@ -90,12 +93,13 @@ void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
   const PixelPoint at = p.at(mark.x, mark.y);
   canvas.circle(at, 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", mark.colour));
   if (mark.text.empty()) return;
-  const bool at_right = p.x.share(mark.x) > 0.75, low = p.y.share(mark.y) < 0.4;
-  const double room_below = p.corner.y + p.height - at.y, beside = low ? std::min(11.0, room_below - 8) : at.y < p.corner.y + 12 ? 6 : -3;
-  canvas.text(
-      {at.x + (at_right ? -8 : 8), at.y + beside}, mark.text,
-      fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"",
-                  at_right ? "end" : "start", mark.colour));
+  const double share = p.x.share(mark.x);
+  const bool below = p.y.share(mark.y) < 0.4;
+  const char* anchor = share > 0.9 ? "end" : share < 0.1 ? "start" : "middle";
+  canvas.text({at.x, at.y + (below ? 17 : -8)}, mark.text,
+              fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3\" "
+                          "stroke-linejoin=\"round\"",
+                          anchor, mark.colour));
 }
 
 }  // namespace
@@ -127,7 +131,9 @@ void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve
   for (const PanelCurve& curve : curves) {
     canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
     for (const std::string& text : curve.key) {
-      canvas.text({corner.x + 34, y + 4}, text, &text == &curve.key.front() ? "" : "fill=\"#444\"");
+      const double size = std::clamp(11 * widest_text / static_cast<double>(text.size()), 6.0, 11.0);
+      canvas.text({corner.x + 34, y + 4}, text,
+                  fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
       y += key_line;
     }
     y += 5;
@@ -172,12 +178,13 @@ Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::
   for (const PanelCurve& curve : curves)
     for (const double y : curve.y)
       if (std::isfinite(y) && y >= depth * largest) smallest = std::min(smallest, y);
-  return {0.7 * std::min(smallest, 0.2 * largest), 1.6 * largest, true, std::move(label)};
+  smallest = 0.8 * std::min(smallest, 0.2 * largest);
+  return {smallest, largest * std::pow(largest / smallest, air), true, std::move(label)};
 }
 
 Axis airy_axis(double from, double to, std::string label) {
-  const double air = to > from ? 0.06 * (to - from) : 1;
-  return {from == 0 && to > 0 ? 0 : from - air, to == 0 && from < 0 ? 0 : to + air, false, std::move(label)};
+  const double room = to > from ? air * (to - from) : 1;
+  return {from == 0 && to > 0 ? 0 : from - room, to == 0 && from < 0 ? 0 : to + room, false, std::move(label)};
 }
 
 }  // namespace trivet::report

@@ -3,9 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "trivet/report/answer_figures.h"
 
 namespace trivet::report {
+
+double highest_finite(const Eigen::VectorXd& values) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return largest;
+}
 
 std::vector<Figure> further_figures(const study::Answers& answers) {
   std::vector<Figure> all;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/svg_canvas.h"
@@ -27,6 +28,18 @@ Cell quantity_cell(double value, const std::string& unit) {
 }
 
 Cell number_cell(double value, int digits) { return {std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "∞", true}; }
+
+Cell right(std::string text) { return {std::move(text), true}; }
+
+Cell percent_cell(double share) { return right(fmt::format("{:.1f}\u00a0%", 100 * share)); }
+
+Cell hertz_cell(double angular_frequency) { return number_cell(angular_frequency / (2 * std::numbers::pi), 5); }
+
+std::string hint(const std::string& text) { return "<p class=\"hint\">" + escaped(text) + "</p>\n"; }
+
+std::string folded(const std::string& title, const std::string& html) {
+  return "<details><summary>" + escaped(title) + "</summary>" + html + "</details>\n";
+}
 
 std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows) {
   std::string html = fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table><thead><tr>",

@@ -18,7 +18,17 @@ struct Cell {
 /// A plain number.
 [[nodiscard]] Cell number_cell(double value, int digits = 4);
 
+/// At the right without being a number: "–", "everywhere".
+[[nodiscard]] Cell right(std::string text);
+[[nodiscard]] Cell percent_cell(double share);
+/// ω in rad/s as a frequency.
+[[nodiscard]] Cell hertz_cell(double angular_frequency);
+
 /// In the dress of the page's own tables.
 [[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows);
+
+/// A remark below a table, and something to be opened by a click.
+[[nodiscard]] std::string hint(const std::string& text);
+[[nodiscard]] std::string folded(const std::string& title, const std::string& html);
 
 }  // namespace trivet::report

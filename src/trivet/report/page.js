@@ -698,7 +698,7 @@ function elementsTables(elements) {
 /// The course of an excitation is in its type; of a force or motion only the components that act are named.
 function excitationsTable(excitations) {
   const parts = (values, names, unit) => (values ?? []).map((v, i) => (v ? `${names[i]} ${number(v)}` : '')).filter(Boolean).map(text => `${text} ${unit}`);
-  const amplitudes = e => [...parts(e.force, FORCES, 'N'), ...parts(e.moment, FORCES.slice(3), 'N m'), ...parts(e.translation, MOTIONS, e.units?.[0] ?? 'm'),
+  const amplitudes = e => [...parts(e.force, FORCES, e.units?.[0] ?? 'N'), ...parts(e.moment, FORCES.slice(3), e.units?.[1] ?? 'N m'), ...parts(e.translation, MOTIONS, e.units?.[0] ?? 'm'),
                            ...parts(e.rotation, MOTIONS.slice(3), e.units?.[1] ?? 'rad')].join(', ') || '–';
   const phases = e => (e.phase?.some(p => p !== 0) ? vector(e.phase.map(p => p * 360 / TURN)) : '–');
   const row = e => [e.name, e.type, e.on ?? 'ground', e.at ? vector(e.at) : '–', amplitudes(e), phases(e)];
@@ -717,6 +717,8 @@ function failures(c) {
   if (c.response && !c.response.checks.second_solver.passed) failed.push('response: the second solver does not agree');
   return failed;
 }
+const allLimits = c => [...c.limits, ...(c.limit_lines ?? [])];
+const brokenLimits = c => allLimits(c).filter(l => !l.kept).length;
 const grows = c => (c.modes?.modes ?? []).some(m => m.angular_frequency === null) || (c.roots?.roots ?? []).some(r => r.kind === 'growing');
 
 /// Equal texts of several cases once, with the cases they belong to: [{text, origin, of: [index]}].
@@ -742,18 +744,18 @@ function buildNotices() {
   const clean = cases.length && !warnings.length && !failed.length;
   put('notices', notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
     notice('note', 'Free motions', gathered(c => c.free_motions)),
-    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks of the data passed${cases.length > 1 ? ' in all cases' : ''}.${cases.some(c => c.limits.some(l => !l.kept)) ? ' But limits are exceeded: see below.' : ''}`) : null);
+    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks of the data passed${cases.length > 1 ? ' in all cases' : ''}.${cases.some(brokenLimits) ? ' But limits are exceeded: see below.' : ''}`) : null);
 }
 
 function glanceRow(c, i) {
-  const natural = naturalOf(c), broken = c.limits.filter(l => !l.kept).length, failed = failures(c).length;
+  const natural = naturalOf(c), limits = allLimits(c).length, broken = brokenLimits(c), failed = failures(c).length;
   const open = () => {
     change({case: i});
     byId('case-pictures').scrollIntoView();
   };
   return [html('button', {type: 'button', class: 'link', onclick: open}, caseName(i)), num(c.changes.length || '–'),
     c.warnings.length ? bad(`⚠ ${c.warnings.length}`) : 'none', verdict(!failed, 'ok', `${failed} FAILED`),
-    c.limits.length ? verdict(!broken, 'kept', `${broken} of ${c.limits.length} EXCEEDED`) : '–',
+    limits ? verdict(!broken, 'kept', `${broken} of ${limits} EXCEEDED`) : '–',
     grows(c) ? bad('▲ grows') : c.free_motions.length ? 'free motion' : 'stable',
     ...omegaAndHertz(natural.length ? smallestOf(natural) : null), ...omegaAndHertz(natural.length ? largestOf(natural) : null)];
 }

@@ -37,43 +37,55 @@ std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
   return found;
 }
 
-bool any_positive(const PanelCurve& curve) {
-  return std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return y > 0; });
+/// All of it: logarithmic, dotted where it comes out of the ground.
+PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& hertz, const UnitPrefix& unit) {
+  PanelRow row;
+  row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"all mounts"}, "stroke=\"#000000\" stroke-width=\"2\""));
+  PanelCurve back = one_way(hertz, power.into_ground_in_total, -unit.factor, {"all mounts, out of the ground"},
+                            "stroke=\"#000000\" stroke-width=\"2\" stroke-dasharray=\"1,4\"");
+  if (std::any_of(back.y.begin(), back.y.end(), [](double y) { return y > 0; })) row.curves.push_back(std::move(back));
+  row.y = logarithmic_axis(row.curves, invisible, "mean power [" + unit.unit + "]");
+  return row;
+}
+
+/// Mount by mount: linear with both signs, since what goes in at one mount may come out at another; logarithmic where nothing comes out.
+PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size_t>& mounts, const std::vector<double>& hertz,
+                   const UnitPrefix& unit) {
+  PanelRow row;
+  double low = 0, high = 0;
+  for (std::size_t i = 0; i < mounts.size(); ++i) {
+    const Eigen::VectorXd mine = unit.factor * power.into_ground.row(static_cast<Eigen::Index>(mounts[i])).transpose();
+    row.curves.push_back({{power.mounts[mounts[i]]}, hertz, {mine.begin(), mine.end()}, series_stroke(i)});
+    low = std::min(low, mine.minCoeff());
+    high = std::max(high, mine.maxCoeff());
+  }
+  if (-low > 1e-3 * high) {
+    row.y = airy_axis(low, high, "power, + into the ground [" + unit.unit + "]");
+    row.levels = {0};
+  } else {
+    row.y = logarithmic_axis(row.curves, invisible, "mean power [" + unit.unit + "]");
+  }
+  return row;
 }
 
 }  // namespace
 
 std::vector<Figure> power_figures(const study::Answers& answers) {
-  if (!answers.power || answers.power->angular_frequency.size() < 3 || answers.power->mounts.empty()) return {};
+  if (!answers.power || answers.power->angular_frequency.size() < 3 || answers.power->mounts.empty() || !flows(*answers.power)) return {};
   const response::PowerFlow& power = *answers.power;
   std::vector<double> hertz;
   for (const double omega : power.angular_frequency) hertz.push_back(omega / turn);
-  double largest = 0;
-  for (const double p : power.into_ground_in_total)
-    if (std::isfinite(p)) largest = std::max(largest, std::abs(p));
-  if (!flows(power)) return {};
-  const UnitPrefix unit = unit_prefix(largest, "W");
-  PanelRow row;
-  row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"total"},
-                               "stroke=\"#000000\" stroke-width=\"2.4\" stroke-linejoin=\"round\""));
-  std::vector<PanelCurve> back;
-  back.push_back(one_way(hertz, power.into_ground_in_total, -unit.factor, {"total, out of the ground"},
-                         "stroke=\"#000000\" stroke-width=\"1.2\" stroke-dasharray=\"1,4\""));
+  const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");
   const std::vector<std::size_t> mounts = mounts_with_power(power);
-  if (mounts.size() == 1) row.curves.front().key.push_back("all of it by " + power.mounts[mounts.front()]);
-  for (std::size_t i = 0; i < mounts.size() && mounts.size() > 1; ++i) {
-    const std::size_t m = mounts[i], style = i % 5 < 4 ? i % 5 : 5;  // black is the total's
-    const Eigen::VectorXd mine = power.into_ground.row(static_cast<Eigen::Index>(m)).transpose();
-    row.curves.push_back(one_way(hertz, mine, unit.factor, {power.mounts[m]}, series_stroke(style)));
-    back.push_back(one_way(hertz, mine, -unit.factor, {power.mounts[m] + ", out of the ground"},
-                           std::string("stroke=\"") + series_colour(style) + "\" stroke-width=\"1.2\" stroke-dasharray=\"1,4\""));
-  }
-  for (PanelCurve& curve : back)
-    if (any_positive(curve)) row.curves.push_back(std::move(curve));
-  row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back()), hertz.back(), true, "f [Hz]"};
-  row.y = logarithmic_axis(row.curves, invisible, "mean power into the ground [" + unit.unit + "]");
+  std::vector<PanelRow> rows = {total_row(power, hertz, unit)};
+  if (mounts.size() == 1)
+    rows.front().curves.front().key = {"all of it by " + power.mounts[mounts.front()]};
+  else
+    rows.push_back(mount_row(power, mounts, hertz, unit));
+  const double lowest = hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back());
+  for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, "f [Hz]"};
   const std::string title = case_title("Power into the ground", answers);
-  return {{title, "power-ground.svg", stacked_rows(title, {row})}};
+  return {{title, "power-ground.svg", stacked_rows(title, rows)}};
 }
 
 }  // namespace trivet::report

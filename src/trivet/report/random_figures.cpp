@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "trivet/report/answer_figures.h"
@@ -13,9 +14,11 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double invisible = 1e-8;  // of the largest density
 
-std::string rms_words(const response::RandomAnswer& answer, const UnitPrefix& unit) {
+std::string rms_words(const response::RandomAnswer& answer) {
   if (answer.vanishes) return "≈ 0";
-  return answer.rms ? fmt::format("{:.4g} {} rms", *answer.rms * unit.factor, unit.unit) : "rms not finite";
+  if (!answer.rms) return "rms not finite";
+  const UnitPrefix unit = unit_prefix(*answer.rms, answer.unit);
+  return fmt::format("{:.4g} {} rms", *answer.rms * unit.factor, unit.unit);
 }
 
 PanelRow density_row(const study::RandomResult& random, const std::vector<GroupedCurve>& series) {
@@ -23,18 +26,18 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
   double largest = 0;
   for (const GroupedCurve& s : series) largest = std::max(largest, answers[s.curve].rms.value_or(0));
   const std::string& si = answers[series.front().curve].unit;
-  const UnitPrefix unit = unit_prefix(largest, si);
+  const UnitPrefix unit = unit_prefix(10 * largest, si);  // (m/s²)²/Hz from 0.1 m/s² rms
   PanelRow row;
   std::vector<double> hertz;
   for (const double omega : random.curves.angular_frequency) hertz.push_back(omega / turn);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::RandomAnswer& answer = answers[series[i].curve];
-    PanelCurve curve{{series[i].label + ": " + rms_words(answer, unit)}, hertz, {}, series_stroke(i)};
+    PanelCurve curve{{series[i].label + ": " + rms_words(answer)}, hertz, {}, series_stroke(i)};
     if (!answer.vanishes)
       for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(turn * unit.factor * unit.factor * density);
     row.curves.push_back(std::move(curve));
   }
-  row.x = {hertz.front() > 0 ? hertz.front() : hertz[1], hertz.back(), true, "f [Hz]"};
+  row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-4 * hertz.back()), hertz.back(), true, "f [Hz]"};
   row.y = logarithmic_axis(row.curves, invisible, fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
   return row;
 }

@@ -13,21 +13,15 @@ namespace trivet::report {
 namespace {
 
 constexpr double per_minute = 60 / (2 * std::numbers::pi);
-constexpr std::size_t most_orders = 6;
+constexpr std::size_t most_orders = 5;
 constexpr double spiky = 30, invisible = 1e-4;
-
-double highest(const Eigen::VectorXcd& values) {
-  double largest = 0;
-  for (const auto& v : values)
-    if (std::isfinite(std::abs(v))) largest = std::max(largest, std::abs(v));
-  return largest;
-}
 
 /// The orders that make the highest amplitudes of a curve, ascending.
 std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size_t curve) {
   constexpr double negligible = 1e-3;
   std::vector<std::pair<double, std::size_t>> heights;
-  for (std::size_t k = 0; k < run_up.orders.size(); ++k) heights.emplace_back(highest(run_up.orders[k].curves[curve].value), k);
+  for (std::size_t k = 0; k < run_up.orders.size(); ++k)
+    heights.emplace_back(highest_finite(run_up.orders[k].curves[curve].value.cwiseAbs()), k);
   std::sort(heights.rbegin(), heights.rend());
   std::vector<std::size_t> kept;
   for (const auto& [height, k] : heights)
@@ -36,23 +30,27 @@ std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size
   return kept;
 }
 
+double tallest(const std::vector<PanelCurve>& curves) {
+  double top = 0;
+  for (const PanelCurve& curve : curves)
+    top = std::max(top, highest_finite(Eigen::Map<const Eigen::VectorXd>(curve.y.data(), std::ssize(curve.y))));
+  return top;
+}
+
 /// Linear from zero, or logarithmic where a linear axis would show one spike and nothing else.
 Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
   std::vector<double> overall;
   for (const double y : curves.front().y)
     if (std::isfinite(y)) overall.push_back(y);
   std::sort(overall.begin(), overall.end());
-  const double top = logarithmic_axis(curves, invisible, "").to / 1.6;
+  const double top = tallest(curves);
   if (!overall.empty() && top > spiky * overall[overall.size() / 2]) return logarithmic_axis(curves, invisible, std::move(label));
   return airy_axis(0, top, std::move(label));
 }
 
 PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve) {
   const response::Overall& overall = run_up.overall[curve];
-  double largest = 0;
-  for (const double rms : overall.rms)
-    if (std::isfinite(rms)) largest = std::max(largest, rms);
-  const UnitPrefix unit = unit_prefix(largest, overall.unit);
+  const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), overall.unit);
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * per_minute);
   PanelRow row;
@@ -62,7 +60,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   const std::vector<std::size_t> shown = tallest_orders(run_up, curve);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const response::OrderCurves& order = run_up.orders[shown[i]];
-    const std::size_t style = i < 4 ? i : i == 4 ? 5 : 3 + 6;  // black is the sum's
+    const std::size_t style = i < 4 ? i : 5;  // black is the sum's
     PanelCurve one{{fmt::format("order {:g}, amplitude", order.order)}, rpm, {}, series_stroke(style)};
     for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor);
     row.curves.push_back(std::move(one));
@@ -71,8 +69,8 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
         row.marks.push_back({critical.speed * per_minute, critical.amplitude * unit.factor, series_colour(style),
                              critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * per_minute) : ""});
   }
-  if (shown.size() < run_up.orders.size())
-    row.curves.back().key.push_back(fmt::format("({} weaker orders not drawn)", run_up.orders.size() - shown.size()));
+  const std::size_t left_out = run_up.orders.size() - shown.size();
+  if (left_out > 0) row.curves.back().key.push_back(fmt::format("({} weaker order{} not drawn)", left_out, left_out > 1 ? "s" : ""));
   row.x = {rpm.front(), rpm.back(), false, "shaft speed [rpm]"};
   row.y = amplitude_axis(row.curves, fmt::format("{} [{}]", quantity_name(overall.unit), unit.unit));
   return row;
@@ -81,7 +79,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
 /// Amplitudes of a group that are worth a panel: not 1e-6 of the tallest of the same unit.
 std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series) {
   constexpr double negligible = 1e-6;
-  const auto height = [&](const GroupedCurve& s) { return run_up.overall[s.curve].highest_rms; };
+  const auto height = [&](const GroupedCurve& s) { return highest_finite(run_up.overall[s.curve].rms); };
   double largest = 0;
   for (const GroupedCurve& s : series) largest = std::max(largest, height(s));
   std::vector<PanelRow> rows;

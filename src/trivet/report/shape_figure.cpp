@@ -146,6 +146,13 @@ void draw_axes(SvgCanvas& canvas, const View& view, PixelPoint corner) {
   }
 }
 
+/// "15600" rather than "1.56e+04".
+std::string three_digits(double value) {
+  if (!(value >= 1000)) return fmt::format("{:.3g}", value);
+  const double step = std::pow(10.0, std::floor(std::log10(value)) - 2);
+  return fmt::format("{:.0f}", std::round(value / step) * step);
+}
+
 Figure shape_figure(const study::Answers& answers, const response::DeflectionShape& shape) {
   const Frame size = frame(shape);
   const Farthest most = farthest(shape);
@@ -167,11 +174,12 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
     draw_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
   }
   const UnitPrefix unit = unit_prefix(most.excursion, "m");
-  canvas.text({490, 708},
-              fmt::format("Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
-                          "points. Motion × {:.3g}.",
-                          std::fmod(most.phase * 360 / turn + 360, 360), most.name, most.excursion * unit.factor, unit.unit, scale),
-              "text-anchor=\"middle\"");
+  canvas.text(
+      {490, 708},
+      fmt::format("Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
+                  "points. Motion × {}.",
+                  std::fmod(most.phase * 360 / turn + 360, 360), most.name, most.excursion * unit.factor, unit.unit, three_digits(scale)),
+      "text-anchor=\"middle\"");
   canvas.text({490, 726}, "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.",
               "text-anchor=\"middle\" fill=\"#444\"");
   return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / turn))), canvas.svg(title)};

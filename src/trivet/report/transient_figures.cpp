@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
@@ -15,8 +18,9 @@ std::string extreme_words(const char* which, const response::Extreme& extreme, c
   return fmt::format("{} {:.4g} {} at {:.4g} {}", which, extreme.value * unit.factor, unit.unit, extreme.time * second.factor, second.unit);
 }
 
+double absolute(const response::TimeCurve& c) { return std::max(std::abs(c.largest.value), std::abs(c.smallest.value)); }
+
 PanelRow history_row(const response::TransientResponse& transient, const std::vector<GroupedCurve>& series) {
-  const auto absolute = [](const response::TimeCurve& c) { return std::max(std::abs(c.largest.value), std::abs(c.smallest.value)); };
   const response::TimeCurve* tallest = &transient.curves[series.front().curve];
   double low = 0, high = 0;
   for (const GroupedCurve& s : series) {
@@ -31,16 +35,18 @@ PanelRow history_row(const response::TransientResponse& transient, const std::ve
   for (const double t : transient.time) time.push_back(t * second.factor);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::TimeCurve& c = transient.curves[series[i].curve];
+    const bool still = is_round_off(transient, c);
     PanelCurve curve{
         {series[i].label + ", " + extreme_words("max", c.largest, unit, second), extreme_words("min", c.smallest, unit, second)},
         time,
         {},
         series_stroke(i)};
+    if (still) curve.key = {series[i].label + ": ≈ 0"};
     for (const double value : c.values) curve.y.push_back(value * unit.factor);
     row.curves.push_back(std::move(curve));
     const bool above = c.largest.value >= -c.smallest.value;
     for (const auto* extreme : {&c.largest, &c.smallest})
-      if (absolute(c) > 0)
+      if (!still)
         row.marks.push_back(
             {extreme->time * second.factor, extreme->value * unit.factor, series_colour(i),
              &c == tallest && above == (extreme == &c.largest) ? fmt::format("{:.4g} {}", extreme->value * unit.factor, unit.unit) : ""});
@@ -52,6 +58,14 @@ PanelRow history_row(const response::TransientResponse& transient, const std::ve
 }
 
 }  // namespace
+
+bool is_round_off(const response::TransientResponse& transient, const response::TimeCurve& curve) {
+  constexpr double share = 1e-9;
+  double largest = 0;
+  for (const response::TimeCurve& other : transient.curves)
+    if (other.unit == curve.unit) largest = std::max(largest, absolute(other));
+  return absolute(curve) <= share * largest;
+}
 
 std::vector<Figure> transient_figures(const study::Answers& answers) {
   std::vector<Figure> figures;

@@ -20,9 +20,10 @@ constexpr int spectra = 41;
 std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
   std::optional<std::size_t> best;
   for (std::size_t c = 0; c < run_up.overall.size(); ++c) {
-    const response::Overall& each = run_up.overall[c];
-    if (!(each.highest_rms > 0) || !std::isfinite(each.highest_rms)) continue;
-    if (!best || (each.unit == run_up.overall[*best].unit && each.highest_rms > run_up.overall[*best].highest_rms)) best = c;
+    const double height = highest_finite(run_up.overall[c].rms);
+    if (height > 0 &&
+        (!best || (run_up.overall[c].unit == run_up.overall[*best].unit && height > highest_finite(run_up.overall[*best].rms))))
+      best = c;
   }
   return best;
 }
