@@ -44,6 +44,8 @@ struct Range {
 };
 
 /// One oscillator in the scaled time τ = ωt, y = ω²z and its rate dy/dτ, both of the unit of the base acceleration.
+constexpr double most_steps = 1e6;  ///< of one radian within one piece of a signal
+
 class Oscillator {
  public:
   Oscillator(double omega, double zeta) : omega_(omega), zeta_(zeta) {}
@@ -51,6 +53,8 @@ class Oscillator {
   /// Moves on over a piece of the base acceleration and widens the range of the absolute acceleration.
   void follow(const Piece& piece, double duration, Range& absolute) {
     const double steps = std::max(1.0, std::ceil(duration * std::max(omega_, piece.kappa)));
+    if (steps > most_steps)
+      throw foundation::NotComputable("shock spectrum: an oscillator turns more than a million radians within one piece of the signal; lower the upper end of the band");
     const double h = duration / steps;
     for (double i = 0; i < steps; ++i) advance(base_series(piece, i * h, h), h, absolute);
   }

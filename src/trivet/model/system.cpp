@@ -7,6 +7,7 @@
 #include <set>
 
 #include "trivet/model/checks.h"
+#include "trivet/model/modal_ground.h"
 
 namespace trivet::model {
 namespace {
@@ -100,6 +101,15 @@ void check_random(const Description& description, foundation::Problems& problems
   if (known && !inputs.pairs.empty()) problems.add(excitation::check(inputs, "excitations"));
 }
 
+void check_moving_ground(const Description& description, foundation::Problems& problems) {
+  const auto standing = element_on_modes(description);
+  if (!standing) return;
+  for (const Excitation& excitation : description.excitations)
+    if (!excitation.action.body && excitation.action.elements.empty())
+      problems.error("excitations." + excitation.name, "the whole ground moves under \"" + *standing + "\", which stands on the modes of a foundation",
+                     "modes do not say how they follow a rigid motion of the ground", "move single supports with elements = […], or describe the foundation by an impedance");
+}
+
 }  // namespace
 
 foundation::Expected<System> System::checked(Description description) {
@@ -115,6 +125,7 @@ foundation::Expected<System> System::checked(Description description) {
   for (const auto& force : description.constant_forces) excitations.push_back({force.name});
   check_names(excitations, "excitations", problems, false);
   check_random(description, problems);
+  check_moving_ground(description, problems);
   check_shared_names(description, problems);
   for (const auto& body : description.bodies) {
     check_names(body.points, "bodies." + body.name + ".points", problems);

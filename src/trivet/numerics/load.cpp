@@ -24,7 +24,10 @@ void Load::add(LoadTerm term) {
   if (term.value.size() == 0 || term.value.isZero(0)) return;
   const auto same = std::find_if(terms_.begin(), terms_.end(), [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
   if (same == terms_.end()) terms_.push_back(std::move(term));
-  else same->value += term.value;
+  else {
+    same->value += term.value;
+    if (same->value.isZero(0)) terms_.erase(same);
+  }
 }
 
 double Load::longest_delay() const {

@@ -103,7 +103,7 @@ std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vecto
 
 TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMode>& modes, const std::vector<InputCourse>& courses,
                    const std::vector<std::string>& names, foundation::Problems& warnings) {
-  constexpr double shortest_step = 1e4;  // resolutions
+  constexpr double shortest_step = 1e4, most_steps = 2e7;  // the first in resolutions
   TimeGrid grid;
   grid.from = grid.start = options.from;
   if (!std::isfinite(options.from)) throw foundation::InvalidInput(fmt::format("transient: from {} s, must be finite", options.from));
@@ -113,6 +113,8 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
     throw foundation::InvalidInput(fmt::format("transient: from {:.6g} s to {:.6g} s; the end must be finite and later", options.from, to));
   if (!options.initial)
     for (const InputCourse& course : courses) grid.start = std::min(grid.start, course.start());
+  if (options.step && *options.step > 0 && (options.from - grid.start) / *options.step > most_steps)
+    throw foundation::NotComputable(fmt::format("transient: an input begins {:.4g} s before the answers, as delays below zero do: more than {:.0e} steps lie between", options.from - grid.start, most_steps));
   grid.resolution = 4 * std::numeric_limits<double>::epsilon() * std::max({std::abs(grid.start), std::abs(options.from), std::abs(to)});
   grid.fastest = std::max(fastest(modes, noticeable_share), largest_kappa(courses));
   bool limited = false;
@@ -122,7 +124,9 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
                                                  shortest_step * grid.resolution));
     grid.step = *options.step;
     const double steps = std::floor((to - options.from) / grid.step * (1 + 1e-12));
-    if (steps > 1e8) throw foundation::InvalidInput(fmt::format("transient: {:.3g} steps of {:.6g} s; at most 1e8 are kept", steps, grid.step));
+    if (steps < 1)
+      throw foundation::InvalidInput(fmt::format("transient: a step of {:.6g} s is longer than the time from {:.6g} s to {:.6g} s", grid.step, options.from, to));
+    if (steps > most_steps) throw foundation::InvalidInput(fmt::format("transient: {:.3g} steps of {:.6g} s; at most {:.0e} are kept", steps, grid.step, most_steps));
     grid.points = 1 + static_cast<Eigen::Index>(steps);
   } else {
     const double wanted = grid.fastest > 0 ? std::ceil((to - options.from) * grid.fastest * points_per_period / two_pi) : 1000;

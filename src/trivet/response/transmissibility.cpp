@@ -38,10 +38,10 @@ Direction like(const Direction& applied, const std::optional<Direction>& wanted,
 }
 
 /// Index 0 … 5 of the component at the end of a channel's name: "…x" or "…rz", "….force.x" or "….moment.z".
-Eigen::Index component(const std::string& name) {
+Eigen::Index component(const std::string& name, bool of_force) {
   const std::string last = name.substr(name.rfind('.') + 1);
   for (std::size_t j = 0; j < 6; ++j)
-    if (last == model::coordinate_names[j]) return static_cast<Eigen::Index>(j) + (name.find(".moment.") != std::string::npos ? 3 : 0);
+    if (last == model::coordinate_names[j]) return static_cast<Eigen::Index>(j) + (of_force && name.ends_with(".moment." + last) ? 3 : 0);
   return 0;
 }
 
@@ -51,7 +51,7 @@ assembly::Channel combined(const std::vector<assembly::Channel>& parts, const sp
                         Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
                         Eigen::VectorXd::Zero(parts.front().on_acceleration.size()), {}, {}, 0};
   for (const assembly::Channel& part : parts) {
-    const double weight = weights(component(part.name));
+    const double weight = weights(component(part.name, part.unit.starts_with("N")));
     if (weight == 0) continue;
     sum.on_displacement += weight * part.on_displacement;
     sum.on_velocity += weight * part.on_velocity;

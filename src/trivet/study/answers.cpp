@@ -137,7 +137,7 @@ class CaseStudy {
     if (analyses.transmissibility) attempt([&] { result.transmissibility = transmissibility_answer(c, *analyses.transmissibility); });
     if (analyses.power) attempt([&] { result.power = power_answer(c, *analyses.power); });
     if (analyses.shapes) attempt([&] { result.shapes = shapes_answer(c, *analyses.shapes); });
-    if (analyses.shock_spectrum) attempt([&] { result.shock_spectra = shock_spectrum_answer(c, *analyses.shock_spectrum); });
+    if (analyses.shock_spectrum) attempt([&] { result.shock_spectra = shock_spectrum_answer(c, *analyses.shock_spectrum, result.warnings); });
     if (analyses.earthquake) attempt([&] { result.earthquake = earthquake_answer(c, *analyses.earthquake, result.warnings); });
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] { result.limit_lines = limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band); });
@@ -148,6 +148,11 @@ class CaseStudy {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
     if (analyses.response) of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
     if (analyses.peaks) of.insert(of.end(), analyses.peaks->wanted.of.begin(), analyses.peaks->wanted.of.end());
+    if (analyses.random) of.insert(of.end(), analyses.random->wanted.of.begin(), analyses.random->wanted.of.end());
+    if (analyses.transient) of.insert(of.end(), analyses.transient->wanted.of.begin(), analyses.transient->wanted.of.end());
+    if (analyses.orders) of.insert(of.end(), analyses.orders->wanted.of.begin(), analyses.orders->wanted.of.end());
+    if (analyses.earthquake) of.insert(of.end(), analyses.earthquake->wanted.of.begin(), analyses.earthquake->wanted.of.end());
+    if (analyses.transmissibility && !analyses.transmissibility->force.empty()) of.push_back("ground");
     if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
     for (const model::Body& body : system_.bodies())
       if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())

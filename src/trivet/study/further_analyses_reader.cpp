@@ -72,6 +72,8 @@ TransientRequest read_transient(TableReader& reader, const ResultNames& names, c
   request.step = reader.number("step", Quantity::time);
   if (request.to && !(*request.to > request.from)) reader.error("to", fmt::format("{:.6g} s", *request.to), "it ends after it begins", "give to above from");
   if (request.step && !(*request.step > 0)) reader.error("step", fmt::format("{:.6g} s", *request.step), "a step is > 0", "mend it");
+  if (request.step && request.to && *request.step > *request.to - request.from && *request.to > request.from)
+    reader.error("step", fmt::format("{:.6g} s", *request.step), "it is no longer than the time from from to to", "take a shorter step");
   if (request.step && request.to && *request.step > 0 && (*request.to - request.from) / *request.step > most_time_points)
     reader.error("step", fmt::format("{:.3g} points", (*request.to - request.from) / *request.step), fmt::format("at most {:.0f} points are computed at once", most_time_points), "take a longer step");
   request.nearest_linear_system = reader.boolean("nearest_linear_system").value_or(false);
@@ -100,6 +102,8 @@ TransmissibilityRequest read_transmissibility(TableReader& reader, const Mention
     reader.error("force", "\"" + request.force.substr(0, 60) + "\"", "no harmonic excitation has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
   if (base) request.direction.axis = *base;
+  for (const char* key : {"rotation", "of"})
+    if (reader.has("force") && reader.has(key)) reader.error(key, std::string(key) + " beside a force", "a force is compared with the force on the ground in its own direction", "remove it");
   request.direction.rotation = reader.boolean("rotation").value_or(false);
   std::vector<std::string> places = mentioned.bodies;
   places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
@@ -132,6 +136,8 @@ EarthquakeRequest read_earthquake(TableReader& reader, const ResultNames& names)
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity == "velocity") request.wanted.quantity = assembly::Quantity::velocity;
   if (quantity == "acceleration") request.wanted.quantity = assembly::Quantity::acceleration;
+  for (const std::string& word : request.wanted.of)
+    if (word == "base" || word.starts_with("base.")) reader.error("of", "\"" + word + "\"", "an earthquake's answers are those of bodies and elements, against the ground", "remove it");
   if (!reader.has("direction")) reader.missing("direction", "say how the ground shakes: direction = \"x\"");
   request.direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
   const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
@@ -163,6 +169,7 @@ ShapesRequest read_shapes(TableReader& reader, const Mentioned& mentioned) {
   request.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
   if (!reader.has("at")) reader.missing("at", "give the frequencies: at = [\"25 Hz\"]");
   request.at = reader.numbers("at", Quantity::angular_frequency).value_or(std::vector<double>{});
+  if (reader.has("at") && request.at.empty()) reader.error("at", "no frequency", "at least one is wanted", "for instance at = [\"25 Hz\"]");
   for (const double omega : request.at)
     if (!(omega > 0)) reader.error("at", fmt::format("{:.6g} rad/s", omega), "a shape is drawn at ω > 0", "mend it");
   return request;

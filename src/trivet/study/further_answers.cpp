@@ -10,6 +10,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/model/modal_ground.h"
 
 namespace trivet::study {
 namespace {
@@ -36,6 +37,11 @@ std::vector<response::TimeInput> time_inputs(const CaseContext& c, const std::ve
     if (const auto* history = std::get_if<model::History>(&excitation.course); history && selected(names, excitation.name))
       inputs.push_back({excitation.name, history->signal, assembly::loading(c.assembled, excitation.action)});
   return inputs;
+}
+
+void require_rigid_ground(const CaseContext& c, const std::string& question) {
+  if (const auto standing = model::element_on_modes(c.system.description()))
+    throw foundation::NotComputable(question + ": \"" + *standing + "\" stands on the modes of a foundation, which do not say how they follow a rigid motion of the ground");
 }
 
 /// 0 … 5 for a motion along x … about z, none for a force.
@@ -141,6 +147,7 @@ OrdersResult orders_answer(const CaseContext& c, const OrdersRequest& request) {
 
 TransmissibilityResult transmissibility_answer(const CaseContext& c, const TransmissibilityRequest& request) {
   const bool force = !request.force.empty();
+  if (!force) require_rigid_ground(c, "transmissibility");
   const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, request.force))
                                                     : response::displacement_transmission(c.system, c.assembled, request.of, request.direction);
   TransmissibilityResult result;
@@ -175,7 +182,7 @@ std::vector<response::DeflectionShape> shapes_answer(const CaseContext& c, const
   return shapes;
 }
 
-std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, const ShockSpectrumRequest& request) {
+std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, const ShockSpectrumRequest& request, foundation::Problems& warnings) {
   constexpr int per_octave = 12;
   std::vector<double> natural;
   const int count = std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(request.band.to / request.band.from))) + 1);
@@ -184,17 +191,22 @@ std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, con
   for (const model::Excitation& excitation : c.system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
     if (!history || !selected(request.excitations, excitation.name)) continue;
-    if (excitation.action.body || excitation.action.derivative != 2) {
-      if (!request.excitations.empty()) throw foundation::NotComputable("shock_spectrum: \"" + excitation.name + "\" is not a motion of the ground given by its acceleration");
+    const model::Action& action = excitation.action;
+    if (action.body || action.derivative != 2 || !action.amplitude.tail<3>().isZero(0)) {
+      const std::string reason = "shock_spectrum: \"" + excitation.name + "\" is not a translation of the ground given by its acceleration";
+      if (!request.excitations.empty()) throw foundation::NotComputable(reason);
+      warnings.warning(reason, "left out", "", "");
       continue;
     }
-    results.push_back({excitation.name, "m/s²", request.damping_ratio, excitation::shock_spectrum(history->signal, natural, request.damping_ratio, c.progress)});
+    const excitation::Signal along = excitation::scaled(history->signal, action.amplitude.head<3>().norm());
+    results.push_back({excitation.name, "m/s²", request.damping_ratio, excitation::shock_spectrum(along, natural, request.damping_ratio, c.progress)});
   }
   if (results.empty()) throw foundation::NotComputable("shock_spectrum: the model has no motion of the ground given by its acceleration over time");
   return results;
 }
 
 response::EarthquakeResponse earthquake_answer(const CaseContext& c, const EarthquakeRequest& request, foundation::Problems& warnings) {
+  require_rigid_ground(c, "earthquake");
   spatial::Vector6 direction = spatial::Vector6::Zero();
   direction.head<3>() = request.direction;
   response::EarthquakeResponse result = response::earthquake_response(c.assembled, channels_of(c, request.wanted), request.spectrum, direction);

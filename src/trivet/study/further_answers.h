@@ -25,7 +25,8 @@ struct CaseContext {
 [[nodiscard]] TransmissibilityResult transmissibility_answer(const CaseContext& context, const TransmissibilityRequest& request);
 [[nodiscard]] response::PowerFlow power_answer(const CaseContext& context, const PowerRequest& request);
 [[nodiscard]] std::vector<response::DeflectionShape> shapes_answer(const CaseContext& context, const ShapesRequest& request);
-[[nodiscard]] std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& context, const ShockSpectrumRequest& request);
+[[nodiscard]] std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& context, const ShockSpectrumRequest& request,
+                                                                     foundation::Problems& warnings);
 [[nodiscard]] response::EarthquakeResponse earthquake_answer(const CaseContext& context, const EarthquakeRequest& request, foundation::Problems& warnings);
 [[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context, const std::vector<LimitLineRequest>& requests, const Wanted& wanted,
                                                              const response::Band& band);

@@ -177,8 +177,5 @@ std::string random_json(const Answers& answers) { return json::random(answers).d
 std::string transient_json(const Answers& answers) { return json::transient(answers).dump(1) + "\n"; }
 std::string orders_json(const Answers& answers) { return json::orders(answers).dump(1) + "\n"; }
 std::string transmissibility_json(const Answers& answers) { return json::transmissibility(answers).dump(1) + "\n"; }
-std::string power_json(const Answers& answers) { return json::power(answers).dump(1) + "\n"; }
-std::string shapes_json(const Answers& answers) { return json::shapes(answers).dump(1) + "\n"; }
-std::string shock_spectrum_json(const Answers& answers) { return json::shock_spectrum(answers).dump(1) + "\n"; }
 
 }  // namespace trivet::study

@@ -12,9 +12,6 @@ namespace trivet::study {
 [[nodiscard]] std::string transient_json(const Answers& answers);
 [[nodiscard]] std::string orders_json(const Answers& answers);
 [[nodiscard]] std::string transmissibility_json(const Answers& answers);
-[[nodiscard]] std::string power_json(const Answers& answers);
-[[nodiscard]] std::string shapes_json(const Answers& answers);
-[[nodiscard]] std::string shock_spectrum_json(const Answers& answers);
 
 [[nodiscard]] std::string random_csv(const Answers& answers);            ///< one row per answer
 [[nodiscard]] std::string random_densities_csv(const Answers& answers);  ///< one row per frequency, densities per hertz

@@ -92,7 +92,13 @@ std::optional<excitation::Signal> from_rows(TableReader& reader, const std::stri
   samples.afterwards = hold ? excitation::Samples::Afterwards::hold : excitation::Samples::Afterwards::zero;
   const foundation::Problems findings = excitation::check(samples, key);
   reader.add(findings);
-  return findings.has_errors() ? std::nullopt : std::optional(excitation::from_samples(samples));
+  if (findings.has_errors()) return std::nullopt;
+  try {
+    return excitation::from_samples(samples);
+  } catch (const foundation::InvalidInput& wrong) {
+    reader.error(key, wrong.what(), "straight lines between samples have finite slopes", "look at the times");
+    return std::nullopt;
+  }
 }
 
 /// A file or rows: bare values in SI, or accelerations in g.

@@ -49,6 +49,9 @@ excitation::EngineLayout read_layout(TableReader& engine) {
   layout.spacing = engine.number("spacing", Quantity::length).value_or(0);
   layout.bank_angle = engine.number("bank_angle", Quantity::angle).value_or(0);
   layout.bank_offset = engine.number("bank_offset", Quantity::length).value_or(0);
+  if (layout.kind == excitation::EngineLayout::Kind::vee && !engine.has("bank_angle")) engine.missing("bank_angle", "give the angle between the banks: bank_angle = \"60 deg\"");
+  if (layout.kind != excitation::EngineLayout::Kind::vee && engine.has("bank_angle")) engine.error("bank_angle", "of an engine that is no vee", "an inline engine has one bank, a boxer 180° between them", "remove it");
+  if (layout.kind == excitation::EngineLayout::Kind::in_line && engine.has("bank_offset")) engine.error("bank_offset", "of an inline engine", "it has one bank", "remove it");
   layout.strokes = whole_number(engine, "strokes", engine.number("strokes", Quantity::pure).value_or(4), 2, 4);
   if (layout.cylinders > 1 && !engine.has("spacing")) engine.missing("spacing", "give the distance of neighbouring cylinders along the crank axis");
   if (const auto order = engine.numbers("firing_order", Quantity::pure))
@@ -61,6 +64,11 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   if (engine.has("gas_torque")) {
     std::vector<excitation::TorqueHarmonic> harmonics;
     const Node* rows = engine.node("gas_torque");
+    if (rows->kind != Node::Kind::array || rows->items.empty()) {
+      engine.error("gas_torque", rows->kind == Node::Kind::array ? "an empty list" : words(rows->kind), "rows of [order, amplitude in N m, phase in rad] of one cylinder are wanted", "give them, or remove the key");
+      return {};
+    }
+    if (engine.has("pressure")) engine.error("pressure", "beside gas_torque", "one of them says what the gas does", "remove one");
     for (std::size_t i = 0; i < rows->items.size(); ++i) {
       const Node& row = rows->items[i];
       const std::string where = fmt::format("{}.gas_torque[{}]", engine.path(), i);

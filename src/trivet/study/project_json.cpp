@@ -60,7 +60,19 @@ Json excitation_json(const model::Description& d, const model::Excitation& excit
   const bool real = action.amplitude.imag().isZero(0);
   const Eigen::VectorXd size = real ? Eigen::VectorXd(action.amplitude.real()) : Eigen::VectorXd(action.amplitude.cwiseAbs());
   const Eigen::VectorXd phase = real ? Eigen::VectorXd(Eigen::VectorXd::Zero(6)) : Eigen::VectorXd(action.amplitude.cwiseArg());
-  Json result{{"name", excitation.name}, {"type", "harmonic"}, {"at", json::list(action.at)}, {"phase", json::list(phase)}};
+  const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
+  const bool orders = std::holds_alternative<model::Orders>(excitation.course), random = std::holds_alternative<model::Random>(excitation.course);
+  const char* type = !harmonic ? (orders ? "orders" : random ? "random" : "time") : harmonic->power_of_frequency == 2 ? "unbalance" : action.body ? "harmonic" : "base";
+  Json result{{"name", excitation.name}, {"type", type}, {"at", json::list(action.at)}, {"phase", json::list(phase)}};
+  if (!action.body) {
+    static constexpr const char* translation[] = {"m", "m/s", "m/s²"};
+    static constexpr const char* rotation[] = {"rad", "rad/s", "rad/s²"};
+    result["units"] = {translation[action.derivative], rotation[action.derivative]};
+  } else if (harmonic && harmonic->power_of_frequency == 2) {
+    result["units"] = {"kg m", "kg m²"};
+  } else if (!harmonic) {
+    result["units"] = {"1", "m"};
+  }
   result["on"] = action.body ? Json(d.bodies[*action.body].name) : Json(nullptr);
   result[action.body ? "force" : "translation"] = json::list(size.head(3));
   result[action.body ? "moment" : "rotation"] = json::list(size.tail(3));

@@ -37,6 +37,7 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
   if (!letter) return std::nullopt;
   excitation::RoadRoughness road = excitation::road_class((*letter)[0]);
   if (const auto waviness = psd.number("waviness", Quantity::pure)) road.waviness = *waviness;
+  if (!(road.waviness > 0 && road.waviness <= 5)) psd.error("waviness", fmt::format("{:.6g}", road.waviness), "the waviness of roads is about 2, and between 0 and 5 here", "mend it");
   if (const auto range = psd.numbers("wave_numbers", Quantity::pure)) {
     if (range->size() == 2 && (*range)[0] > 0 && (*range)[1] > (*range)[0]) road.wave_number_from = (*range)[0], road.wave_number_to = (*range)[1];
     else psd.error("wave_numbers", fmt::format("{} numbers", range->size()), "[from, to] in cycles per metre with 0 < from < to", "for instance [0.011, 2.83]");
