@@ -35,7 +35,14 @@ MobilityVerdict mobility_causality(const std::vector<double>& omega, const Eigen
   if (count == 0) return {};
   std::vector<std::pair<double, double>> resonators = {{0, 0}};
   for (const double resonance : resonances(omega.front(), omega.back()))
-    for (const double ratio : {0.01, 0.04, 0.15, 0.5, 1.5}) resonators.emplace_back(resonance, ratio);
+    for (const double ratio : {0.04, 0.15, 0.5, 1.5}) resonators.emplace_back(resonance, ratio);
+  // Light damping is resolved only where the table has rows.
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const double here = omega[static_cast<std::size_t>(rows[static_cast<std::size_t>(r)])];
+    const double next = r + 1 < count ? omega[static_cast<std::size_t>(rows[static_cast<std::size_t>(r + 1)])] : here;
+    for (const double resonance : {here, 0.5 * (here + next)})
+      for (const double ratio : {0.003, 0.01, 0.025}) resonators.emplace_back(resonance, ratio);
+  }
   Eigen::MatrixXd a(2 * count, static_cast<Eigen::Index>(resonators.size()));
   Eigen::VectorXd b(2 * count);
   for (Eigen::Index r = 0; r < count; ++r) {

@@ -223,8 +223,9 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
     if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && repeats_as_case(answers, cases))) shown.push_back(&answers);
   const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
   const std::size_t rows = (shown.size() + columns - 1) / columns;
-  SvgCanvas canvas(30 + column_pitch * static_cast<double>(used_columns), 44 + row_pitch * static_cast<double>(rows));
-  canvas.text({15 + column_pitch * static_cast<double>(used_columns) / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
+  const double canvas_width = std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
+  SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
+  canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases compare.
   std::array<Extent, 2> ranges;
   for (const study::Answers* answers : shown) {

@@ -705,8 +705,10 @@ function excitationsTable(excitations) {
   return table(['excitation', 'type', 'on', 'at, body or ground axes [m]', 'components', 'phases of the six [°]'], excitations.map(row));
 }
 function inputsSection(c) {
-  const {bodies, elements, excitations, gravity, damping} = c.model, part = (title, list, make) => [html('h3', {}, title), list.length ? make(list) : html('p', {}, 'None.')];
+  const {bodies, elements, excitations, foundations = [], gravity, damping} = c.model, part = (title, list, make) => [html('h3', {}, title), list.length ? make(list) : html('p', {}, 'None.')];
   return section('inputs', 'Inputs', part('Bodies', bodies, bodiesTables), part('Elements', elements, elementsTables), part('Excitations', excitations, excitationsTable),
+    foundations.length ? [html('h3', {}, 'Foundations that give'), table(['foundation', 'coordinate', num('mass [kg, kg m²]'), num('stiffness [N/m, N m/rad]'), num('damping')],
+      foundations.flatMap(f => f.mass.map((row, i) => [f.name, i + 1, number(row[i]), number(f.stiffness[i][i]), number(f.damping[i][i])])))] : null,
     html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers, and the geometric stiffness where elements are preloaded.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
 }
 

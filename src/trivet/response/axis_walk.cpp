@@ -123,6 +123,21 @@ void note_ends(const FrequencyResponse& at_the_end, AxisWalk& walk) {
   for (std::size_t c = 0; c < walk.curves.size(); ++c) walk.curves[c].end = std::abs(at_the_end.curves[c].value(0));
 }
 
+/// d|y|²/dτ at an end of a panel.
+double slope_at(const CurveSeries& series, double tau) {
+  double sum = 0, power = 1;
+  for (std::size_t k = 1; k < series.square.size(); ++k, power *= tau) sum += static_cast<double>(k) * series.square[k] * power;
+  return sum;
+}
+
+/// Where one piece of a table ends and the next begins a curve may have a corner, and an extremum there that no derivative shows.
+void note_corner(double before, double after, const CurveSeries& series, const Panel& panel, Walk& walk) {
+  constexpr double significant = 1e-9;
+  const double square = std::max(numerics::polynomial_value(series.square, -1), 0.0);
+  if (!(before * after < 0) || !(std::min(std::abs(before), std::abs(after)) > significant * square / panel.radius)) return;
+  walk.turnings.push_back({panel.centre - panel.radius, std::sqrt(square), before > 0, panel.radius, 0});
+}
+
 double first_guess(const Eigen::VectorXcd& poles, double from) {
   const double distance = (poles.array() - Complex(0, from)).abs().minCoeff();
   return std::max(panel_ratio * distance, 1e-6 * from);
@@ -172,6 +187,7 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
   for (const assembly::ElementMap& map : assembled.elements) seams.insert(seams.end(), map.knots.begin(), map.knots.end());
   std::sort(seams.begin(), seams.end());
   int gaps = 0;
+  std::vector<double> rise(channels.size(), 0);  // d|y|²/dω at the end of the panel before
   double from = result.lowest, radius = first_guess(near_poles, from);
   while (from < highest * (1 - at_the_end)) {
     foundation::report_progress(progress, "peaks", 0.5 * from / highest);
@@ -184,6 +200,7 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
     if (series.size() == 0) {
       radius *= 0.5;
       if (radius > gap_at_pole * from) continue;
+      std::fill(rise.begin(), rise.end(), 0);
       if (++gaps > most_gaps_in_a_row) throw foundation::NotComputable(fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));
       result.poles_on_axis.push_back(from * (1 + gap_at_pole));
       from *= 1 + 4 * gap_at_pole;
@@ -196,7 +213,10 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
       const auto row = static_cast<Eigen::Index>(c);
       if (!(level(row) > vanishing_share * possible(row))) continue;  // its ups and downs are round-off
       result.curves[c].largest_share = std::max(result.curves[c].largest_share, level(row) / possible(row));
-      note_turnings(squared(series.row(row)), panel, result.curves[c]);
+      const CurveSeries square = squared(series.row(row));
+      note_corner(rise[c], slope_at(square, -1) / panel.radius, square, panel, result.curves[c]);
+      rise[c] = slope_at(square, 1) / panel.radius;
+      note_turnings(square, panel, result.curves[c]);
     }
     from += 2 * radius;
     radius *= growth;

@@ -133,11 +133,15 @@ bool is_undamped(const Complex& pole, double fastest) {
 
 std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles, const RandomLoading& loading) {
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
-  const std::set<double> points = all_breakpoints(loading);
+  const auto driven = [&](double omega) {
+    for (const RandomInput& input : loading.inputs)
+      for (const excitation::SpectrumPiece& piece : input.spectrum.pieces)
+        if (omega >= piece.from && omega <= piece.to && piece.density_from + piece.density_to > 0) return true;
+    return false;
+  };
   std::vector<Eigen::Index> result;
   for (Eigen::Index k = 0; k < poles.size(); ++k)
-    if (is_undamped(poles(k), fastest) && poles(k).imag() > 0 && poles(k).imag() >= *points.begin() && poles(k).imag() <= *points.rbegin())
-      result.push_back(k);
+    if (is_undamped(poles(k), fastest) && poles(k).imag() > 0 && driven(poles(k).imag())) result.push_back(k);
   return result;
 }
 

@@ -13,7 +13,9 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
   if (!system.description().gravity && system.description().constant_forces.empty())
     throw foundation::NotComputable("static: nothing loads the model; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
   for (std::size_t e = 0; e < assembled.elements.size(); ++e)
-    if (assembled.elements[e].defined_from > 0)
+    if (assembled.elements[e].defined_from > 0 && system.elements()[e].is_foundation)
+      throw foundation::NotComputable("static: a mobility tells no static stiffness; \"" + system.elements()[e].name + "\" is one");
+    else if (assembled.elements[e].defined_from > 0)
       throw foundation::NotComputable("static: the table of \"" + system.elements()[e].name + "\" starts above 0 Hz and tells no static stiffness; give it a row at 0 Hz");
   const modal::Modes modes = modal::modes(system, assembled);
   if (modal::has_rigid_motion(modes)) {

@@ -71,11 +71,14 @@ void warn_of_coarse_step(const TimeGrid& grid, const std::vector<ExcitedMode>& m
 }
 
 void warn_of_coarse_samples(const InputCourse& course, const std::string& name, const std::vector<ExcitedMode>& modes, foundation::Problems& warnings) {
-  const double step = course.sampling_step(), omega = fastest(modes, present), frequency = omega / two_pi;
+  const double step = course.sampling_step();
+  // A coarse record may not even show that it excites the mode: then every mode counts.
+  const bool shows = fastest(modes, present) * step * fewest_samples_per_period > two_pi;
+  const double omega = fastest(modes, shows ? present : -1), frequency = omega / two_pi;
   if (step == 0 || frequency * step * fewest_samples_per_period <= 1) return;
   const double x = std::numbers::pi * frequency * step, passed = std::pow(std::sin(x) / x, 2);
   const bool beyond = 2 * frequency * step > 1;
-  warnings.warning(name, fmt::format("sampled every {:.4g} s (Nyquist frequency {:.4g} Hz), while a mode at {:.4g} Hz is excited", step, 0.5 / step, frequency),
+  warnings.warning(name, fmt::format("sampled every {:.4g} s (Nyquist frequency {:.4g} Hz), while {} at {:.4g} Hz", step, 0.5 / step, shows ? "a mode is excited" : "the model has a mode", frequency),
                    beyond ? "samples say nothing of motions above their Nyquist frequency: what this mode does comes from the straight lines between them"
                           : fmt::format("straight lines between samples pass {:.0f} % of a motion at this frequency", 100 * passed),
                    fmt::format("sample at least every {:.3g} s for this mode", 1 / (fewest_samples_per_period * frequency)));

@@ -73,8 +73,18 @@ class CaseStudy {
       : system_(variant.system), progress_(progress), assembled_(assembly::assemble(variant.system)), modes_(modal::modes(system_, assembled_)),
         roots_(modal::roots(system_, assembled_, modes_)) {}
 
+  /// A force along a guide, an unbalance that turns about the only free direction …
+  void note_idle(const Analyses& analyses, foundation::Problems& warnings) const {
+    for (const auto& wanted : {analyses.response ? std::optional(analyses.response->wanted) : std::nullopt, analyses.peaks ? std::optional(analyses.peaks->wanted) : std::nullopt})
+      if (wanted && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, wanted->excitations).vanishes()) {
+        warnings.warning("excitations", "they act on no free coordinate", "all answers are 0", "look at the directions of forces and guides");
+        return;
+      }
+  }
+
   Answers answer(const Case& variant, const Analyses& analyses) {
-    if (analyses.response && analyses.response->band) search_to_ = analyses.response->band->to;
+    for (const Analyses* asked : {&variant.analyses, &analyses})
+      if (asked->response && asked->response->band) search_to_ = asked->response->band->to;
     Answers result;
     result.case_name = variant.name;
     result.changes = variant.changes;
@@ -88,6 +98,7 @@ class CaseStudy {
     note_relaxation(result.warnings);
     note_stiffening(analyses, result.warnings);
     note_guides(analyses, result.warnings);
+    note_idle(analyses, result.warnings);
     note_missing_mass(result.warnings);
     const auto refuse = [&](const std::exception& reason) {
       result.failures.emplace_back(reason.what());
@@ -164,7 +175,10 @@ class CaseStudy {
   void note_relaxation(foundation::Problems& warnings) const {
     constexpr double noticeable = 0.2;
     for (const model::Element& element : system_.elements()) {
-      if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
+      if (element.is_foundation && element.law.frequency_dependence)
+        warnings.warning("elements." + element.name, "ground by its mobility", "modes, roots, mode numbers and the Campbell diagram take it for the spring of its first row: its inertia and resonances are not in them",
+                         "trust the response, its peaks and critical speeds, which are exact");
+      else if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
         warnings.warning("elements." + element.name, fmt::format("its table begins at {:.4g} Hz", element.law.frequency_dependence->from / (2 * std::numbers::pi)),
                          "undamped modes take its first row for rest", "add rows at lower frequencies where they matter");
       const auto* relaxing = std::get_if<elements::Viscoelastic>(&element.law.damping);
@@ -246,6 +260,7 @@ class CaseStudy {
 
   std::vector<LimitAnswer> limits_of(const Analyses& analyses, const ResponseAnswer& response) {
     std::vector<LimitAnswer> result;
+    response_ = &response;
     for (const Limit& limit : analyses.limits) {
       Wanted wanted = analyses.response->wanted;
       const auto& curves = response.curves.curves;
@@ -274,6 +289,10 @@ class CaseStudy {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     candidates.emplace_back(diverges || std::isnan(amplitude_at(0)) ? infinity : amplitude_at(0), band.from);
     candidates.emplace_back(std::isnan(amplitude_at(1)) ? infinity : amplitude_at(1), band.to);
+    if (response_ && response_->band.from == band.from && response_->band.to == band.to)
+      for (const response::Curve& drawn : response_->curves.curves)
+        for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
+          if (std::isfinite(std::abs(drawn.value(i)))) candidates.emplace_back(std::abs(drawn.value(i)), response_->curves.angular_frequency[static_cast<std::size_t>(i)]);
     for (const response::Turning& t : found.turnings[curve])
       if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) candidates.emplace_back(t.amplitude, t.angular_frequency);
     for (const response::Peak& peak : found.list)
@@ -295,6 +314,7 @@ class CaseStudy {
     double min_prominence;
     response::Peaks peaks;
   };
+  const ResponseAnswer* response_ = nullptr;  // while limits are judged
   double search_to_ = 0;          // peaks of frequency-dependent systems are sought over the band of the response at least
   std::deque<Searched> searched_;  // references to its elements stay valid
 };

@@ -211,6 +211,7 @@ response::EarthquakeResponse earthquake_answer(const CaseContext& c, const Earth
   direction.head<3>() = request.direction;
   response::EarthquakeResponse result = response::earthquake_response(c.assembled, channels_of(c, request.wanted), request.spectrum, direction);
   warnings.add(result.warnings);
+  if (!(result.effective_mass_share > 0)) throw foundation::NotComputable("earthquake: the spectrum reaches none of the modes that this motion of the ground drives");
   return result;
 }
 

@@ -99,6 +99,19 @@ void judge(const MobilityTable& table, model::Element& element, foundation::Prob
   }
 }
 
+/// Between rows the mobility runs along straight lines: where it turns far from one row to the next, a resonance is cut short.
+void check_spacing(const CsvTable& csv, const MobilityTable& table, foundation::Problems& found) {
+  constexpr double widest = 30 * std::numbers::pi / 180;
+  double worst = 0;
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < table.rows.size(); ++i)
+    for (Eigen::Index d = 0; d < table.rows[i].rows(); ++d)
+      if (const double turn = std::abs(std::arg(table.rows[i](d, d) * std::conj(table.rows[i - 1](d, d)))); turn > worst) worst = turn, at = i;
+  if (worst <= widest) return;
+  found.warning("", fmt::format("the phase turns by {:.3g}° from {:.6g} to {:.6g} Hz", worst * 180 / std::numbers::pi, table.knots[at - 1] / (2 * std::numbers::pi), table.knots[at] / (2 * std::numbers::pi)),
+                "between rows the mobility is a straight line: a resonance narrower than some rows is cut short", "measure it with finer lines").origin = {csv.source, csv.lines[at]};
+}
+
 }  // namespace
 
 std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::Element& to_ground) {
@@ -141,6 +154,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   for (double& frequency : table.knots) frequency *= 2 * std::numbers::pi;
   if (!found.has_errors()) check_passive(*csv, table, found);
   if (!found.has_errors()) judge(table, to_ground, found);
+  if (!found.has_errors()) check_spacing(*csv, table, found);
   reader.add_of_file("file", found);
   if (found.has_errors()) return std::nullopt;
 

@@ -101,6 +101,8 @@ Json model_json(const Case& variant) {
                                   {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)}, {"n", json::end(variant, element.n)},
                                   {"k", json::end(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
                                   {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
+  for (const model::Foundation& foundation : d.foundations)
+    result["foundations"].push_back({{"name", foundation.name}, {"mass", json::rows(foundation.mass)}, {"damping", json::rows(foundation.damping)}, {"stiffness", json::rows(foundation.stiffness)}});
   for (const model::Excitation& excitation : d.excitations) result["excitations"].push_back(excitation_json(d, excitation));
   for (const auto& force : d.constant_forces)
     result["excitations"].push_back({{"name", force.name}, {"type", "constant"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
