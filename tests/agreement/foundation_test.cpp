@@ -2,6 +2,11 @@
 // Ground that gives, against the same ground modelled by bodies.
 #include <gmock/gmock.h>
 
+#include <complex>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
 #include "support/projects.h"
 
 namespace {
@@ -124,6 +129,62 @@ modes = {}
   EXPECT_NEAR(*found.modes.list[0].angular_frequency, std::sqrt(k / 100), 1e-9);
   ASSERT_EQ(found.roots.list.size(), 2u);
   EXPECT_NEAR(std::abs(found.roots.list[0].eigenvalue), std::sqrt(k / 100), 1e-9);
+}
+
+/// 100 kg guided along z on a mount, on ground of 800 kg, 5e5 N/m and 2000 N s/m.
+std::string on_heavy_ground(const std::string& ground) {
+  return R"(trivet = 1
+[bodies.m]
+mass = 100
+free = ["z"]
+[elements.k]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [4e5, 4e5, 4e5]
+damping = {matrix = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,600,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}
+foundation = "floor"
+[excitations.push]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 100]
+[analyses]
+response = {band = ["1 Hz", "15 Hz"], of = ["m", "k"]}
+peaks = {}
+)" + ground;
+}
+
+TEST(Foundation, OfAMeasuredMobilityHasThePeaksOfItsImpedance) {
+  constexpr double straight_lines = 1e-3;  // rows every 0.02 Hz across resonances 0.4 Hz wide
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "trivet_mobility_of_a_floor.csv";
+  {
+    std::ofstream csv(file);
+    csv << "frequency_hz,y_z_z,y_z_z_im\n";
+    csv.precision(15);
+    for (int i = 50; i <= 1000; ++i) {
+      const double w = 2 * std::numbers::pi * 0.02 * i;
+      const std::complex<double> y = 1.0 / std::complex<double>(2000, 800 * w - 5e5 / w);
+      csv << 0.02 * i << "," << y.real() << "," << y.imag() << "\n";
+    }
+  }
+  const study::Answers measured = answers(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" + file.string() + "\"\n"));
+  const study::Answers given = answers(on_heavy_ground("[foundations.floor]\ntype = \"impedance\"\nfree = [\"z\"]\nmass = 800\ntranslation = [1, 1, 5e5]\n"
+                                                       "damping = {matrix = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,2000,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}\n"));
+  std::filesystem::remove(file);
+  ASSERT_TRUE(measured.peaks && given.peaks);
+  int compared = 0;
+  for (const response::Peak& wanted : given.peaks->peaks.list) {
+    const std::string& name = given.peaks->peaks.curves[wanted.curve].name;
+    if (wanted.angular_frequency > 2 * std::numbers::pi * 15 || !(wanted.prominence > 0.05 * wanted.amplitude)) continue;
+    bool found = false;
+    for (const response::Peak& peak : measured.peaks->peaks.list)
+      if (measured.peaks->peaks.curves[peak.curve].name == name)
+        found = found || (std::abs(peak.angular_frequency - wanted.angular_frequency) < 0.13 && std::abs(peak.amplitude - wanted.amplitude) < straight_lines * wanted.amplitude);
+    EXPECT_TRUE(found) << name << " at " << wanted.angular_frequency << " rad/s";
+    ++compared;
+  }
+  EXPECT_GE(compared, 4);  // two resonances in the motion and in the force
 }
 
 }  // namespace

@@ -128,6 +128,47 @@ force = [0, 0, 1]
             self.assertEqual(refused.returncode, 1)
             self.assertIn("free to slide along z", refused.stderr)
 
+    def test_a_seat_has_a_total_value_of_its_weighted_axes(self):
+        done = answer(self, "random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.weighting=\"seat\"")
+        axes = {one["name"]: one for one in done["results"]}
+        total = sum((axes["frame." + letter]["weighted_rms"] or 0) ** 2 for letter in "xyz") ** 0.5
+        self.assertAlmostEqual(done["vibration_total_values"]["frame"], total, delta=1e-9)
+        self.assertGreater(total, 0)
+
+    def test_twice_the_motion_is_twice_the_shock_spectrum(self):
+        with tempfile.TemporaryDirectory() as folder:
+            highest = []
+            for factor in (1, 2):
+                path = model(folder, f"""[excitations.shock]
+type = "time"
+base = true
+quantity = "acceleration"
+translation = [0, 0, {factor}]
+history = {{half_sine = {{amplitude = "20 g", duration = "11 ms"}}}}
+[analyses]
+shock_spectrum = {{band = ["5 Hz", "200 Hz"]}}
+""")
+                target = pathlib.Path(folder) / f"out{factor}"
+                self.assertEqual(trivet("run", path, "-o", target).returncode, 0)
+                rows = json.loads((target / "results.json").read_text())["cases"][0]["shock_spectrum"]["spectra"][0]["rows"]
+                highest.append(max(row["maximax"] for row in rows))
+            self.assertAlmostEqual(highest[1] / highest[0], 2, delta=1e-9)
+
+    def test_bands_beside_an_undamped_resonance_leave_it_out(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text = ""
+            for name, band in (("low", (1, 2)), ("high", (5, 8))):
+                text += f"""[excitations.{name}]
+type = "random"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+psd = [[{band[0]}, 1], [{band[1]}, 1]]
+"""
+            path = model(folder, text)
+            both = answer(self, "random", path, "--set", "elements.spring.damping.proportional=0")["results"][0]
+            self.assertIsNotNone(both["rms"], both["reason"])  # the resonance at 3.18 Hz lies between the bands
+
     def test_run_writes_tables_figures_and_sections(self):
         with tempfile.TemporaryDirectory() as folder:
             target = pathlib.Path(folder) / "out"
