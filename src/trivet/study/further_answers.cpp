@@ -183,7 +183,7 @@ std::vector<response::DeflectionShape> shapes_answer(const CaseContext& c, const
 }
 
 std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, const ShockSpectrumRequest& request, foundation::Problems& warnings) {
-  constexpr int per_octave = 12;
+  constexpr int per_octave = 48;
   std::vector<double> natural;
   const int count = std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(request.band.to / request.band.from))) + 1);
   for (int i = 0; i < count; ++i) natural.push_back(request.band.from * std::pow(request.band.to / request.band.from, static_cast<double>(i) / (count - 1)));
