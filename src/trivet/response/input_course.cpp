@@ -8,7 +8,7 @@ namespace trivet::response {
 namespace {
 
 /// A polygon of fewer lines is a designed pulse, not a measurement.
-constexpr std::size_t fewest_samples = 8;
+constexpr std::size_t fewest_samples = 4;
 /// Jumps below this share of the largest value are round-off of joints.
 constexpr double round_off = 1e-9;
 
