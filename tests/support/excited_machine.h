@@ -57,6 +57,7 @@ inline study::Answers answers_of_everything() {
   base.amplitude(2) = 1;
   base.amplitude(0) = 0.3;
   base.derivative = 2;
+  base.elements = {0, 1, 2};  // the fourth stands on the mode of the deck
   d.excitations = {{"piston", on_machine, model::Harmonic{}},
                    {"deck", base, model::Random{excitation::from_table({{1, 10, 100, 200}, {0.01, 0.1, 0.1, 0.02}}), {}}}};
   model::Orders orders;

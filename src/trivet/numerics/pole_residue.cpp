@@ -213,6 +213,13 @@ PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::
 }  // namespace
 
 PoleResidueForm pole_residue_form(const DynamicMatrices& m, const Eigen::MatrixXcd& right_sides) {
+  if (right_sides.cols() == 0) {  // only the poles and shapes are asked for; products with no columns are better not formed
+    PoleResidueForm form = pole_residue_form(m, Eigen::MatrixXcd::Zero(m.size(), 1));
+    form.participation.resize(form.poles.size(), 0);
+    form.free_motion.resize(m.size(), 0);
+    form.static_part.resize(m.size(), 0);
+    return form;
+  }
   const Rows held = held_by_stiffness_only(m);
   if (!held.empty() && static_cast<Eigen::Index>(held.size()) < m.size()) return condensed(m, held, right_sides);
   if (static_cast<Eigen::Index>(massive_rows(m.A).size()) == m.size()) {

@@ -19,7 +19,7 @@ constexpr double ellipse = 2.8 + 1 / 2.8;
 /// Of e^{−iωτ} on a panel: half width times delay.
 constexpr double most_turn = 6;
 /// Of a delay between inputs over the whole band.
-constexpr double most_turns_in_all = 20'000;
+constexpr double most_turns_in_all = 1e6;
 
 double sum_of_distances(const Eigen::VectorXcd& poles, double from, double to) {
   const Eigen::ArrayXd real = poles.real().array().square();

@@ -51,6 +51,7 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
     return rows;
   };
   const auto load = [&](Eigen::Index first, Eigen::Index rows) -> LinearRows {
+    if (inputs == 0) return {Eigen::MatrixXd::Zero(rows, N), Eigen::MatrixXd::Zero(rows, 0)};
     return {Eigen::MatrixXd::Zero(rows, N), h.middleRows(first, rows)};
   };
   const LinearRows p = of_state(0, basis.speed), v = of_state(n, Eigen::VectorXd::Ones(n)), lag = of_state(2 * n, lag_scale);
