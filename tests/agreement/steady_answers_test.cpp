@@ -49,6 +49,8 @@ void stand_on_foundation(RandomSystem& random, model::Description& d) {
   model::OnFoundation on{0, Eigen::Matrix<double, 6, Eigen::Dynamic>::Identity(6, 6)};
   d.elements[1].n.foundation = on;
   d.foundations = {deck};
+  for (model::Excitation& excitation : d.excitations)  // a rigid motion of the whole ground would have to say how the deck follows
+    if (!excitation.action.body && excitation.action.elements.empty()) excitation.action.elements = {0};
 }
 
 enum class Damping { none, proportional, viscous, loss, rayleigh, modal, zener, fractional, foundation };

@@ -78,6 +78,7 @@ Projection projected(const std::vector<ChannelTerm>& terms, const Eigen::MatrixX
   for (std::size_t t = 0; t < 3; ++t) {
     result.value[t] = Eigen::RowVectorXcd::Zero(coordinates.cols());
     result.possible[t] = Eigen::RowVectorXd::Zero(coordinates.cols());
+    if (coordinates.cols() == 0) continue;
     for (const ChannelTerm& term : terms) {
       if (term.by_power[t] == 0.0) continue;
       result.value[t] += term.by_power[t] * coordinates.row(term.row);

@@ -19,7 +19,7 @@ LinearRows solved(const Eigen::MatrixXd& matrix, const LinearRows& right, const 
   if (matrix.rows() == 0) return right;
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
   if (!(lu.rcond() > smallest_condition)) throw foundation::NotComputable(otherwise);
-  return {lu.solve(right.on_state), lu.solve(right.on_input)};
+  return {lu.solve(right.on_state), right.on_input.cols() > 0 ? Eigen::MatrixXd(lu.solve(right.on_input)) : right.on_input};
 }
 
 }  // namespace
