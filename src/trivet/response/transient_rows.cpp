@@ -33,7 +33,7 @@ LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Chan
     }
     for (int d = 0; d < channel.derivative; ++d) row = space.derivative(row);
     rows.on_state.row(i) = row.on_state;
-    rows.on_input.row(i) = row.on_input;
+    if (row.on_input.size() > 0) rows.on_input.row(i) = row.on_input;  // none without inputs
   }
   return rows;
 }
