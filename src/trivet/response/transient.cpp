@@ -122,7 +122,8 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
     curve.unit = channels[k].unit;
     curve.rms = root_mean_square(curve);
     if (!std::isfinite(curve.rms)) throw foundation::NotComputable(fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
-    search_between_points(walk, space, {rows.on_state.row(row), rows.on_input.row(row)}, grid, record.checkpoints(), curve);
+    const LinearRows here{rows.on_state.row(row), rows.on_input.cols() > 0 ? Eigen::MatrixXd(rows.on_input.row(row)) : Eigen::MatrixXd(1, 0)};
+    search_between_points(walk, space, here, grid, record.checkpoints(), curve);
   }
   return result;
 }

@@ -83,7 +83,7 @@ void TransientRecord::note(const WalkState& state) {
   walk_.inputs(state, inputs_);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
-    const double value = rows_.on_state.row(row).dot(state.x) + rows_.on_input.row(row).dot(inputs_);
+    const double value = rows_.on_state.row(row).dot(state.x) + (inputs_.size() > 0 ? rows_.on_input.row(row).dot(inputs_) : 0);
     if (value > curves_[k].largest.value) curves_[k].largest = {value, state.time};
     if (value < curves_[k].smallest.value) curves_[k].smallest = {value, state.time};
   }
