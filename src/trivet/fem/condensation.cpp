@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "trivet/elements/law.h"
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/pieces.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::fem {
@@ -26,7 +25,7 @@ SolidStiffness condense_with(const Mesh& mesh, const std::vector<Material>& mate
                              const CondensationOptions& options, const foundation::Progress& progress) {
   Solid solid(mesh, materials, pressure);
   require_memory(solid, false, options);
-  const Solid::Linearised result = solid.linearise(solid.rest(frame.point_n, frame.point_k), false, thread_count(options), progress);
+  const Solid::Linearised result = solid.linearise(solid.rest(frame.point_n, frame.point_k), false, foundation::thread_count(options.threads), progress);
   if (result.singular || result.negative_pivots != 0)
     throw foundation::NotComputable("the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
   const Matrix12 all_motions = in_element_axes(result.tangent, frame.axes);
@@ -44,10 +43,6 @@ Matrix12 in_element_axes(const Matrix12& c, const Eigen::Matrix3d& axes) {
   Matrix12 turn = Matrix12::Zero();
   turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() = spatial::both_blocks(axes);
   return turn.transpose() * c * turn;
-}
-
-int thread_count(const CondensationOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options) {

@@ -10,6 +10,7 @@
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/pieces.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::fem {
@@ -45,14 +46,14 @@ class Newton {
     for (int i = 0; i < 6; ++i)
       if (!preload_.is_load[static_cast<std::size_t>(i)]) imposed(i) = part * preload_.value(i);
     // The factors in the solid may be those of a failed attempt: begin with the balanced state.
-    now = solid_.linearise(trial.state, true, thread_count(options_.condensation), progress_);
+    now = solid_.linearise(trial.state, true, foundation::thread_count(options_.condensation.threads), progress_);
     double before = 1e300;
     for (int iteration = 0; iteration < options_.most_iterations; ++iteration) {
       const Vector6 motion = plate_motion(now, imposed, target);
       if (!motion.allFinite()) return false;
       move(trial, motion);
       imposed.setZero();
-      now = solid_.linearise(trial.state, true, thread_count(options_.condensation), progress_);
+      now = solid_.linearise(trial.state, true, foundation::thread_count(options_.condensation.threads), progress_);
       if (now.inverted || now.singular || !std::isfinite(now.unbalance)) return false;
       const double relative = unbalance(now, target);
       record_.unbalance.push_back(relative);
@@ -145,7 +146,7 @@ PreloadedStiffness preloaded_stiffness(const Mesh& mesh, const std::vector<Mater
 
   PreloadedStiffness result;
   Equilibrium at{solid.rest(frame.point_n, frame.point_k)};
-  Solid::Linearised linearised = solid.linearise(at.state, false, thread_count(options.condensation), progress);
+  Solid::Linearised linearised = solid.linearise(at.state, false, foundation::thread_count(options.condensation.threads), progress);
   if (linearised.singular || linearised.negative_pivots != 0)
     throw foundation::NotComputable("the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
   Newton newton(mesh, solid, frame, preload, options, progress, result);

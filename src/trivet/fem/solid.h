@@ -59,8 +59,6 @@ class Solid {
 /// A 12×12 in the axes of the mesh, seen in those of the element (columns of `axes`).
 [[nodiscard]] spatial::Matrix12 in_element_axes(const spatial::Matrix12& matrix, const Eigen::Matrix3d& axes);
 
-/// Threads that these options mean on this machine.
-[[nodiscard]] int thread_count(const CondensationOptions& options);
 /// @throws InvalidInput if the condensation of the solid needs more memory than the options allow
 void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options);
 

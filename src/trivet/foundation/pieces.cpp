@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/pieces.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace trivet::foundation {
+
+int thread_count(int wanted) { return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+void for_each_piece(std::size_t count, const PieceOptions& options, const std::function<void(std::size_t, std::size_t)>& work) {
+  const std::size_t size = std::max<std::size_t>(1, options.size), pieces = (count + size - 1) / size;
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto work_through = [&](bool reports) {
+    try {
+      for (std::size_t piece = next++; piece < pieces; piece = next++) {
+        work(piece * size, std::min(count, (piece + 1) * size));
+        if (reports) report_progress(options.progress, options.task, static_cast<double>(std::min(next.load(), pieces)) / static_cast<double>(pieces));
+      }
+    } catch (...) {
+      next = pieces;
+      const std::lock_guard lock(failing);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    const auto helpers = std::min<std::size_t>(static_cast<std::size_t>(thread_count(options.threads)), pieces);
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < helpers; ++k) others.emplace_back(work_through, false);
+    work_through(true);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace trivet::foundation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace trivet::numerics {
+
+/// Many systems of n coordinates with real symmetric matrices, K + iωB − ω²A each: one design per row, the packed lower
+/// triangle (entry (i, j), j ≤ i, at i(i+1)/2 + j) in columns, so that neighbours in memory are neighbours among the designs.
+struct Designs {
+  Eigen::ArrayXXd A;     ///< designs × n(n+1)/2
+  Eigen::ArrayXXd B;
+  Eigen::ArrayXXd K;
+  Eigen::ArrayXXd load;  ///< designs × n, or 1 × n: the same for all
+
+  [[nodiscard]] Eigen::Index count() const { return A.rows(); }
+  [[nodiscard]] Eigen::Index coordinates() const { return load.cols(); }
+};
+
+}  // namespace trivet::numerics

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors of doubles, one number of one frequency or one design per lane, for kernels that are compiled once for each instruction
+// set (docs/decisions/lanes.md). Include after hwy/foreach_target.h only; the usual guard toggles from target to target.
+#if defined(TRIVET_NUMERICS_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_LANES_INL_H_
+#undef TRIVET_NUMERICS_LANES_INL_H_
+#else
+#define TRIVET_NUMERICS_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, 8>;
+using Pack = hn::Vec<Lanes>;
+using LaneMask = hn::Mask<Lanes>;
+
+HWY_INLINE Pack all(double value) { return hn::Set(Lanes(), value); }
+HWY_INLINE int lane_count() { return static_cast<int>(hn::Lanes(Lanes())); }
+
+/// One complex number per lane.
+struct ComplexPack {
+  Pack re, im;
+};
+
+HWY_INLINE ComplexPack operator+(const ComplexPack& a, const ComplexPack& b) { return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)}; }
+HWY_INLINE ComplexPack operator-(const ComplexPack& a, const ComplexPack& b) { return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)}; }
+HWY_INLINE ComplexPack operator*(const ComplexPack& a, const ComplexPack& b) {
+  return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)), hn::MulAdd(a.re, b.im, hn::Mul(a.im, b.re))};
+}
+HWY_INLINE ComplexPack operator*(const Pack& a, const ComplexPack& b) { return {hn::Mul(a, b.re), hn::Mul(a, b.im)}; }
+
+/// target + a b
+HWY_INLINE ComplexPack add_product(const ComplexPack& target, const ComplexPack& a, const ComplexPack& b) {
+  return {hn::NegMulAdd(a.im, b.im, hn::MulAdd(a.re, b.re, target.re)), hn::MulAdd(a.im, b.re, hn::MulAdd(a.re, b.im, target.im))};
+}
+/// target − a b
+HWY_INLINE ComplexPack subtract_product(const ComplexPack& target, const ComplexPack& a, const ComplexPack& b) {
+  return {hn::MulAdd(a.im, b.im, hn::NegMulAdd(a.re, b.re, target.re)), hn::NegMulAdd(a.im, b.re, hn::NegMulAdd(a.re, b.im, target.im))};
+}
+/// target − a b with real a
+HWY_INLINE ComplexPack subtract_product(const ComplexPack& target, const Pack& a, const ComplexPack& b) {
+  return {hn::NegMulAdd(a, b.re, target.re), hn::NegMulAdd(a, b.im, target.im)};
+}
+HWY_INLINE Pack squared_modulus(const ComplexPack& z) { return hn::MulAdd(z.re, z.re, hn::Mul(z.im, z.im)); }
+/// |re| + |im|: the modulus within √2
+HWY_INLINE Pack one_norm(const ComplexPack& z) { return hn::Add(hn::Abs(z.re), hn::Abs(z.im)); }
+HWY_INLINE ComplexPack inverse(const ComplexPack& z) {
+  const Pack scale = hn::Div(all(1.0), squared_modulus(z));
+  return {hn::Mul(z.re, scale), hn::Neg(hn::Mul(z.im, scale))};
+}
+
+/// Where entry (i, j), j ≤ i, of a symmetric matrix stands in its packed lower triangle.
+constexpr int packed(int i, int j) { return i * (i + 1) / 2 + j; }
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

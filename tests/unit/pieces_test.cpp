@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/pieces.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace trivet::foundation {
+namespace {
+
+TEST(Pieces, CoverEveryNumberOnceForAnyThreads) {
+  for (const int threads : {1, 2, 16})
+    for (const std::size_t count : {0u, 1u, 7u, 64u, 1000u}) {
+      std::vector<std::atomic<int>> visits(count);
+      for_each_piece(count, {.size = 7, .threads = threads}, [&](std::size_t first, std::size_t last) {
+        EXPECT_EQ(first % 7, 0u);
+        EXPECT_LE(last - first, 7u);
+        for (std::size_t i = first; i < last; ++i) ++visits[i];
+      });
+      for (const auto& v : visits) EXPECT_EQ(v, 1);
+    }
+}
+
+TEST(Pieces, ThrowOnTheFirstFailureAndStop) {
+  std::atomic<int> started = 0;
+  EXPECT_THROW(for_each_piece(100000, {.size = 1, .threads = 4},
+                              [&](std::size_t first, std::size_t) {
+                                ++started;
+                                if (first == 3) throw std::runtime_error("piece 3");
+                              }),
+               std::runtime_error);
+  EXPECT_LT(started, 100000);
+}
+
+TEST(Pieces, ReportFromTheCallingThreadOnlyAndStopWhenInterrupted) {
+  const auto caller = std::this_thread::get_id();
+  int reports = 0;
+  const Progress progress = [&](std::string_view task, double) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_EQ(task, "counting");
+    if (++reports == 2) throw Interrupted();
+  };
+  EXPECT_THROW(for_each_piece(1000, {.size = 1, .threads = 1, .progress = progress, .task = "counting"}, [](std::size_t, std::size_t) {}), Interrupted);
+  EXPECT_EQ(reports, 2);
+}
+
+}  // namespace
+}  // namespace trivet::foundation
