@@ -6,7 +6,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/axis_panels.h"
+#include "trivet/numerics/axis_panels.h"
 #include "trivet/response/frequency_grid.h"
 
 namespace {
@@ -73,7 +73,7 @@ TEST(Grids, EndWhereTheyShould) {
 TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
   Eigen::VectorXcd poles(4);
   poles << std::complex<double>(-1e-6, 3), std::complex<double>(-1e-6, -3), std::complex<double>(-2, 40), std::complex<double>(-2, -40);
-  const auto cover = response::cover_axis(poles);
+  const auto cover = numerics::cover_axis(poles);
   double end = 0;
   for (const auto& panel : cover.panels) {
     if (panel.at_infinity) {

@@ -36,7 +36,7 @@ double possible_amplitude(const assembly::Channel& channel, const Eigen::VectorX
   return std::pow(omega, channel.derivative) * reach;
 }
 
-void note_turnings(const CurveSeries& series, const Panel& panel, Walk& walk) {
+void note_turnings(const CurveSeries& series, const numerics::Panel& panel, Walk& walk) {
   const double lower = panel.at_infinity ? 0 : -1 - overlap;
   std::vector<numerics::SignChange> changes = numerics::sign_changes(slope(series), lower, 1 + overlap);
   if (panel.at_infinity) std::reverse(changes.begin(), changes.end());
@@ -57,7 +57,7 @@ double size_of(const CurveSeries& series) {
   return std::sqrt(largest);
 }
 
-void walk_panel(const assembly::Channel& channel, const Panel& panel, const CoordinateSeries& q, const Eigen::VectorXd& scale,
+void walk_panel(const assembly::Channel& channel, const numerics::Panel& panel, const CoordinateSeries& q, const Eigen::VectorXd& scale,
                 const Eigen::VectorXd& ground, Walk& walk) {
   const CurveSeries series = curve_series(channel, panel, q);
   if (panel.at_infinity) {
@@ -86,7 +86,7 @@ double round_off(double condition) {
 constexpr int most_gaps_in_a_row = 200;
 
 /// Taylor coefficients of every curve (rows) in τ, ω = centre + radius τ; empty if a pole is too near.
-Eigen::MatrixXcd contour_series(const ExactResponse& exact, const Panel& panel, Eigen::VectorXd& level, Eigen::VectorXd& possible) {
+Eigen::MatrixXcd contour_series(const ExactResponse& exact, const numerics::Panel& panel, Eigen::VectorXd& level, Eigen::VectorXd& possible) {
   std::vector<Eigen::VectorXcd> values;
   possible.resize(0);
   double condition = 0;
@@ -131,7 +131,7 @@ double slope_at(const CurveSeries& series, double tau) {
 }
 
 /// Where one piece of a table ends and the next begins a curve may have a corner, and an extremum there that no derivative shows.
-void note_corner(double before, double after, const CurveSeries& series, const Panel& panel, Walk& walk) {
+void note_corner(double before, double after, const CurveSeries& series, const numerics::Panel& panel, Walk& walk) {
   constexpr double significant = 1e-9;
   const double square = std::max(numerics::polynomial_value(series.square, -1), 0.0);
   if (!(before * after < 0) || !(std::min(std::abs(before), std::abs(after)) > significant * square / panel.radius)) return;
@@ -140,7 +140,7 @@ void note_corner(double before, double after, const CurveSeries& series, const P
 
 double first_guess(const Eigen::VectorXcd& poles, double from) {
   const double distance = (poles.array() - Complex(0, from)).abs().minCoeff();
-  return std::max(panel_ratio * distance, 1e-6 * from);
+  return std::max(numerics::panel_ratio * distance, 1e-6 * from);
 }
 
 }  // namespace
@@ -155,13 +155,13 @@ AxisWalk walk_by_poles(const assembly::Assembled& assembled, const std::vector<a
     all_poles.conservativeResize(poles.size() + 1);
     all_poles(poles.size()) = 0;
   }
-  PanelCover cover = cover_axis(all_poles, {loading.longest_delay(), highest});
+  numerics::PanelCover cover = numerics::cover_axis(all_poles, {loading.longest_delay(), highest});
   AxisWalk result{std::vector<Walk>(channels.size()), std::move(cover.poles_on_axis), cover.lowest,
                   delayed ? highest : std::numeric_limits<double>::infinity(), static_cast<int>(cover.panels.size())};
   const numerics::Load h = assembly::right_side(assembled, loading);
   if (loading.vanishes()) return result;
   for (std::size_t p = 0; p < cover.panels.size(); ++p) {
-    const Panel& panel = cover.panels[p];
+    const numerics::Panel& panel = cover.panels[p];
     const CoordinateSeries q = coordinate_series(m, h, loading.motion, panel);
     if (!q.free.coefficients.allFinite()) continue;  // stands on an undamped pole to the last digit: the gap around it is treated as such
     const Eigen::VectorXd ground = panel.at_infinity || loading.motion.vanishes() ? Eigen::VectorXd() : loading.motion.possible(panel.centre);
@@ -194,17 +194,17 @@ AxisWalk walk_by_contours(const assembly::Assembled& assembled, const std::vecto
     // The whole circle must lie where the laws are defined: Re ω > 0.
     const double seam = *std::upper_bound(seams.begin(), seams.end(), from * (1 + on_a_seam));
     radius = std::min({radius, 0.5 * (std::min(seam, highest) - from), from / (spread - 1) * 0.9});
-    const Panel panel{from + radius, radius, false};
+    const numerics::Panel panel{from + radius, radius, false};
     Eigen::VectorXd level, possible;
     const Eigen::MatrixXcd series = contour_series(exact, panel, level, possible);
     if (series.size() == 0) {
       radius *= 0.5;
-      if (radius > gap_at_pole * from) continue;
+      if (radius > numerics::gap_at_pole * from) continue;
       std::fill(rise.begin(), rise.end(), 0);
       if (++gaps > most_gaps_in_a_row) throw foundation::NotComputable(fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));
-      result.poles_on_axis.push_back(from * (1 + gap_at_pole));
-      from *= 1 + 4 * gap_at_pole;
-      radius = 4 * gap_at_pole * from;
+      result.poles_on_axis.push_back(from * (1 + numerics::gap_at_pole));
+      from *= 1 + 4 * numerics::gap_at_pole;
+      radius = 4 * numerics::gap_at_pole * from;
       continue;
     }
     ++result.panels;

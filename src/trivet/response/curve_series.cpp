@@ -26,7 +26,7 @@ struct Laurent {
 };
 
 /// The same with `by` fewer powers of s in front.
-Laurent lowered(const Laurent& y, int by, const Panel& panel) {
+Laurent lowered(const Laurent& y, int by, const numerics::Panel& panel) {
   Laurent result{Series::Zero(y.coefficients.size()), y.power - by};
   const Eigen::Index kept = y.coefficients.size() - by;
   if (kept > 0) result.coefficients.tail(kept) = std::pow(panel.radius, by) * y.coefficients.head(kept);
@@ -34,13 +34,13 @@ Laurent lowered(const Laurent& y, int by, const Panel& panel) {
 }
 
 /// Its first coefficient is 0: one more power of s in front.
-Laurent without_first(const Laurent& y, const Panel& panel) {
+Laurent without_first(const Laurent& y, const numerics::Panel& panel) {
   Laurent result{Series::Zero(y.coefficients.size()), y.power + 1};
   result.coefficients.head(y.coefficients.size() - 1) = y.coefficients.tail(y.coefficients.size() - 1) / panel.radius;
   return result;
 }
 
-Laurent sum(const Laurent& a, const Laurent& b, const Panel& panel) {
+Laurent sum(const Laurent& a, const Laurent& b, const numerics::Panel& panel) {
   const int power = std::min(a.power, b.power);
   const Laurent x = lowered(a, a.power - power, panel), y = lowered(b, b.power - power, panel);
   return {x.coefficients + y.coefficients, power};
@@ -48,7 +48,7 @@ Laurent sum(const Laurent& a, const Laurent& b, const Panel& panel) {
 
 /// (on_displacement + iω on_velocity − ω² on_acceleration)ᵀ of some coordinates.
 Laurent weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
-                 const Panel& panel, const numerics::SeriesAtInfinity& of) {
+                 const numerics::Panel& panel, const numerics::SeriesAtInfinity& of) {
   const Complex i(0, 1);
   Laurent y{on_displacement.transpose() * of.coefficients, of.power};
   if (!on_velocity.isZero(0)) {
@@ -75,7 +75,7 @@ std::vector<double> squared_modulus(const Series& y) {
 }  // namespace
 
 CoordinateSeries coordinate_series(const numerics::DynamicMatrices& matrices, const numerics::Load& right_side,
-                                   const numerics::Load& ground_motion, const Panel& panel) {
+                                   const numerics::Load& ground_motion, const numerics::Panel& panel) {
   const bool rests = ground_motion.vanishes();
   if (panel.at_infinity)
     return {numerics::response_series_at_infinity(matrices, right_side, panel.radius, series_order),
@@ -84,7 +84,7 @@ CoordinateSeries coordinate_series(const numerics::DynamicMatrices& matrices, co
           {rests ? Eigen::MatrixXcd() : numerics::load_series(ground_motion, panel.centre, panel.radius, series_order), 0}};
 }
 
-CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const CoordinateSeries& coordinates) {
+CurveSeries curve_series(const assembly::Channel& channel, const numerics::Panel& panel, const CoordinateSeries& coordinates) {
   Laurent y = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, panel, coordinates.free);
   if (!channel.ground.empty() && coordinates.ground.coefficients.size() > 0) {
     const assembly::GroundTerms& g = channel.ground;
@@ -111,11 +111,11 @@ std::vector<double> slope(const CurveSeries& series) {
   return g;
 }
 
-double angular_frequency(const Panel& panel, double tau) {
+double angular_frequency(const numerics::Panel& panel, double tau) {
   return panel.at_infinity ? 1 / (panel.radius * tau) : panel.centre + panel.radius * tau;
 }
 
-double amplitude(const CurveSeries& series, const Panel& panel, double tau) {
+double amplitude(const CurveSeries& series, const numerics::Panel& panel, double tau) {
   const double square = std::max(numerics::polynomial_value(series.square, tau), 0.0);
   if (!panel.at_infinity) return std::sqrt(square);
   return std::sqrt(square) * std::pow(panel.radius * tau, series.power);

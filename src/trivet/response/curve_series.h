@@ -6,8 +6,8 @@
 
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/numerics/axis_panels.h"
 #include "trivet/numerics/response_series.h"
-#include "trivet/response/axis_panels.h"
 
 namespace trivet::response {
 
@@ -28,17 +28,17 @@ struct CoordinateSeries {
 };
 
 [[nodiscard]] CoordinateSeries coordinate_series(const numerics::DynamicMatrices& matrices, const numerics::Load& right_side,
-                                                 const numerics::Load& ground_motion, const Panel& panel);
+                                                 const numerics::Load& ground_motion, const numerics::Panel& panel);
 
-[[nodiscard]] CurveSeries curve_series(const assembly::Channel& channel, const Panel& panel, const CoordinateSeries& coordinates);
+[[nodiscard]] CurveSeries curve_series(const assembly::Channel& channel, const numerics::Panel& panel, const CoordinateSeries& coordinates);
 
 /// A polynomial with the sign of d|y|²/dτ for τ > 0 at infinity, everywhere else of d|y|²/dτ itself.
 [[nodiscard]] std::vector<double> slope(const CurveSeries& series);
 
 /// |y| at τ.
-[[nodiscard]] double amplitude(const CurveSeries& series, const Panel& panel, double tau);
+[[nodiscard]] double amplitude(const CurveSeries& series, const numerics::Panel& panel, double tau);
 
 /// ω at τ [rad/s].
-[[nodiscard]] double angular_frequency(const Panel& panel, double tau);
+[[nodiscard]] double angular_frequency(const numerics::Panel& panel, double tau);
 
 }  // namespace trivet::response

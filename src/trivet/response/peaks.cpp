@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "trivet/response/axis_walk.h"
-#include "trivet/response/axis_panels.h"
 #include "trivet/response/frequency_response.h"
 #include "trivet/response/peak_refinement.h"
 
@@ -43,7 +42,7 @@ double prominence(const std::vector<Turning>& turnings, std::size_t peak, double
 
 /// Does |y| grow like 1/distance on both sides of an undamped pole?
 bool is_unbounded(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading, double pole) {
-  const double near = 16 * gap_at_pole, far = 160 * gap_at_pole;
+  const double near = 16 * numerics::gap_at_pole, far = 160 * numerics::gap_at_pole;
   const FrequencyResponse around =
       frequency_response(assembled, {channel}, loading, {pole * (1 - far), pole * (1 - near), pole * (1 + near), pole * (1 + far)});
   const Eigen::VectorXd y = around.curves[0].value.cwiseAbs();
@@ -93,7 +92,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
     summary.vanishes = !loaded || walk.largest_share <= vanishing_share;
     if (summary.vanishes) continue;
     for (const double pole : walk_along.poles_on_axis)
-      if (is_unbounded(assembled, channels[c], loading, pole)) walk.turnings.push_back({pole, infinity, true, gap_at_pole * pole, 0});
+      if (is_unbounded(assembled, channels[c], loading, pole)) walk.turnings.push_back({pole, infinity, true, numerics::gap_at_pole * pole, 0});
     result.turnings[c] = alternating(std::move(walk.turnings));
 
     // Towards a free motion or an unbounded motion of the ground a curve may rise without end: that is no scale for its peaks.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/axis_panels.h"
+#include "trivet/numerics/axis_panels.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 
-namespace trivet::response {
+namespace trivet::numerics {
 namespace {
 
 constexpr double most_turns = 20'000;  // of a delayed load's phase
@@ -74,4 +74,4 @@ PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed)
   return cover;
 }
 
-}  // namespace trivet::response
+}  // namespace trivet::numerics

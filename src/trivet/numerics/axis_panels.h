@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace trivet::response {
+namespace trivet::numerics {
 
 /// A piece of the frequency axis on which the Taylor series of every response about `centre` converges like 0.4ʲ.
 struct Panel {
@@ -35,4 +35,4 @@ struct PanelCover {
 /// Covers ω ≥ 0 for the poles λ of a response (iω = λ).
 [[nodiscard]] PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed = {});
 
-}  // namespace trivet::response
+}  // namespace trivet::numerics
