@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+namespace trivet::numerics {
+
+struct PeakCount {
+  int peaks = 0;
+  double largest_prominence = 0;  ///< of these
+};
+
+/// Peaks among the heights along a curve, its ends first and last, whose prominence (height above the higher of the two minima that part
+/// them from higher ground or from an end) exceeds `least`. Infinite heights count always.
+[[nodiscard]] PeakCount prominent_peaks(std::span<const double> heights, double least);
+
+}  // namespace trivet::numerics
