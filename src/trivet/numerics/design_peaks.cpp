@@ -71,7 +71,7 @@ void note(const BandCurve& curve, const DesignPeakOptions& options, Eigen::Index
   if (!options.count_peaks) return;
   const PeakCount count = prominent_peaks(heights, options.min_prominence * top);
   peaks.peaks(design, channel) = count.peaks;
-  peaks.largest_prominence(design, channel) = count.largest_prominence;
+  peaks.largest_rise(design, channel) = count.largest_rise;
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& option
                      std::vector<DesignStatus>(static_cast<std::size_t>(count), DesignStatus::impossible)};
   if (options.count_peaks) {
     result.peaks.setZero(count, channels);
-    result.largest_prominence.setZero(count, channels);
+    result.largest_rise.setZero(count, channels);
   }
   foundation::for_each_piece(static_cast<std::size_t>(count), {piece, options.threads, options.progress, "peaks of designs"}, [&](std::size_t first, std::size_t last) {
     for (std::size_t at = first; at < last; ++at) {

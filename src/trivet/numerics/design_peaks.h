@@ -35,7 +35,7 @@ struct DesignPeaks {
   Eigen::ArrayXXd highest;             ///< supremum of |y| on the band, its ends included; infinite at an undamped natural frequency
   Eigen::ArrayXXd highest_at;          ///< [rad/s]; infinity if only approached there
   Eigen::ArrayXXi peaks;               ///< resonance peaks inside the band; empty if not asked for
-  Eigen::ArrayXXd largest_prominence;  ///< of these peaks, 0 if there is none; empty if not asked for
+  Eigen::ArrayXXd largest_rise;  ///< of these peaks over their base, the higher of those two minima: height / base − 1; 0 without peaks, empty if not asked for
   std::vector<DesignStatus> status;
 };
 

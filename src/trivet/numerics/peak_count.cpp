@@ -18,7 +18,7 @@ PeakCount prominent_peaks(std::span<const double> heights, double least) {
     const double prominence = std::isinf(height) ? std::numeric_limits<double>::infinity() : height - std::max(left, right);
     if (!(prominence > least)) continue;
     ++result.peaks;
-    result.largest_prominence = std::max(result.largest_prominence, prominence);
+    result.largest_rise = std::max(result.largest_rise, std::isinf(height) ? height : prominence / (height - prominence));
   }
   return result;
 }
