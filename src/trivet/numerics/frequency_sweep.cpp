@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/numerics/block_sweep.h"
+
 namespace trivet::numerics {
 namespace {
 
@@ -166,6 +168,9 @@ double solve_pivoted(const DynamicMatrices& m, const Eigen::VectorXcd& h, double
   return denominator > 0 ? (h - z * q).cwiseAbs().maxCoeff() / denominator : 0;
 }
 
+/// More coordinates than a small kernel has.
+constexpr Eigen::Index smallest_for_blocks = 13;
+
 }  // namespace
 
 SweepResult sweep(const DynamicMatrices& given, const Load& load, const std::vector<double>& omega) {
@@ -181,8 +186,23 @@ SweepResult sweep(const DynamicMatrices& given, const Load& load, const std::vec
     result.response.setZero();
     return result;
   }
-  PackSolver packs(m);
   const Eigen::VectorXcd constant = varies ? Eigen::VectorXcd() : h.at(0);
+  const auto redo_where_refused = [&](Eigen::Index first, Eigen::Index end) {
+    for (Eigen::Index i = first; i < end; ++i) {
+      if (result.backward_error(i) <= accepted_backward_error) continue;
+      if (m.symmetric) ++result.fallbacks;
+      const double w = omega[static_cast<std::size_t>(i)];
+      result.backward_error(i) = solve_pivoted(m, varies ? h.at(w) : constant, w, result.response.col(i));
+      result.response.col(i).array() *= d.array().cast<Complex>();
+      if (std::isnan(result.backward_error(i))) ++result.singular;
+    }
+  };
+  if (m.symmetric && n >= smallest_for_blocks) {
+    BlockSweep(given, load).solve(omega.data(), count, result.response, result.backward_error);
+    redo_where_refused(0, count);
+    return result;
+  }
+  PackSolver packs(m);
   if (!varies) packs.set_load(constant);
   for (Eigen::Index first = 0; first < count; first += lanes) {
     const auto filled = static_cast<int>(std::min<Eigen::Index>(lanes, count - first));
@@ -198,16 +218,8 @@ SweepResult sweep(const DynamicMatrices& given, const Load& load, const std::vec
         for (int lane = 0; lane < filled; ++lane)
           result.response(i, first + lane) = d(i) * Complex(q[static_cast<std::size_t>(i)].re[lane], q[static_cast<std::size_t>(i)].im[lane]);
     }
-    for (int lane = 0; lane < filled; ++lane) {
-      result.backward_error(first + lane) = error[lane];
-      if (error[lane] <= accepted_backward_error) continue;
-      if (m.symmetric) ++result.fallbacks;
-      const double w = omega[static_cast<std::size_t>(first + lane)];
-      const double redone = solve_pivoted(m, varies ? h.at(w) : constant, w, result.response.col(first + lane));
-      result.response.col(first + lane).array() *= d.array().cast<Complex>();
-      if (std::isnan(redone)) ++result.singular;
-      result.backward_error(first + lane) = redone;
-    }
+    for (int lane = 0; lane < filled; ++lane) result.backward_error(first + lane) = error[lane];
+    redo_where_refused(first, first + filled);
   }
   return result;
 }

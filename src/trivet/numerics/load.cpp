@@ -20,6 +20,12 @@ std::complex<double> power_of_i_omega(std::complex<double> omega, int power) {
 
 }  // namespace
 
+std::complex<double> load_factor(int power, double delay, std::complex<double> omega) {
+  std::complex<double> factor = power_of_i_omega(omega, power);
+  if (delay != 0) factor *= std::exp(std::complex<double>(0, -delay) * omega);
+  return factor;
+}
+
 void Load::add(LoadTerm term) {
   if (term.value.size() == 0 || term.value.isZero(0)) return;
   const auto same = std::find_if(terms_.begin(), terms_.end(), [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
@@ -50,11 +56,7 @@ int Load::highest_power() const {
 
 Eigen::VectorXcd Load::at(std::complex<double> omega) const {
   Eigen::VectorXcd h = Eigen::VectorXcd::Zero(size_);
-  for (const LoadTerm& term : terms_) {
-    std::complex<double> factor = power_of_i_omega(omega, term.power);
-    if (term.delay != 0) factor *= std::exp(std::complex<double>(0, -term.delay) * omega);
-    h += factor * term.value;
-  }
+  for (const LoadTerm& term : terms_) h += load_factor(term.power, term.delay, omega) * term.value;
   return h;
 }
 

@@ -47,6 +47,9 @@ class Load {
   std::vector<LoadTerm> terms_;
 };
 
+/// (iω)^power e^{−iω delay}, exact in its zeros for real ω.
+[[nodiscard]] std::complex<double> load_factor(int power, double delay, std::complex<double> omega);
+
 /// s^power by multiplication, exact in its zeros; s ≠ 0 where power < 0.
 template <typename Scalar>
 [[nodiscard]] std::complex<Scalar> integer_power(const std::complex<Scalar>& s, int power) {

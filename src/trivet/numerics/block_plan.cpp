@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/block_plan.h"
+
+#include <algorithm>
+#include <map>
+
+namespace trivet::numerics {
+namespace {
+
+std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
+/// Writes the plan of one elimination.
+class Planner {
+ public:
+  Planner(const DynamicMatrices& m, const BlockElimination& elimination) : m_(m), e_(elimination) {}
+
+  BlockPlan plan(const Load& load, const Eigen::VectorXd& scale) {
+    plan_.rows = at(m_.size());
+    plan_.lossy = m_.lossy();
+    plan_.multiply_adds = multiply_adds(e_);
+    for (const Eigen::Index row : e_.rows) {
+      plan_.given_row.push_back(at(row));
+      plan_.scale.push_back(scale(row));
+    }
+    add_load(load);
+    for (int j = 0; j < e_.count(); ++j) add_column_blocks(j);
+    for (int j = 0; j < e_.count(); ++j) add_column(j);
+    add_entries();
+    add_weights();
+    return std::move(plan_);
+  }
+
+ private:
+  void add_load(const Load& load) {
+    loaded_.assign(at(e_.count()), false);
+    for (const LoadTerm& term : load.terms()) {
+      plan_.load.push_back({term.power, term.delay, {}});
+      for (int j = 0; j < e_.count(); ++j)
+        for (Eigen::Index i = e_.first[at(j)]; i < e_.first[at(j) + 1]; ++i)
+          if (const std::complex<double> value = term.value(e_.rows[at(i)]); value != 0.0) {
+            plan_.load.back().rows.push_back({at(i), value});
+            loaded_[at(j)] = true;
+          }
+    }
+  }
+
+  /// Values of one matrix in the block (i, j). Returns whether there are any.
+  bool add_values(const Eigen::MatrixXd& matrix, int i, int j) {
+    const std::size_t before = plan_.values.size();
+    bool any = false;
+    for (Eigen::Index r = e_.first[at(i)]; r < e_.first[at(i) + 1]; ++r)
+      for (Eigen::Index c = e_.first[at(j)]; c < (i == j ? r + 1 : e_.first[at(j) + 1]); ++c) {
+        plan_.values.push_back(matrix(e_.rows[at(r)], e_.rows[at(c)]));
+        any = any || plan_.values.back() != 0;
+      }
+    if (!any) plan_.values.resize(before);
+    return any;
+  }
+
+  void add_block(int i, int j) {
+    BlockPlan::Block block;
+    block.rows = e_.size(i), block.columns = e_.size(j), block.diagonal = i == j;
+    block.values = plan_.values.size();
+    block.has_K = add_values(m_.K, i, j);
+    block.has_loss = m_.lossy() && add_values(m_.K_loss, i, j);
+    block.has_B = add_values(m_.B, i, j);
+    block.has_A = add_values(m_.A, i, j);
+    block.place = plan_.factors;
+    plan_.factors += at(block.entries());
+    number_[{i, j}] = static_cast<int>(plan_.blocks.size());
+    plan_.blocks.push_back(block);
+  }
+
+  void add_column_blocks(int j) {
+    add_block(j, j);
+    for (const int i : e_.below[at(j)]) add_block(i, j);
+    touched_.resize(plan_.blocks.size(), false);
+  }
+
+  bool first_touch(int block) {
+    const bool first = !touched_[at(block)];
+    touched_[at(block)] = true;
+    return first;
+  }
+
+  void add_column(int j) {
+    BlockPlan::Column column;
+    column.size = e_.size(j), column.row = at(e_.first[at(j)]), column.diagonal = number_.at({j, j});
+    column.first = first_touch(column.diagonal);
+    column.loaded = loaded_[at(j)];
+    column.below_first = plan_.below.size(), column.update_first = plan_.updates.size();
+    std::size_t entries = 0;
+    const std::vector<int>& below = e_.below[at(j)];
+    for (const int i : below) {
+      const int block = number_.at({i, j});
+      plan_.below.push_back({block, at(e_.first[at(i)]), first_touch(block)});
+      entries += at(plan_.blocks[at(block)].entries());
+      if (column.loaded) loaded_[at(i)] = true;
+    }
+    for (std::size_t left = 0; left < below.size(); ++left)
+      for (std::size_t right = 0; right <= left; ++right) {
+        const int target = number_.at({below[left], below[right]});
+        plan_.updates.push_back({target, static_cast<int>(left), static_cast<int>(right), first_touch(target)});
+      }
+    column.below_end = plan_.below.size(), column.update_end = plan_.updates.size();
+    plan_.widest = std::max(plan_.widest, entries);
+    plan_.columns.push_back(column);
+  }
+
+  void add_entries() {
+    plan_.entry_first.push_back(0);
+    for (const Eigen::Index i : e_.rows) {
+      for (std::size_t c = 0; c < plan_.rows; ++c) {
+        const Eigen::Index j = e_.rows[c];
+        const BlockPlan::Entry entry{c, m_.A(i, j), m_.B(i, j), m_.K(i, j), m_.lossy() ? m_.K_loss(i, j) : 0.0};
+        if (entry.A != 0 || entry.B != 0 || entry.K != 0 || entry.loss != 0) plan_.entries.push_back(entry);
+      }
+      plan_.entry_first.push_back(plan_.entries.size());
+    }
+  }
+
+  void add_weights() {
+    std::uint64_t state = 0x9e3779b97f4a7c15u;  // any fixed sequence without a pattern: Knuth's linear congruential one
+    for (std::size_t i = 0; i < plan_.rows; ++i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      const double size = 0.5 + static_cast<double>(state >> 12) * 0x1p-53;
+      plan_.weight.push_back((state >> 11 & 1) != 0 ? size : -size);
+    }
+    plan_.weighted_A.assign(plan_.rows, 0);
+    plan_.weighted_B = plan_.weighted_K = plan_.weighted_loss = plan_.weighted_A;
+    for (std::size_t i = 0; i < plan_.rows; ++i)
+      for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) {
+        const BlockPlan::Entry& entry = plan_.entries[k];
+        plan_.weighted_A[entry.column] += plan_.weight[i] * entry.A;
+        plan_.weighted_B[entry.column] += plan_.weight[i] * entry.B;
+        plan_.weighted_K[entry.column] += plan_.weight[i] * entry.K;
+        plan_.weighted_loss[entry.column] += plan_.weight[i] * entry.loss;
+      }
+  }
+
+  const DynamicMatrices& m_;
+  const BlockElimination& e_;
+  BlockPlan plan_;
+  std::map<std::pair<int, int>, int> number_;
+  std::vector<bool> loaded_, touched_;
+};
+
+}  // namespace
+
+BlockPlan block_plan(const DynamicMatrices& matrices, const Load& load, const Eigen::VectorXd& scale) {
+  std::vector<bool> loaded(at(matrices.size()), false);
+  for (const LoadTerm& term : load.terms())
+    for (Eigen::Index i = 0; i < term.value.size(); ++i)
+      if (term.value(i) != 0.0) loaded[at(i)] = true;
+  const BlockElimination elimination = cheapest_block_elimination(matrices, loaded);
+  return Planner(matrices, elimination).plan(load, scale);
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "trivet/numerics/block_elimination.h"
+#include "trivet/numerics/load.h"
+
+namespace trivet::numerics {
+
+/// An entry of Z(ω) that is given for each frequency instead of by matrices, and by symmetry the one across the diagonal.
+struct FreeEntry {
+  Eigen::Index row = 0, column = 0;
+};
+
+/// LDLᵀ of K + iK_loss + iωB − ω²A by blocks, spelled out in flat arrays: what to do for a frequency without looking anything up.
+/// Rows stand in the order of elimination.
+struct BlockPlan {
+  /// A block of L, and before that of the matrix: on the diagonal its packed lower triangle, else row by row.
+  struct Block {
+    int rows = 0, columns = 0;
+    bool diagonal = false, has_A = false, has_B = false, has_K = false, has_loss = false;
+    std::size_t values = 0;       ///< in `values`: its entries of K, K_loss, B, A, as many of these as it has
+    std::size_t place = 0;        ///< among the factors
+    std::size_t free_first = 0, free_end = 0;  ///< in `free`
+    [[nodiscard]] int entries() const { return diagonal ? rows * (rows + 1) / 2 : rows * columns; }
+  };
+  /// target −= left D⁻¹ rightᵀ
+  struct Update {
+    int target = 0, left = 0, right = 0;  ///< target in `blocks`, the others among the blocks below
+    bool first = false;                   ///< the target must be assembled before
+  };
+  struct Below {
+    int block = 0;
+    std::size_t row = 0;                  ///< its first row
+    bool first = false;                   ///< nothing has been subtracted before
+  };
+  struct Column {
+    int size = 0, diagonal = 0;
+    std::size_t row = 0;
+    bool first = false, loaded = false;   ///< whether its right side can differ from 0
+    std::size_t below_first = 0, below_end = 0, update_first = 0, update_end = 0;
+  };
+  struct Free {
+    int entry = 0;                        ///< within the block
+    std::size_t given = 0;                ///< which of the free entries
+  };
+  struct LoadRow {
+    std::size_t row = 0;
+    std::complex<double> value;
+  };
+  struct Term {
+    int power = 0;
+    double delay = 0;
+    std::vector<LoadRow> rows;
+  };
+  /// An entry of the whole matrix with all its values, for residuals.
+  struct Entry {
+    std::size_t column = 0;
+    double A = 0, B = 0, K = 0, loss = 0;
+  };
+
+  std::size_t rows = 0, factors = 0, widest = 0;  ///< `widest`: entries of all blocks below one column, at most
+  std::vector<Column> columns;
+  std::vector<Block> blocks;
+  std::vector<Below> below;
+  std::vector<Update> updates;
+  std::vector<Free> free;
+  std::vector<double> values;
+  std::vector<Term> load;
+  std::vector<std::size_t> entry_first;           ///< of each row in `entries`, and the end
+  std::vector<Entry> entries;
+  std::vector<std::size_t> given_row;             ///< given row of each row
+  std::vector<double> scale;                      ///< a solution of row i is multiplied by this
+  /// wᵀA … and w, for a residual seen through one fixed direction w with ½ ≤ |w_i| ≤ 1.
+  std::vector<double> weight, weighted_A, weighted_B, weighted_K, weighted_loss;
+  bool lossy = false;
+  double multiply_adds = 0;
+};
+
+/// @param scale  see `BlockPlan::scale`
+[[nodiscard]] BlockPlan block_plan(const DynamicMatrices& matrices, const Load& load, const Eigen::VectorXd& scale);
+
+}  // namespace trivet::numerics

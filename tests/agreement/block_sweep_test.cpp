@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// LDLᵀ by blocks in lanes against pivoted LU in extended precision, on graphs of bodies of every shape.
+#include <gmock/gmock.h>
+
+#include <Eigen/LU>
+#include <numbers>
+#include <random>
+
+#include "support/matchers.h"
+#include "trivet/foundation/pieces.h"
+#include "trivet/numerics/block_elimination.h"
+#include "trivet/numerics/block_sweep.h"
+#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/instruction_set.h"
+#include "trivet/numerics/refined_solution.h"
+
+namespace {
+
+using namespace trivet;
+using Eigen::Index;
+using numerics::DynamicMatrices;
+using Edges = std::vector<std::pair<Index, Index>>;
+using Sizes = std::vector<Index>;
+
+/// Backward stability leaves round-off times the condition, and a little for the sums over many rows.
+constexpr double condition_share = 64 * test::epsilon;
+
+class Assembly {
+ public:
+  explicit Assembly(unsigned seed) : generator_(seed) {}
+
+  /// Bodies with so many coordinates, elements between them of damping ratio near `damping`, the first on the ground.
+  DynamicMatrices bodies(const Sizes& sizes, const Edges& edges, double damping) {
+    std::vector<Index> first = {0};
+    for (const Index s : sizes) first.push_back(first.back() + s);
+    const Index n = first.back();
+    DynamicMatrices m{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true, {first.begin(), first.end() - 1}};
+    for (std::size_t b = 0; b < sizes.size(); ++b) m.A.block(first[b], first[b], sizes[b], sizes[b]) = positive(sizes[b], 1);
+    m.K.topLeftCorner(sizes[0], sizes[0]) = positive(sizes[0], 1000);
+    for (const auto& [i, j] : edges) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      const Index together = sizes[a] + sizes[b];
+      std::vector<Index> rows;
+      for (Index k = 0; k < sizes[a]; ++k) rows.push_back(first[a] + k);
+      for (Index k = 0; k < sizes[b]; ++k) rows.push_back(first[b] + k);
+      m.K(rows, rows) += positive(together, 1000);
+      m.B(rows, rows) += positive(together, 60 * damping);
+    }
+    return m;
+  }
+
+  Eigen::VectorXcd load(Index n, Index loaded) {
+    Eigen::VectorXcd h = Eigen::VectorXcd::Zero(n);
+    for (Index i = 0; i < loaded; ++i) h((i * 7) % n) = {normal_(generator_), normal_(generator_)};
+    return h;
+  }
+
+  Eigen::MatrixXd positive(Index n, double size) {
+    Eigen::MatrixXd x(n, n);
+    for (double& entry : x.reshaped()) entry = normal_(generator_);
+    return size * (x * x.transpose() / static_cast<double>(n) + 0.3 * Eigen::MatrixXd::Identity(n, n));
+  }
+
+ private:
+  std::mt19937 generator_;
+  std::normal_distribution<double> normal_;
+};
+
+Edges chain(Index bodies) {
+  Edges edges;
+  for (Index i = 0; i + 1 < bodies; ++i) edges.emplace_back(i, i + 1);
+  return edges;
+}
+Edges ring(Index bodies) {
+  Edges edges = chain(bodies);
+  edges.emplace_back(0, bodies - 1);
+  return edges;
+}
+Edges tree(Index bodies) {
+  Edges edges;
+  for (Index i = 1; i < bodies; ++i) edges.emplace_back((i - 1) / 3, i);
+  return edges;
+}
+Edges full(Index bodies) {
+  Edges edges;
+  for (Index i = 0; i < bodies; ++i)
+    for (Index j = 0; j < i; ++j) edges.emplace_back(j, i);
+  return edges;
+}
+
+std::vector<double> frequencies(Index count, double highest = 80) {
+  std::vector<double> omega;
+  for (Index i = 0; i < count; ++i) omega.push_back(highest * (static_cast<double>(i) + 0.3) / static_cast<double>(count));
+  return omega;
+}
+
+numerics::ExtendedMatrix extended(const DynamicMatrices& m, double omega) {
+  const std::complex<long double> iw(0, omega);
+  return m.complex_stiffness().cast<std::complex<long double>>() + iw * m.B.cast<std::complex<long double>>() + iw * iw * m.A.cast<std::complex<long double>>();
+}
+
+/// True backward error and error of every column.
+void expect_solved(const DynamicMatrices& given, const numerics::Load& load, const std::vector<double>& omega, const numerics::SweepResult& found, const std::string& name) {
+  const Eigen::VectorXd d = numerics::unit_scale(given);
+  const DynamicMatrices m = numerics::scaled(given, d);
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    const auto column = static_cast<Index>(i);
+    const numerics::ExtendedMatrix z = extended(m, omega[i]);
+    const numerics::ExtendedVector h = (d.asDiagonal() * load.at(omega[i])).cast<std::complex<long double>>();
+    const numerics::ExtendedVector q = (d.cwiseInverse().asDiagonal() * found.response.col(column)).cast<std::complex<long double>>();
+    const auto norm = z.cwiseAbs().rowwise().sum().maxCoeff();
+    const auto backward = (z * q - h).cwiseAbs().maxCoeff() / (norm * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff());
+    EXPECT_LE(static_cast<double>(backward), numerics::accepted_backward_error) << name << " at " << omega[i];
+    EXPECT_LE(found.backward_error(column), numerics::accepted_backward_error) << name << " at " << omega[i];
+    const numerics::RefinedSolver exact(z);
+    const numerics::ExtendedVector truth = exact.solve(h);
+    EXPECT_LE(static_cast<double>((q - truth).norm() / truth.norm()), condition_share * static_cast<double>(m.size()) * exact.condition()) << name << " at " << omega[i];
+  }
+}
+
+numerics::SweepResult by_blocks(const DynamicMatrices& m, const numerics::Load& load, const std::vector<double>& omega) {
+  numerics::SweepResult result;
+  result.response.resize(m.size(), static_cast<Index>(omega.size()));
+  result.backward_error.resize(static_cast<Index>(omega.size()));
+  numerics::BlockSweep(m, load).solve(omega.data(), static_cast<Index>(omega.size()), result.response, result.backward_error);
+  return result;
+}
+
+TEST(BlockSweep, GraphsOfEveryShapeAgreeWithExtendedPrecision) {
+  Assembly random(3);
+  const Sizes six(7, 6), mixed = {6, 3, 5, 1, 6, 8, 2, 6, 4};
+  const std::vector<std::tuple<std::string, Sizes, Edges>> cases = {
+      {"one body", {6}, {}},          {"two", {6, 6}, chain(2)},        {"chain", six, chain(7)},       {"ring", six, ring(7)},
+      {"tree", Sizes(13, 6), tree(13)}, {"full", six, full(7)},           {"mixed chain", mixed, chain(9)}, {"mixed ring", mixed, ring(9)},
+      {"mixed tree", mixed, tree(9)}, {"mixed full", mixed, full(9)},   {"planar", Sizes(8, 3), ring(8)}, {"not coupled", {6, 6, 6}, chain(2)}};
+  for (const auto& [name, sizes, edges] : cases)
+    for (const double damping : {0.3, 1e-3}) {
+      DynamicMatrices m = random.bodies(sizes, edges, damping);
+      for (const Index loaded : {Index(1), m.size()}) {
+        const numerics::Load load = random.load(m.size(), loaded);
+        const std::vector<double> omega = frequencies(11);
+        expect_solved(m, load, omega, by_blocks(m, load, omega), name);
+        DynamicMatrices unnamed = m;  // blocks are found from the couplings
+        unnamed.blocks.clear();
+        expect_solved(m, load, omega, by_blocks(unnamed, load, omega), name + ", blocks found");
+      }
+    }
+}
+
+TEST(BlockSweep, LossFactorsAndLoadsThatVaryWithFrequencyAreFollowed) {
+  Assembly random(4);
+  DynamicMatrices m = random.bodies(Sizes(4, 6), ring(4), 0.02);
+  m.K_loss = 0.1 * m.K;
+  numerics::Load load(m.size());
+  load.add({0, 0.01, random.load(m.size(), 3)});
+  load.add({2, 0, random.load(m.size(), 5)});
+  load.add({-1, 0.2, random.load(m.size(), 24)});
+  const std::vector<double> omega = frequencies(19);
+  expect_solved(m, load, omega, by_blocks(m, load, omega), "varying load");
+}
+
+TEST(BlockSweep, CoordinatesWithoutMassAreEliminatedLikeOthers) {
+  Assembly random(5);
+  const Sizes sizes = {6, 1, 6, 1, 6, 3};
+  DynamicMatrices m = random.bodies(sizes, chain(6), 0.1);
+  for (const Index row : {6, 13, 20, 21, 22}) {
+    m.A.row(row).setZero();
+    m.A.col(row).setZero();
+  }
+  const numerics::Load load = random.load(m.size(), 4);
+  const std::vector<double> omega = frequencies(16);
+  expect_solved(m, load, omega, by_blocks(m, load, omega), "without mass");
+}
+
+}  // namespace
