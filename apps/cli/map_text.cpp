@@ -69,7 +69,7 @@ std::string map_text(const study::Project& project, const study::DesignMap& map)
     text += fmt::format("  {} design{} without an answer: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.words);
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
-  return text + "  " + map.report.way + "\n";
+  return text + "  " + map.report.words() + "\n";
 }
 
 }  // namespace trivet::cli

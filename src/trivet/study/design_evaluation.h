@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "trivet/numerics/design_peaks.h"
+#include "trivet/response/design_family.h"
 #include "trivet/response/design_rules.h"
 #include "trivet/study/project.h"
 
@@ -53,9 +56,12 @@ struct JudgedDesign {
 
 /// How designs were evaluated, for the reader.
 struct EvaluationReport {
-  std::string way;              ///< one sentence
-  std::size_t assembled = 0;    ///< designs that were assembled from the changed project
+  std::size_t in_lanes = 0;     ///< designs judged by poles and residues, many at once
+  std::size_t one_by_one = 0;   ///< designs assembled from the changed project and searched by themselves
+  std::string family;           ///< how the matrices of the first were found, or why there are none
   std::vector<MissingReason> missing;
+
+  [[nodiscard]] std::string words() const;
 };
 
 /// The designs of a case when two of its numbers change.
@@ -76,6 +82,9 @@ class DesignEvaluation {
   [[nodiscard]] std::vector<DesignOutcome> evaluate(std::size_t count, const std::function<DesignPoint(std::size_t)>& point,
                                                     const foundation::Progress& progress = {});
 
+  /// Is a model the design at this point: does it answer with the same Z(ω) and load?
+  [[nodiscard]] bool is_at(const model::System& system, const DesignPoint& point) const;
+
   /// A model by response::peaks. @throws foundation::NotComputable, InvalidInput
   [[nodiscard]] JudgedDesign judged(const model::System& system) const;
 
@@ -90,6 +99,10 @@ class DesignEvaluation {
   [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system, const assembly::Assembled& assembled) const;
   [[nodiscard]] foundation::Expected<model::System> system_at(const DesignPoint& point) const;
   [[nodiscard]] DesignOutcome assembled_outcome(std::size_t index, const DesignPoint& point);
+  void fit_family(const Case& variant);
+  void plan_searches();
+  /// Of designs first … : outcomes in lanes; where they are not proven, one by one.
+  void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
   void note_missing(std::size_t index, std::uint8_t outcome, const std::string& kind, const std::string& words);
 
   const Case& case_;
@@ -99,6 +112,9 @@ class DesignEvaluation {
   std::vector<Answer> answers_;
   std::vector<MapRule> rules_;
   response::RuleSet set_;
+  std::optional<response::DesignFamily> family_;
+  std::vector<numerics::DesignPeakOptions> searches_;  // of the family: amplitudes in the band, peaks anywhere
+  std::vector<std::pair<std::size_t, Eigen::Index>> place_of_rule_;  // which search, and the channel in it
   EvaluationReport report_;
   std::vector<std::string> missing_kinds_;   // of report_.missing
 };

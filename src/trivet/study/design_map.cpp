@@ -107,25 +107,6 @@ std::vector<double> round_margins(double best) {
   return {};
 }
 
-void remove(Node& document, const std::vector<std::string>& keys, std::size_t from = 0) {
-  const auto at = std::find(document.keys.begin(), document.keys.end(), keys[from]);
-  if (at == document.keys.end()) return;
-  const auto index = at - document.keys.begin();
-  if (from + 1 < keys.size()) return remove(document.items[static_cast<std::size_t>(index)], keys, from + 1);
-  document.items.erase(document.items.begin() + index);
-  document.keys.erase(at);
-}
-
-/// All of the model but the two numbers.
-std::string remainder(const Case& variant, const MapRequest& request) {
-  Node document = variant.document;
-  for (const auto& path : {path_keys(request.x.parameter), path_keys(request.y.parameter)}) remove(document, path);
-  std::string text;
-  for (const char* part : {"gravity", "bodies", "elements", "foundations", "damping", "excitations"})
-    if (const Node* node = document.find(part)) text += canonical(*node);
-  return text;
-}
-
 /// The number on an axis; a scale that is not written is 1.
 std::optional<double> number_of(const Case& variant, const MapAxis& axis) {
   const std::vector<std::string> keys = path_keys(axis.parameter);
@@ -135,13 +116,13 @@ std::optional<double> number_of(const Case& variant, const MapAxis& axis) {
   return written ? in_unit(*written, axis.unit) : std::nullopt;
 }
 
-std::vector<MapMark> marks(const Project& project, const Case& variant, const MapRequest& request, const DesignEvaluation& evaluation) {
-  const std::string of_map = remainder(variant, request);
+std::vector<MapMark> marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation) {
   std::vector<MapMark> all;
   for (const Case& c : project.cases) {
     const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
-    MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), remainder(c, request) == of_map, {}, ""};
+    MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), false, {}, ""};
     if (request.cases ? !listed : !mark.placed()) continue;
+    mark.of_this_model = mark.placed() && evaluation.is_at(c.system, {*mark.x, *mark.y});
     try {
       mark.judged = evaluation.judged(c.system);
     } catch (const foundation::NotComputable& reason) {
@@ -206,7 +187,7 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   map.boundary_tolerance = boundary_tolerance;
   if (map.best)
     for (const double margin : round_margins(static_cast<double>(map.outcomes[*map.best].margin))) map.margin_lines.push_back({margin, margin_contour(map.grid, map.outcomes, margin)});
-  map.marks = marks(project, variant, map.request, evaluation);
+  map.marks = marks(project, map.request, evaluation);
   return map;
 }
 
@@ -220,14 +201,18 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
     if (rule.kind == response::DesignRule::Kind::amplitude && value > rule.allowed)
       words.push_back(fmt::format("{} reaches {:.4g} {}, allowed {:.4g}", rule.answer, value, rule.unit, rule.allowed));
   }
-  for (const response::Peak& peak : judged.peaks.list) {
-    const double prominence = response::relative_prominence(peak);
-    const std::string& name = judged.peaks.curves[peak.curve].name;
-    const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name; });
-    if (!ruled) continue;
-    words.push_back(fmt::format("{} {} at {:.4g} rad/s, {}", name, prominence > map.request.peak_tolerance ? "peaks" : "rises slightly", peak.angular_frequency,
-                                std::isinf(prominence) ? "without bound" : fmt::format("{:.3g} % above the minimum beside it", 100 * prominence)));
-  }
+  for (const bool counted : {true, false})
+    for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
+      const std::string& name = judged.peaks.curves[c].name;
+      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name; });
+      std::string list;
+      for (const response::Peak& peak : judged.peaks.list) {
+        const double prominence = response::relative_prominence(peak);
+        if (!ruled || peak.curve != c || (prominence > map.request.peak_tolerance) != counted) continue;
+        list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency, std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
+      }
+      if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, counted ? "peaks" : "rises slightly", list));
+    }
   if (judged.governing.kept())
     words.push_back(fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));
   return words;

@@ -89,7 +89,7 @@ Json design_map(const DesignMap& map) {
   }
   result["marks"] = Json::array();
   for (const MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
-  result["way"] = map.report.way;
+  result["way"] = map.report.words();
   result["missing"] = Json::array();
   for (const MissingReason& reason : map.report.missing) result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}});
   result["grid"] = designs(map);
