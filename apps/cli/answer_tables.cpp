@@ -86,7 +86,7 @@ std::string peaks_text(const study::Answers& answers) {
   TextTable table({"curve", "ω [rad/s]", "f [Hz]", "amplitude", "unit", "× static", "above minimum", "nearest mode"});
   for (const response::Peak& peak : found.list)
     table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / turn), shown(peak.amplitude, 9), found.curves[peak.curve].unit,
-               shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(study::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * study::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
+               shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(response::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
   std::string text = (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4)) : std::string("Resonance peaks, 0 < ω < ∞\n")) + (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
     if (curve.vanishes) text += fmt::format("  {}: zero but for round-off\n", curve.name);

@@ -12,6 +12,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/response/design_rules.h"
 #include "trivet/study/further_answers.h"
 
 namespace trivet::study {
@@ -277,28 +278,15 @@ class CaseStudy {
     const auto curve = static_cast<std::size_t>(
         std::find_if(found.curves.begin(), found.curves.end(), [&](const response::CurveSummary& c) { return c.name == limit.name; }) - found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest, true};
-    const Loaded asked = loaded(system_, assembled_, {{limit.name}, wanted.quantity, wanted.excitations});
-    // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
-    const double start = std::max(band.from, found.searched_from);
-    const bool starts_late = start > band.from;
-    const std::vector<double> ends = {start, band.to, starts_late ? std::min(10 * start, found.searched_to) : start};
-    const auto at_ends = response::frequency_response(assembled_, asked.channels, asked.load, ends);
-    std::vector<std::pair<double, double>> candidates;
-    const auto amplitude_at = [&](Eigen::Index i) { return std::abs(at_ends.curves[0].value(i)); };
-    const bool diverges = starts_late && amplitude_at(0) > 5 * amplitude_at(2);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    candidates.emplace_back(diverges || std::isnan(amplitude_at(0)) ? infinity : amplitude_at(0), band.from);
-    candidates.emplace_back(std::isnan(amplitude_at(1)) ? infinity : amplitude_at(1), band.to);
+    const Loaded asked = loaded(system_, assembled_, wanted);
+    const response::LargestAmplitude largest = response::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
+    answer.in_band = largest.amplitude;
+    answer.in_band_at = largest.angular_frequency;
     if (response_ && response_->band.from == band.from && response_->band.to == band.to)
       for (const response::Curve& drawn : response_->curves.curves)
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
-          if (std::isfinite(std::abs(drawn.value(i)))) candidates.emplace_back(std::abs(drawn.value(i)), response_->curves.angular_frequency[static_cast<std::size_t>(i)]);
-    for (const response::Turning& t : found.turnings[curve])
-      if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) candidates.emplace_back(t.amplitude, t.angular_frequency);
-    for (const response::Peak& peak : found.list)
-      if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to) candidates.emplace_back(peak.amplitude, peak.angular_frequency);
-    for (const auto& [amplitude, omega] : candidates)
-      if (amplitude > answer.in_band) answer.in_band = amplitude, answer.in_band_at = omega;
+          if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
+            answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[static_cast<std::size_t>(i)];
     answer.kept = answer.in_band <= answer.limit;
     return answer;
   }
@@ -339,11 +327,6 @@ response::DeepCheck deep_check(const Case& variant) {
     load = assembly::Loading(everywhere);
   }
   return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));
-}
-
-double relative_prominence(const response::Peak& peak) {
-  const double minimum = peak.amplitude - peak.prominence;
-  return std::isinf(peak.amplitude) || !(minimum > 0) ? std::numeric_limits<double>::infinity() : peak.prominence / minimum;
 }
 
 }  // namespace trivet::study

@@ -125,7 +125,4 @@ struct Answers {
 /// force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const Case& variant);
 
-/// Prominence over the higher neighbouring minimum, as a share of that minimum (infinite over 0): the design rule's measure.
-[[nodiscard]] double relative_prominence(const response::Peak& peak);
-
 }  // namespace trivet::study

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "trivet/study/answers.h"
+#include "trivet/study/design_map.h"
 
 /// How Trivet's things look as JSON values; shared by the single answers and the result file.
 namespace trivet::study::json {
@@ -46,5 +47,6 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json statics(const Answers& answers);
 /// Random, transient, orders … of those answers that there are, by their names.
 void add_further(const Answers& answers, Json& result);
+[[nodiscard]] Json design_map(const DesignMap& map);
 
 }  // namespace trivet::study::json
