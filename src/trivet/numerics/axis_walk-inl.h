@@ -21,6 +21,7 @@ struct WalkedPack {
   LaneMask real[most_pairs];
   int count = 0;
   Pack from, to;              ///< of x; both finite
+  LaneMask asked;             ///< lanes with good roots
 };
 
 /// One curve of a pack on the walk.
@@ -200,7 +201,7 @@ HWY_INLINE LaneMask stays_below(const WalkedPack& pack, const WalkedCurve* curve
 HWY_INLINE LaneMask walk(const WalkedPack& pack, WalkedCurve* curves, int channels, const WalkOptions& options, FoundExtrema& found) {
   PanelPowers powers[most_pairs];
   Pack x = pack.from, share = all(most_share);
-  LaneMask live = hn::Lt(x, pack.to), failed = hn::Ne(x, x);
+  LaneMask live = hn::And(pack.asked, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);
   for (int step = 0; step < most_steps && !hn::AllFalse(Lanes(), live); ++step) {
     if (!options.every_extremum) {
       const Pack stop = next_stop(pack, x);
@@ -228,7 +229,7 @@ HWY_INLINE LaneMask walk(const WalkedPack& pack, WalkedCurve* curves, int channe
     failed = hn::Or(failed, hn::And(live, hn::Lt(share, all(least_share))));
     live = hn::AndNot(failed, hn::And(live, hn::Lt(x, pack.to)));
   }
-  return hn::AndNot(failed, hn::Not(live));
+  return hn::And(pack.asked, hn::AndNot(failed, hn::Not(live)));
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

@@ -73,6 +73,7 @@ HWY_INLINE Pack beginning_of_tail(const WalkedPack& pack, const WalkedCurve* cur
       LaneMask settled = settle(inverted, powers, half, half, options, curve);
       const Pack start = hn::Sub(hn::MulAdd(hn::Mul(half, half), curve.p2, curve.p0), hn::Mul(half, curve.p1));
       if (!flat_at_infinity) settled = hn::And(settled, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(start, curve.after), curve.rest)));
+      settled = hn::Or(settled, hn::Not(pack.asked));
       if (hn::AllTrue(Lanes(), settled)) break;
       begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
     }
@@ -188,6 +189,9 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
   PolePairs poles;
   WalkedPack pack;
   poles.count = pack.count = n;
+  double asked[table_lanes];
+  for (int i = 0; i < lanes; ++i) asked[i] = table.good[lane + i];
+  pack.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
   for (int k = 0; k < n; ++k) {
     poles.real[k] = pack.real[k] = hn::Ne(from_table(table.real[k], lane), hn::Zero(Lanes()));
     poles.lambda[k] = {from_table(table.first[k], lane), from_table(table.second[k], lane)};

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "trivet/numerics/designs.h"
 #include "trivet/numerics/disc_search.h"
 
 namespace trivet::numerics {
@@ -19,8 +20,15 @@ struct RootTable {
   alignas(64) Row first[most_pairs], second[most_pairs];
   alignas(64) Row real[most_pairs];                                        ///< 1: two real roots, else 0
   alignas(64) Row r_first[most_pairs][most_pairs], r_second[most_pairs][most_pairs];  ///< [pair][coordinate]
-  alignas(64) Row unit[most_pairs];                                        ///< 1/√A_jj: what makes metres and radians comparable
+  bool definite[table_lanes];                                              ///< A is positive definite
+  bool good[table_lanes];                                                  ///< all roots found, decaying, and far enough from defective
 };
+
+/// Designs first … first + 7 (the last of all again where they end), at most twelve coordinates.
+void roots_of_designs(const Designs& designs, Eigen::Index first, RootTable& table);
+
+/// One design by an eigensolver of its states, with a check by the sums that residues keep. @return whether they are good
+bool roots_of_states(const DynamicMatrices& matrices, const Eigen::VectorXd& load, RootTable& table, int lane);
 
 /// What is asked of every design.
 struct PeakQuestion {
