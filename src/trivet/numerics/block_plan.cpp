@@ -24,6 +24,9 @@ class Planner {
     }
     add_load(load);
     for (int j = 0; j < e_.count(); ++j) add_column_blocks(j);
+    for (int j = 0; j < e_.count(); ++j) mark_kept(j);
+    place_kept();
+    touched_.assign(plan_.blocks.size(), false);
     for (int j = 0; j < e_.count(); ++j) add_column(j);
     add_entries();
     add_weights();
@@ -65,16 +68,28 @@ class Planner {
     block.has_loss = m_.lossy() && add_values(m_.K_loss, i, j);
     block.has_B = add_values(m_.B, i, j);
     block.has_A = add_values(m_.A, i, j);
-    block.place = plan_.factors;
-    plan_.factors += at(block.entries());
     number_[{i, j}] = static_cast<int>(plan_.blocks.size());
     plan_.blocks.push_back(block);
   }
 
   void add_column_blocks(int j) {
     add_block(j, j);
+    plan_.blocks.back().kept = true;
     for (const int i : e_.below[at(j)]) add_block(i, j);
-    touched_.resize(plan_.blocks.size(), false);
+  }
+
+  /// Blocks from which something is subtracted before they divide.
+  void mark_kept(int j) {
+    const std::vector<int>& below = e_.below[at(j)];
+    for (std::size_t left = 0; left < below.size(); ++left)
+      for (std::size_t right = 0; right <= left; ++right) plan_.blocks[at(number_.at({below[left], below[right]}))].kept = true;
+  }
+
+  void place_kept() {
+    for (BlockPlan::Block& block : plan_.blocks) {
+      block.place = plan_.factors;
+      if (block.kept) plan_.factors += at(block.entries());
+    }
   }
 
   bool first_touch(int block) {
@@ -93,14 +108,14 @@ class Planner {
     const std::vector<int>& below = e_.below[at(j)];
     for (const int i : below) {
       const int block = number_.at({i, j});
-      plan_.below.push_back({block, at(e_.first[at(i)]), first_touch(block)});
+      plan_.below.push_back({block, at(e_.first[at(i)]), entries});
       entries += at(plan_.blocks[at(block)].entries());
       if (column.loaded) loaded_[at(i)] = true;
     }
     for (std::size_t left = 0; left < below.size(); ++left)
       for (std::size_t right = 0; right <= left; ++right) {
         const int target = number_.at({below[left], below[right]});
-        plan_.updates.push_back({target, static_cast<int>(left), static_cast<int>(right), first_touch(target)});
+        plan_.updates.push_back({target, column.below_first + left, column.below_first + right, first_touch(target)});
       }
     column.below_end = plan_.below.size(), column.update_end = plan_.updates.size();
     plan_.widest = std::max(plan_.widest, entries);
@@ -126,6 +141,8 @@ class Planner {
       const double size = 0.5 + static_cast<double>(state >> 12) * 0x1p-53;
       plan_.weight.push_back((state >> 11 & 1) != 0 ? size : -size);
     }
+    for (BlockPlan::Term& term : plan_.load)
+      for (const BlockPlan::LoadRow& row : term.rows) term.weighted += plan_.weight[row.row] * row.value;
     plan_.weighted_A.assign(plan_.rows, 0);
     plan_.weighted_B = plan_.weighted_K = plan_.weighted_loss = plan_.weighted_A;
     for (std::size_t i = 0; i < plan_.rows; ++i)

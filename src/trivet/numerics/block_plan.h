@@ -23,24 +23,28 @@ struct BlockPlan {
     int rows = 0, columns = 0;
     bool diagonal = false, has_A = false, has_B = false, has_K = false, has_loss = false;
     std::size_t values = 0;       ///< in `values`: its entries of K, K_loss, B, A, as many of these as it has
-    std::size_t place = 0;        ///< among the factors
+    bool kept = false;            ///< L is kept; else it is used up at once, as the given block is as good and far smaller
+    std::size_t place = 0;        ///< of one that is kept, among the factors
     std::size_t free_first = 0, free_end = 0;  ///< in `free`
     [[nodiscard]] int entries() const { return diagonal ? rows * (rows + 1) / 2 : rows * columns; }
   };
-  /// target −= left D⁻¹ rightᵀ
-  struct Update {
-    int target = 0, left = 0, right = 0;  ///< target in `blocks`, the others among the blocks below
-    bool first = false;                   ///< the target must be assembled before
-  };
+  /// A block below the diagonal of a column; those of one column follow each other.
   struct Below {
     int block = 0;
     std::size_t row = 0;                  ///< its first row
-    bool first = false;                   ///< nothing has been subtracted before
+    std::size_t place = 0;                ///< among all that are below in this column
+  };
+  /// target −= left D rightᵀ
+  struct Update {
+    int target = 0;                       ///< in `blocks`
+    std::size_t left = 0, right = 0;      ///< in `below`
+    bool first = false;                   ///< the target must be assembled before
   };
   struct Column {
     int size = 0, diagonal = 0;
     std::size_t row = 0;
-    bool first = false, loaded = false;   ///< whether its right side can differ from 0
+    bool first = false;                   ///< nothing has been subtracted from its diagonal
+    bool loaded = false;                  ///< its right side can differ from 0
     std::size_t below_first = 0, below_end = 0, update_first = 0, update_end = 0;
   };
   struct Free {
@@ -55,6 +59,7 @@ struct BlockPlan {
     int power = 0;
     double delay = 0;
     std::vector<LoadRow> rows;
+    std::complex<double> weighted = 0;    ///< wᵀ of it
   };
   /// An entry of the whole matrix with all its values, for residuals.
   struct Entry {
