@@ -33,8 +33,8 @@ struct BlockElimination {
 /// Complex multiply-adds of one factorisation and one solution.
 [[nodiscard]] double multiply_adds(const BlockElimination& elimination);
 
-/// First rows of the blocks that make the elimination cheapest, out of those given with the matrices (if any), blocks of six, and runs of
-/// neighbouring rows with much the same couplings.
+/// First rows of the blocks that make the elimination cheapest, out of those given with the matrices if any, else blocks of six, of three, and runs
+/// of neighbouring rows with much the same couplings.
 [[nodiscard]] BlockElimination cheapest_block_elimination(const DynamicMatrices& matrices, const std::vector<bool>& loaded);
 
 }  // namespace trivet::numerics

@@ -262,7 +262,7 @@ class BlockSolver {
     const Pass& p = passes_[pass];
     for (std::size_t i = 0; i < plan_.rows; ++i) p.residual[i] = {all(0.0), all(0.0)};
     set_load(p, p.residual.get());
-    Pack worst = all(0.0), norm = all(0.0), size = all(0.0), load = all(0.0);
+    Pack worst = all(0.0), norm = all(0.0), size = all(0.0), load = all(0.0), nothing = all(0.0);
     for (std::size_t i = 0; i < plan_.rows; ++i) {
       ComplexPack r = p.residual[i];
       load = hn::Max(load, one_norm(r));
@@ -274,11 +274,12 @@ class BlockSolver {
         r = subtract_product(r, z, p.q[e.column]);
       }
       p.residual[i] = r;
-      worst = hn::IfThenElse(hn::Le(one_norm(r), worst), worst, one_norm(r));  // NaN must not hide behind a maximum
+      worst = hn::Max(worst, one_norm(r));
+      nothing = hn::MulAdd(all(0.0), hn::Add(one_norm(r), one_norm(p.q[i])), nothing);  // NaN and ∞ must not hide behind a maximum
       norm = hn::Max(norm, row);
       size = hn::Max(size, one_norm(p.q[i]));
     }
-    return refused_pivots(pass, hn::Div(worst, hn::MulAdd(norm, size, load)), norm);
+    return refused_pivots(pass, hn::Div(hn::Add(worst, nothing), hn::MulAdd(norm, size, load)), norm);
   }
 
   const BlockPlan& plan_;
