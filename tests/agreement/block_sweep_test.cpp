@@ -178,6 +178,34 @@ TEST(BlockSweep, CoordinatesWithoutMassAreEliminatedLikeOthers) {
   expect_solved(m, load, omega, by_blocks(m, load, omega), "without mass");
 }
 
+TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
+  Assembly random(15);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 3}, chain(5), 0.1);
+  const Index n = m.size();
+  // Within a body, between coupled ones, and between two that nothing else couples.
+  const std::vector<numerics::FreeEntry> free = {{0, 0}, {3, 1}, {2, 8}, {24, 4}, {12, 11}, {20, 20}};
+  const std::vector<double> omega = frequencies(21);
+  const auto count = static_cast<Index>(omega.size()), entries = static_cast<Index>(free.size());
+  const Eigen::ArrayXXcd added = 300 * Eigen::ArrayXXcd::Random(count, entries), load = Eigen::ArrayXXcd::Random(count, n);
+  Eigen::ArrayXXd free_re = added.real(), free_im = added.imag(), load_re = load.real(), load_im = load.imag(), re(count, n), im(count, n);
+  Eigen::VectorXd error(count);
+  numerics::BlockSweep(m, free).solve({omega.data(), count, {free_re.data(), free_im.data(), count}, {load_re.data(), load_im.data(), count},
+                                       {re.data(), im.data(), count}, error.data()});
+  for (Index f = 0; f < count; ++f) {
+    Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(f)]);
+    for (Index k = 0; k < entries; ++k) {
+      const auto [i, j] = free[static_cast<std::size_t>(k)];
+      z(i, j) += added(f, k);
+      if (i != j) z(j, i) += added(f, k);
+    }
+    const numerics::RefinedSolver exact(z.cast<std::complex<long double>>());
+    const Eigen::VectorXcd truth = exact.solve(load.row(f).transpose().matrix().cast<std::complex<long double>>()).cast<std::complex<double>>();
+    const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() + std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
+    EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition()) << omega[static_cast<std::size_t>(f)];
+    EXPECT_LE(error(f), numerics::accepted_backward_error);
+  }
+}
+
 double worst_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
   double worst = 0;
   for (Index i = 0; i < a.cols(); ++i) worst = std::max(worst, (a.col(i) - b.col(i)).norm() / b.col(i).norm());

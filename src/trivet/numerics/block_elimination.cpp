@@ -123,8 +123,9 @@ double multiply_adds(const BlockElimination& e) {
   return sum;
 }
 
-BlockElimination cheapest_block_elimination(const DynamicMatrices& m, const std::vector<bool>& loaded) {
-  const Couplings c = couplings(m);
+BlockElimination cheapest_block_elimination(const DynamicMatrices& m, const std::vector<bool>& loaded, const std::vector<FreeEntry>& free) {
+  Couplings c = couplings(m);
+  for (const FreeEntry& entry : free) c(entry.row, entry.column) = c(entry.column, entry.row) = true;
   std::vector<std::vector<Eigen::Index>> candidates = {equal_blocks(m.size(), body_coordinates), equal_blocks(m.size(), planar_coordinates), runs_of_like_rows(c)};
   if (!m.blocks.empty()) candidates = {cut(m.blocks, m.size())};
   BlockElimination best;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "trivet/numerics/block_kernels-inl.h"
+#include "trivet/numerics/block_sweep.h"
 #include "trivet/numerics/frequency_sweep.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,8 +24,8 @@ Packs packs(std::size_t count) { return hwy::AllocateAligned<ComplexPack>(std::m
 
 /// What belongs to one pack of frequencies.
 struct Pass {
-  explicit Pass(const BlockPlan& plan) : factors(packs(plan.factors)), left(packs(plan.widest)), plain(packs(plan.widest)), q(packs(plan.rows)), residual(packs(plan.rows)), terms(packs(plan.load.size())) {}
-  Packs factors, left, plain, q, residual, terms;
+  explicit Pass(const BlockPlan& plan) : factors(packs(plan.factors)), left(packs(plan.widest)), plain(packs(plan.widest)), q(packs(plan.rows)), residual(packs(plan.rows)), terms(packs(plan.load.size())), free(packs(plan.free.size())), load(packs(plan.given_load ? plan.rows : 0)) {}
+  Packs factors, left, plain, q, residual, terms, free, load;
   Frequencies at{};
 };
 
@@ -58,9 +59,11 @@ class BlockSolver {
       norm = hn::Max(norm, squared_modulus(z));
       size = hn::Max(size, squared_modulus(p.q[i]));
     }
+    for (std::size_t i = 0; plan_.given_load && i < plan_.rows; ++i) seen = subtract_product(seen, all(plan_.weight[i]), p.load[i]);
     for (std::size_t t = 0; t < plan_.load.size(); ++t)
       seen = subtract_product(seen, p.terms[t], {all(plan_.load[t].weighted.real()), all(plan_.load[t].weighted.imag())});
     norm = hn::Sqrt(norm);
+    if (!plan_.free.empty()) return all(std::numeric_limits<double>::infinity());  // not in the weighted sums
     return refused_pivots(pass, hn::Div(one_norm(seen), hn::Mul(norm, hn::Sqrt(size))), norm);
   }
 
@@ -96,6 +99,10 @@ class BlockSolver {
 
   /// Only rows of loaded columns are written.
   void set_load(const Pass& p, ComplexPack* HWY_RESTRICT h) const {
+    if (plan_.given_load) {
+      std::copy_n(p.load.get(), plan_.rows, h);
+      return;
+    }
     for (const BlockPlan::Column& column : plan_.columns)
       for (std::size_t i = column.row; column.loaded && i < column.row + static_cast<std::size_t>(column.size); ++i) h[i] = {all(0.0), all(0.0)};
     for (std::size_t t = 0; t < plan_.load.size(); ++t)
@@ -108,6 +115,7 @@ class BlockSolver {
     const Given matrices = given(b);
     if (matrices.with_mass()) assemble_with_mass(b.entries(), matrices, p.at, to);
     else assemble(b.entries(), matrices, p.at, to);
+    for (std::size_t k = b.free_first; k < b.free_end; ++k) to[plan_.free[k].entry] = to[plan_.free[k].entry] + p.free[k];
   }
 
   void eliminate(const BlockPlan::Column& column) {
@@ -150,7 +158,7 @@ class BlockSolver {
       divide<fixed, true>(b.rows, b.columns, l, a, p.plain.get() + below.place, matrices.K, matrices.B, p.at.omega);
       return;
     }
-    if (!b.kept) assemble(b.entries(), matrices, p.at, a);
+    if (!b.kept || below.first) assemble_block(b, p, a);
     divide<fixed, false>(b.rows, b.columns, l, a, p.plain.get() + below.place, nullptr, nullptr, p.at.omega);
   }
 
@@ -162,11 +170,11 @@ class BlockSolver {
     ComplexPack* a = p.factors.get() + target.place;
     const ComplexPack *l = left_of(plan_.below[u.left], p), *plain = p.plain.get() + right.place;
     const Given matrices = given(target);
-    if (u.first && target.diagonal && matrices.with_mass()) {
+    if (u.first && target.diagonal && matrices.with_mass() && !target.has_free()) {
       subtract_lower<fixed, true>(target.rows, inner, l, plain, a, matrices, p.at);
       return;
     }
-    if (u.first) assemble(target.entries(), matrices, p.at, a);
+    if (u.first) assemble_block(target, p, a);
     if (target.diagonal) subtract_lower<fixed, false>(target.rows, inner, l, plain, a, matrices, p.at);
     else subtract_full<fixed>(target.rows, target.columns, inner, l, plain, a, matrices, p.at);
   }
@@ -269,7 +277,8 @@ class BlockSolver {
       Pack row = all(0.0);
       for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) {
         const BlockPlan::Entry& e = plan_.entries[k];
-        const ComplexPack z{hn::NegMulAdd(p.at.square, all(e.A), all(e.K)), hn::MulAdd(p.at.omega, all(e.B), all(e.loss))};
+        ComplexPack z{hn::NegMulAdd(p.at.square, all(e.A), all(e.K)), hn::MulAdd(p.at.omega, all(e.B), all(e.loss))};
+        if (e.free >= 0) z = z + p.free[static_cast<std::size_t>(e.free)];
         row = hn::Add(row, one_norm(z));
         r = subtract_product(r, z, p.q[e.column]);
       }
@@ -287,57 +296,71 @@ class BlockSolver {
   Pack smallest_[passes];
 };
 
-/// Frequencies of one pass and what their load terms are multiplied by; lanes that are left over repeat the last.
-void set_frequencies(const BlockPlan& plan, const double* omega, Eigen::Index count, Pass& p) {
-  HWY_ALIGN double frequencies[8];
-  HWY_ALIGN double re[8];
-  HWY_ALIGN double im[8];
+/// Number k of `count` frequencies from `first` on; lanes that are left over repeat the last.
+ComplexPack read(const FrequencyPlanes& from, std::size_t k, Eigen::Index first, int count) {
+  const double *re = from.re + static_cast<Eigen::Index>(k) * from.stride + first, *im = from.im + static_cast<Eigen::Index>(k) * from.stride + first;
+  if (count >= lane_count()) return {hn::LoadU(Lanes(), re), hn::LoadU(Lanes(), im)};
+  HWY_ALIGN double padded_re[8];
+  HWY_ALIGN double padded_im[8];
+  for (int lane = 0; lane < lane_count(); ++lane) {
+    padded_re[lane] = re[lane < count ? lane : count - 1];
+    padded_im[lane] = im[lane < count ? lane : count - 1];
+  }
+  return {hn::Load(Lanes(), padded_re), hn::Load(Lanes(), padded_im)};
+}
+
+/// What is given at `count` frequencies from `first` on.
+void read_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, Pass& p) {
+  HWY_ALIGN double omega[8] = {};
+  HWY_ALIGN double re[8] = {};
+  HWY_ALIGN double im[8] = {};
   const int lanes = lane_count();
-  for (int lane = 0; lane < lanes; ++lane) frequencies[lane] = omega[std::min<Eigen::Index>(lane, count - 1)];
-  p.at.omega = hn::Load(Lanes(), frequencies);
+  for (int lane = 0; lane < lanes; ++lane) omega[lane] = batch.omega[first + std::min(lane, count - 1)];
+  p.at.omega = hn::Load(Lanes(), omega);
   for (std::size_t t = 0; t < plan.load.size(); ++t) {
     for (int lane = 0; lane < lanes; ++lane) {
-      const std::complex<double> factor = load_factor(plan.load[t].power, plan.load[t].delay, frequencies[lane]);
+      const std::complex<double> factor = load_factor(plan.load[t].power, plan.load[t].delay, omega[lane]);
       re[lane] = factor.real(), im[lane] = factor.imag();
     }
     p.terms[t] = {hn::Load(Lanes(), re), hn::Load(Lanes(), im)};
   }
+  for (std::size_t k = 0; k < plan.free.size(); ++k) p.free[k] = all(plan.free[k].scale) * read(batch.free, plan.free[k].number, first, count);
+  for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i) p.load[i] = all(plan.scale[i]) * read(batch.load, plan.given_row[i], first, count);
 }
 
-/// Columns of the response out of lanes.
-void write_response(const BlockPlan& plan, const Pass& p, int filled, std::complex<double>* response, Eigen::Index stride) {
-  constexpr std::size_t group = 8;
-  HWY_ALIGN double part[group][2][8];
-  for (std::size_t first = 0; first < plan.rows; first += group) {
-    const std::size_t count = std::min(group, plan.rows - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Pack scale = all(plan.scale[first + i]);
-      hn::Store(hn::Mul(scale, p.q[first + i].re), Lanes(), part[i][0]);
-      hn::Store(hn::Mul(scale, p.q[first + i].im), Lanes(), part[i][1]);
-    }
-    const std::size_t* row = plan.given_row.data() + first;
-    for (int lane = 0; lane < filled; ++lane)
-      for (std::size_t i = 0; i < count; ++i) response[lane * stride + static_cast<Eigen::Index>(row[i])] = {part[i][0][lane], part[i][1][lane]};
+void write(const Pack& value, int count, double* to) {
+  if (count >= lane_count()) {
+    hn::StoreU(value, Lanes(), to);
+    return;
   }
+  HWY_ALIGN double padded[8];
+  hn::Store(value, Lanes(), padded);
+  for (int lane = 0; lane < count; ++lane) to[lane] = padded[lane];
 }
 
-int solve_blocks(const BlockPlan& plan, const double* omega, Eigen::Index count, std::complex<double>* response, Eigen::Index stride, double* backward_error) {
+void write_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, const Pass& p, const Pack& error) {
+  for (std::size_t i = 0; i < plan.rows; ++i) {
+    const Eigen::Index to = static_cast<Eigen::Index>(plan.given_row[i]) * batch.response.stride + first;
+    const Pack scale = all(plan.scale[i]);
+    write(hn::Mul(scale, p.q[i].re), count, batch.response.re + to);
+    write(hn::Mul(scale, p.q[i].im), count, batch.response.im + to);
+  }
+  write(error, count, batch.backward_error + first);
+}
+
+int solve_blocks(const BlockPlan& plan, const BlockBatch& batch) {
   const Eigen::Index lanes = lane_count();
   BlockSolver solver(plan);
-  HWY_ALIGN double errors[8];
   int doubtful = 0;
-  for (Eigen::Index first = 0; first < count; first += passes * lanes) {
-    Eigen::Index begin[passes];
-    int filled[passes];
+  for (Eigen::Index first = 0; first < batch.count; first += passes * lanes) {
+    int filled[passes], open = 0;
     Pack error[passes];
     for (int i = 0; i < passes; ++i) {
-      begin[i] = std::min(first + i * lanes, count);
-      filled[i] = static_cast<int>(std::min(lanes, count - begin[i]));
-      const Eigen::Index from = std::min(begin[i], count - 1);
-      set_frequencies(plan, omega + from, count - from, solver.pass(i));
+      filled[i] = static_cast<int>(std::clamp<Eigen::Index>(batch.count - first - i * lanes, 0, lanes));
+      if (filled[i] > 0) read_pass(plan, batch, first + i * lanes, filled[i], solver.pass(i));
+      else read_pass(plan, batch, first, filled[0], solver.pass(i));
     }
     solver.solve();
-    int open = 0;
     for (int i = 0; i < passes; ++i) {
       error[i] = solver.seen_backward_error(i);
       const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled[i]));
@@ -345,11 +368,8 @@ int solve_blocks(const BlockPlan& plan, const double* omega, Eigen::Index count,
     }
     if (open > 0) solver.refine(error);
     doubtful += open;
-    for (int i = 0; i < passes; ++i) {
-      write_response(plan, solver.pass(i), filled[i], response + begin[i] * stride, stride);
-      hn::Store(error[i], Lanes(), errors);
-      std::copy(errors, errors + filled[i], backward_error + begin[i]);
-    }
+    for (int i = 0; i < passes; ++i)
+      if (filled[i] > 0) write_pass(plan, batch, first + i * lanes, filled[i], solver.pass(i), error[i]);
   }
   return doubtful;
 }
@@ -358,19 +378,34 @@ int solve_blocks(const BlockPlan& plan, const double* omega, Eigen::Index count,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "trivet/numerics/block_sweep.h"
-
 namespace trivet::numerics {
 
 HWY_EXPORT(solve_blocks);
 
-BlockSweep::BlockSweep(const DynamicMatrices& matrices, const Load& load) {
+BlockSweep::BlockSweep(const DynamicMatrices& matrices, const Load& load, const std::vector<FreeEntry>& free) {
   const Eigen::VectorXd d = unit_scale(matrices);
-  plan_ = block_plan(scaled(matrices, d), load.scaled(d), d);
+  const Load scaled_load = load.scaled(d);
+  plan_ = block_plan(scaled(matrices, d), &scaled_load, d, free);
 }
 
+BlockSweep::BlockSweep(const DynamicMatrices& matrices, const std::vector<FreeEntry>& free) {
+  const Eigen::VectorXd d = unit_scale(matrices);
+  plan_ = block_plan(scaled(matrices, d), nullptr, d, free);
+}
+
+int BlockSweep::solve(const BlockBatch& batch) const { return HWY_DYNAMIC_DISPATCH(solve_blocks)(plan_, batch); }
+
 int BlockSweep::solve(const double* omega, Eigen::Index count, Eigen::Ref<Eigen::MatrixXcd> response, Eigen::Ref<Eigen::VectorXd> backward_error) const {
-  return HWY_DYNAMIC_DISPATCH(solve_blocks)(plan_, omega, count, response.data(), response.outerStride(), backward_error.data());
+  constexpr Eigen::Index chunk = 64;  // their planes stay in cache
+  Eigen::ArrayXXd re(chunk, response.rows()), im(chunk, response.rows());
+  int doubtful = 0;
+  for (Eigen::Index first = 0; first < count; first += chunk) {
+    const Eigen::Index filled = std::min(chunk, count - first);
+    doubtful += solve({omega + first, filled, {}, {}, {re.data(), im.data(), chunk}, backward_error.data() + first});
+    response.middleCols(first, filled).real() = re.topRows(filled).transpose();
+    response.middleCols(first, filled).imag() = im.topRows(filled).transpose();
+  }
+  return doubtful;
 }
 
 }  // namespace trivet::numerics
