@@ -2,9 +2,15 @@
 // LDLᵀ by blocks in lanes against pivoted LU in extended precision, on graphs of bodies of every shape.
 #include <gmock/gmock.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "support/matchers.h"
 #include "trivet/foundation/pieces.h"
@@ -170,6 +176,182 @@ TEST(BlockSweep, CoordinatesWithoutMassAreEliminatedLikeOthers) {
   const numerics::Load load = random.load(m.size(), 4);
   const std::vector<double> omega = frequencies(16);
   expect_solved(m, load, omega, by_blocks(m, load, omega), "without mass");
+}
+
+TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
+  Assembly random(15);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 3}, chain(5), 0.1);
+  const Index n = m.size();
+  // Within a body, between coupled ones, and between two that nothing else couples.
+  const std::vector<numerics::FreeEntry> free = {{0, 0}, {3, 1}, {2, 8}, {24, 4}, {12, 11}, {20, 20}};
+  const std::vector<double> omega = frequencies(21);
+  const auto count = static_cast<Index>(omega.size()), entries = static_cast<Index>(free.size());
+  const Eigen::ArrayXXcd added = 300 * Eigen::ArrayXXcd::Random(count, entries), load = Eigen::ArrayXXcd::Random(count, n);
+  Eigen::ArrayXXd free_re = added.real(), free_im = added.imag(), load_re = load.real(), load_im = load.imag(), re(count, n), im(count, n);
+  Eigen::VectorXd error(count);
+  numerics::BlockSweep(m, free).solve({omega.data(), count, {free_re.data(), free_im.data(), count}, {load_re.data(), load_im.data(), count},
+                                       {re.data(), im.data(), count}, error.data()});
+  for (Index f = 0; f < count; ++f) {
+    Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(f)]);
+    for (Index k = 0; k < entries; ++k) {
+      const auto [i, j] = free[static_cast<std::size_t>(k)];
+      z(i, j) += added(f, k);
+      if (i != j) z(j, i) += added(f, k);
+    }
+    const numerics::RefinedSolver exact(z.cast<std::complex<long double>>());
+    const Eigen::VectorXcd truth = exact.solve(load.row(f).transpose().matrix().cast<std::complex<long double>>()).cast<std::complex<double>>();
+    const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() + std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
+    EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition()) << omega[static_cast<std::size_t>(f)];
+    EXPECT_LE(error(f), numerics::accepted_backward_error);
+  }
+}
+
+double worst_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+  double worst = 0;
+  for (Index i = 0; i < a.cols(); ++i) worst = std::max(worst, (a.col(i) - b.col(i)).norm() / b.col(i).norm());
+  return worst;
+}
+
+/// Every body with a leading pivot k − ω²m that vanishes at ω = 10 exactly, undamped there.
+DynamicMatrices vanishing_pivots(Assembly& random) {
+  DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.05);
+  for (Index body = 0; body < 4; ++body) {
+    const Index i = 6 * body;
+    m.B.row(i).setZero();
+    m.B.col(i).setZero();
+    m.K(i, i) = 100 * m.A(i, i);
+    for (Index j = 0; j < i; ++j) m.K(i, j) = m.K(j, i) = 0;  // nothing is subtracted from it before its turn
+  }
+  return m;
+}
+
+TEST(BlockSweep, APivotThatVanishesIsRefusedAndDisturbsNoOtherFrequency) {
+  Assembly random(6);
+  const DynamicMatrices m = vanishing_pivots(random);
+  const numerics::Load load = random.load(m.size(), m.size());
+  const std::vector<double> with = {3, 10, 20, 30}, without = {3, 20, 30};
+  const numerics::SweepResult found = by_blocks(m, load, with), others = by_blocks(m, load, without);
+  EXPECT_FALSE(found.backward_error(1) <= numerics::accepted_backward_error);
+  EXPECT_EQ(found.response.col(0), others.response.col(0));
+  EXPECT_EQ(found.response.rightCols(2), others.response.rightCols(2));
+  const numerics::SweepResult mended = numerics::sweep(m, load, with);
+  EXPECT_EQ(mended.fallbacks, 1);
+  EXPECT_EQ(mended.singular, 0);
+  expect_solved(m, load, with, mended, "vanishing pivots");
+}
+
+TEST(BlockSweep, PivotsThatNearlyVanishAreRefinedOrRedone) {
+  Assembly random(6);
+  const DynamicMatrices m = vanishing_pivots(random);
+  const numerics::Load load = random.load(m.size(), m.size());
+  std::vector<double> omega;
+  for (int decade = 1; decade <= 15; ++decade) omega.push_back(10 * (1 + std::pow(10.0, -decade)));
+  expect_solved(m, load, omega, numerics::sweep(m, load, omega), "nearly vanishing pivots");
+}
+
+TEST(BlockSweep, ResonancesWithLightDampingKeepTheirBackwardError) {
+  Assembly random(8);
+  for (const double damping : {1e-3, 1e-6}) {
+    const DynamicMatrices m = random.bodies(Sizes(6, 6), tree(6), damping);
+    const Eigen::VectorXd squares = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(m.K, m.A).eigenvalues();
+    std::vector<double> omega;
+    for (const double square : squares)
+      for (const double shift : {0.0, 1e-9, -1e-6}) omega.push_back(std::sqrt(square) * (1 + shift));
+    const numerics::Load load = random.load(m.size(), 2);
+    expect_solved(m, load, omega, numerics::sweep(m, load, omega), "light damping");
+  }
+}
+
+TEST(BlockSweep, SingularFrequenciesAreNotANumberAndTheRestIsRight) {
+  Assembly random(9);
+  DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.02);
+  m.K.topRows(6).setZero();  // the first body has only mass: nothing holds it
+  m.K.leftCols(6).setZero();
+  m.B.topRows(6).setZero();
+  m.B.leftCols(6).setZero();
+  const numerics::Load load = random.load(m.size(), m.size());
+  const std::vector<double> omega = {0.0, 5.0, 9.0};
+  const numerics::SweepResult found = numerics::sweep(m, load, omega);
+  EXPECT_EQ(found.singular, 1);
+  EXPECT_TRUE(found.response.col(0).array().isNaN().all());
+  numerics::SweepResult rest = found;
+  rest.response = found.response.rightCols(2).eval();
+  rest.backward_error = found.backward_error.tail(2).eval();
+  expect_solved(m, load, {5.0, 9.0}, rest, "beside a singular frequency");
+}
+
+TEST(BlockSweep, AllInstructionSetsAgree) {
+  Assembly random(10);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 1, 6, 8}, ring(7), 0.05);
+  const numerics::Load load = random.load(m.size(), 9);
+  const std::vector<double> omega = frequencies(37);
+  const Eigen::MatrixXcd best = by_blocks(m, load, omega).response;
+  for (const std::string& name : numerics::instruction_sets()) {
+    numerics::use_instruction_set(name);
+    const Eigen::MatrixXcd response = by_blocks(m, load, omega).response;
+    numerics::use_instruction_set("");
+    EXPECT_LE(worst_difference(response, best), 1e-11) << name;  // round-off times a condition of a few thousand
+  }
+}
+
+TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
+  Assembly random(11);
+  const DynamicMatrices m = random.bodies(Sizes(9, 6), tree(9), 1e-4);
+  const numerics::Load load = random.load(m.size(), 4);
+  const std::vector<double> omega = frequencies(333);
+  const numerics::BlockSweep blocks(m, load);
+  const auto with_threads = [&](int threads) {
+    numerics::SweepResult result;
+    result.response.resize(m.size(), static_cast<Index>(omega.size()));
+    result.backward_error.resize(static_cast<Index>(omega.size()));
+    foundation::for_each_piece(omega.size(), {.size = 48, .threads = threads}, [&](std::size_t first, std::size_t last) {
+      const auto begin = static_cast<Index>(first), count = static_cast<Index>(last - first);
+      blocks.solve(omega.data() + first, count, result.response.middleCols(begin, count), result.backward_error.segment(begin, count));
+    });
+    return result;
+  };
+  const numerics::SweepResult one = with_threads(1), sixteen = with_threads(16);
+  EXPECT_EQ(one.response, sixteen.response);
+  EXPECT_EQ(one.backward_error, sixteen.backward_error);
+}
+
+std::size_t filled(const Edges& edges, Index bodies) {
+  Assembly random(12);
+  const DynamicMatrices m = random.bodies(Sizes(static_cast<std::size_t>(bodies), 6), edges, 0.1);
+  const numerics::BlockElimination found = numerics::block_elimination(numerics::couplings(m), m.blocks, std::vector<bool>(static_cast<std::size_t>(m.size()), true));
+  std::size_t below = 0;
+  for (const auto& column : found.below) below += column.size();
+  return below - edges.size();
+}
+
+TEST(BlockElimination, ChainsAndTreesFillNothingAndARingOneBlockPerBody) {
+  EXPECT_EQ(filled(chain(20), 20), 0U);
+  EXPECT_EQ(filled(tree(40), 40), 0U);
+  EXPECT_EQ(filled(ring(20), 20), 17U);
+  EXPECT_EQ(filled(full(8), 8), 0U);
+}
+
+TEST(BlockElimination, ALoadIsEliminatedLastWhereThatCostsNothing) {
+  Assembly random(13);
+  const DynamicMatrices m = random.bodies(Sizes(12, 6), chain(12), 0.1);
+  for (const Index body : {0, 5, 11}) {
+    std::vector<bool> loaded(static_cast<std::size_t>(m.size()), false);
+    loaded[static_cast<std::size_t>(6 * body + 2)] = true;
+    const numerics::BlockElimination found = numerics::block_elimination(numerics::couplings(m), m.blocks, loaded);
+    EXPECT_EQ(found.rows.back() / 6, body);
+  }
+}
+
+TEST(BlockElimination, BodiesAreFoundInTheCouplings) {
+  Assembly random(14);
+  for (const Sizes& sizes : {Sizes(10, 6), Sizes(10, 3), Sizes{6, 3, 6, 3, 6, 3}}) {
+    const auto bodies = static_cast<Index>(sizes.size());
+    DynamicMatrices m = random.bodies(sizes, chain(bodies), 0.1);
+    const std::vector<bool> loaded(static_cast<std::size_t>(m.size()), true);
+    const double named = numerics::multiply_adds(numerics::cheapest_block_elimination(m, loaded));
+    m.blocks.clear();
+    EXPECT_LE(numerics::multiply_adds(numerics::cheapest_block_elimination(m, loaded)), 1.3 * named);
+  }
 }
 
 }  // namespace

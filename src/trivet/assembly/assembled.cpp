@@ -168,6 +168,8 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   if (m.symmetric)
     for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K, &m.K_loss}) make_exactly_symmetric(*matrix);
   if (!lossy) m.K_loss.resize(0, 0);
+  for (const Eigen::Index first : assembled.layout.blocks())
+    if (first < n) m.blocks.push_back(first);
   return m;
 }
 

@@ -8,22 +8,28 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr Eigen::Index body_coordinates = 6, largest_block = 8;
+constexpr Eigen::Index body_coordinates = 6, planar_coordinates = 3, largest_block = 8;
 
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-/// Blocks of six by order.
-std::vector<Eigen::Index> sixes(Eigen::Index n) {
+/// Blocks of one size by order.
+std::vector<Eigen::Index> equal_blocks(Eigen::Index n, Eigen::Index size) {
   std::vector<Eigen::Index> starts;
-  for (Eigen::Index i = 0; i < n; i += body_coordinates) starts.push_back(i);
+  for (Eigen::Index i = 0; i < n; i += size) starts.push_back(i);
   return starts;
 }
 
-/// A row joins the block before it if the two share at least half of what either is coupled to.
+/// Nine tenths of what either is coupled to both are.
+template <typename Column>
+bool like(const Column& a, const Column& b) {
+  return 10 * (a && b).count() >= 9 * (a || b).count();
+}
+
+/// A row joins the block before it if the two are coupled to much the same.
 std::vector<Eigen::Index> runs_of_like_rows(const Couplings& c) {
   std::vector<Eigen::Index> starts;
   for (Eigen::Index i = 0; i < c.rows(); ++i) {
-    const bool joins = !starts.empty() && i - starts.back() < largest_block && 2 * (c.col(i) && c.col(i - 1)).count() >= (c.col(i) || c.col(i - 1)).count();
+    const bool joins = !starts.empty() && i - starts.back() < largest_block && like(c.col(i), c.col(i - 1));
     if (!joins) starts.push_back(i);
   }
   return starts;
@@ -117,9 +123,10 @@ double multiply_adds(const BlockElimination& e) {
   return sum;
 }
 
-BlockElimination cheapest_block_elimination(const DynamicMatrices& m, const std::vector<bool>& loaded) {
-  const Couplings c = couplings(m);
-  std::vector<std::vector<Eigen::Index>> candidates = {sixes(m.size()), runs_of_like_rows(c)};
+BlockElimination cheapest_block_elimination(const DynamicMatrices& m, const std::vector<bool>& loaded, const std::vector<FreeEntry>& free) {
+  Couplings c = couplings(m);
+  for (const FreeEntry& entry : free) c(entry.row, entry.column) = c(entry.column, entry.row) = true;
+  std::vector<std::vector<Eigen::Index>> candidates = {equal_blocks(m.size(), body_coordinates), equal_blocks(m.size(), planar_coordinates), runs_of_like_rows(c)};
   if (!m.blocks.empty()) candidates = {cut(m.blocks, m.size())};
   BlockElimination best;
   for (const std::vector<Eigen::Index>& starts : candidates) {

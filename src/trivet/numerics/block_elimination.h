@@ -8,6 +8,11 @@
 
 namespace trivet::numerics {
 
+/// An entry of Z(ω), and by symmetry the one across the diagonal, to which something is added that is given for each frequency.
+struct FreeEntry {
+  Eigen::Index row = 0, column = 0;
+};
+
 /// Which entries of a symmetric matrix may differ from 0.
 using Couplings = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -33,8 +38,9 @@ struct BlockElimination {
 /// Complex multiply-adds of one factorisation and one solution.
 [[nodiscard]] double multiply_adds(const BlockElimination& elimination);
 
-/// First rows of the blocks that make the elimination cheapest, out of those given with the matrices (if any), blocks of six, and runs of
-/// neighbouring rows with much the same couplings.
-[[nodiscard]] BlockElimination cheapest_block_elimination(const DynamicMatrices& matrices, const std::vector<bool>& loaded);
+/// First rows of the blocks that make the elimination cheapest, out of those given with the matrices if any, else blocks of six, of three, and runs
+/// of neighbouring rows with much the same couplings.
+[[nodiscard]] BlockElimination cheapest_block_elimination(const DynamicMatrices& matrices, const std::vector<bool>& loaded,
+                                                         const std::vector<FreeEntry>& free = {});
 
 }  // namespace trivet::numerics

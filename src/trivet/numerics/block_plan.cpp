@@ -2,7 +2,9 @@
 #include "trivet/numerics/block_plan.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <utility>
 
 namespace trivet::numerics {
 namespace {
@@ -12,18 +14,22 @@ std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 /// Writes the plan of one elimination.
 class Planner {
  public:
-  Planner(const DynamicMatrices& m, const BlockElimination& elimination) : m_(m), e_(elimination) {}
+  Planner(const DynamicMatrices& m, const BlockElimination& elimination, const std::vector<FreeEntry>& free) : m_(m), e_(elimination), given_free_(free) {}
 
-  BlockPlan plan(const Load& load, const Eigen::VectorXd& scale) {
+  BlockPlan plan(const Load* load, const Eigen::VectorXd& scale) {
     plan_.rows = at(m_.size());
-    plan_.lossy = m_.lossy();
+    plan_.given_load = load == nullptr;
     plan_.multiply_adds = multiply_adds(e_);
     for (const Eigen::Index row : e_.rows) {
       plan_.given_row.push_back(at(row));
       plan_.scale.push_back(scale(row));
     }
     add_load(load);
+    place_free();
     for (int j = 0; j < e_.count(); ++j) add_column_blocks(j);
+    for (int j = 0; j < e_.count(); ++j) mark_kept(j);
+    place_kept();
+    touched_.assign(plan_.blocks.size(), false);
     for (int j = 0; j < e_.count(); ++j) add_column(j);
     add_entries();
     add_weights();
@@ -31,9 +37,10 @@ class Planner {
   }
 
  private:
-  void add_load(const Load& load) {
-    loaded_.assign(at(e_.count()), false);
-    for (const LoadTerm& term : load.terms()) {
+  void add_load(const Load* load) {
+    loaded_.assign(at(e_.count()), load == nullptr);
+    if (load == nullptr) return;
+    for (const LoadTerm& term : load->terms()) {
       plan_.load.push_back({term.power, term.delay, {}});
       for (int j = 0; j < e_.count(); ++j)
         for (Eigen::Index i = e_.first[at(j)]; i < e_.first[at(j) + 1]; ++i)
@@ -42,6 +49,29 @@ class Planner {
             loaded_[at(j)] = true;
           }
     }
+  }
+
+  /// Free entries by their place in the order of elimination, lower triangle.
+  void place_free() {
+    std::vector<std::size_t> turn(plan_.rows);
+    for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = i;
+    for (std::size_t k = 0; k < given_free_.size(); ++k) {
+      const std::size_t a = turn[at(given_free_[k].row)], b = turn[at(given_free_[k].column)];
+      free_at_[{std::max(a, b), std::min(a, b)}] = k;
+    }
+  }
+
+  /// Those in the block (i, j).
+  void add_free(int i, int j, BlockPlan::Block& block) {
+    block.free_first = plan_.free.size();
+    std::size_t entry = 0;
+    for (std::size_t r = at(e_.first[at(i)]); r < at(e_.first[at(i) + 1]); ++r)
+      for (std::size_t c = at(e_.first[at(j)]); c < (i == j ? r + 1 : at(e_.first[at(j) + 1])); ++c, ++entry)
+        if (const auto found = free_at_.find({r, c}); found != free_at_.end()) {
+          free_number_[{r, c}] = static_cast<int>(plan_.free.size());
+          plan_.free.push_back({entry, found->second, plan_.scale[r] * plan_.scale[c]});
+        }
+    block.free_end = plan_.free.size();
   }
 
   /// Values of one matrix in the block (i, j). Returns whether there are any.
@@ -65,8 +95,8 @@ class Planner {
     block.has_loss = m_.lossy() && add_values(m_.K_loss, i, j);
     block.has_B = add_values(m_.B, i, j);
     block.has_A = add_values(m_.A, i, j);
-    block.place = plan_.factors;
-    plan_.factors += at(block.entries());
+    if (!free_at_.empty()) add_free(i, j, block);
+    block.kept = i == j || block.has_free();
     number_[{i, j}] = static_cast<int>(plan_.blocks.size());
     plan_.blocks.push_back(block);
   }
@@ -74,7 +104,20 @@ class Planner {
   void add_column_blocks(int j) {
     add_block(j, j);
     for (const int i : e_.below[at(j)]) add_block(i, j);
-    touched_.resize(plan_.blocks.size(), false);
+  }
+
+  /// Blocks from which something is subtracted before they divide.
+  void mark_kept(int j) {
+    const std::vector<int>& below = e_.below[at(j)];
+    for (std::size_t left = 0; left < below.size(); ++left)
+      for (std::size_t right = 0; right <= left; ++right) plan_.blocks[at(number_.at({below[left], below[right]}))].kept = true;
+  }
+
+  void place_kept() {
+    for (BlockPlan::Block& block : plan_.blocks) {
+      block.place = plan_.factors;
+      if (block.kept) plan_.factors += at(block.entries());
+    }
   }
 
   bool first_touch(int block) {
@@ -93,14 +136,14 @@ class Planner {
     const std::vector<int>& below = e_.below[at(j)];
     for (const int i : below) {
       const int block = number_.at({i, j});
-      plan_.below.push_back({block, at(e_.first[at(i)]), first_touch(block)});
+      plan_.below.push_back({block, at(e_.first[at(i)]), first_touch(block) && plan_.blocks[at(block)].kept, entries});
       entries += at(plan_.blocks[at(block)].entries());
       if (column.loaded) loaded_[at(i)] = true;
     }
     for (std::size_t left = 0; left < below.size(); ++left)
       for (std::size_t right = 0; right <= left; ++right) {
         const int target = number_.at({below[left], below[right]});
-        plan_.updates.push_back({target, static_cast<int>(left), static_cast<int>(right), first_touch(target)});
+        plan_.updates.push_back({target, column.below_first + left, column.below_first + right, first_touch(target)});
       }
     column.below_end = plan_.below.size(), column.update_end = plan_.updates.size();
     plan_.widest = std::max(plan_.widest, entries);
@@ -112,8 +155,10 @@ class Planner {
     for (const Eigen::Index i : e_.rows) {
       for (std::size_t c = 0; c < plan_.rows; ++c) {
         const Eigen::Index j = e_.rows[c];
-        const BlockPlan::Entry entry{c, m_.A(i, j), m_.B(i, j), m_.K(i, j), m_.lossy() ? m_.K_loss(i, j) : 0.0};
-        if (entry.A != 0 || entry.B != 0 || entry.K != 0 || entry.loss != 0) plan_.entries.push_back(entry);
+        BlockPlan::Entry entry{c, m_.A(i, j), m_.B(i, j), m_.K(i, j), m_.lossy() ? m_.K_loss(i, j) : 0.0};
+        const std::size_t r = plan_.entry_first.size() - 1;
+        if (const auto found = free_number_.find({std::max(r, c), std::min(r, c)}); found != free_number_.end()) entry.free = found->second;
+        if (entry.A != 0 || entry.B != 0 || entry.K != 0 || entry.loss != 0 || entry.free >= 0) plan_.entries.push_back(entry);
       }
       plan_.entry_first.push_back(plan_.entries.size());
     }
@@ -126,6 +171,8 @@ class Planner {
       const double size = 0.5 + static_cast<double>(state >> 12) * 0x1p-53;
       plan_.weight.push_back((state >> 11 & 1) != 0 ? size : -size);
     }
+    for (BlockPlan::Term& term : plan_.load)
+      for (const BlockPlan::LoadRow& row : term.rows) term.weighted += plan_.weight[row.row] * row.value;
     plan_.weighted_A.assign(plan_.rows, 0);
     plan_.weighted_B = plan_.weighted_K = plan_.weighted_loss = plan_.weighted_A;
     for (std::size_t i = 0; i < plan_.rows; ++i)
@@ -140,20 +187,24 @@ class Planner {
 
   const DynamicMatrices& m_;
   const BlockElimination& e_;
+  const std::vector<FreeEntry>& given_free_;
   BlockPlan plan_;
   std::map<std::pair<int, int>, int> number_;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> free_at_;
+  std::map<std::pair<std::size_t, std::size_t>, int> free_number_;
   std::vector<bool> loaded_, touched_;
 };
 
 }  // namespace
 
-BlockPlan block_plan(const DynamicMatrices& matrices, const Load& load, const Eigen::VectorXd& scale) {
-  std::vector<bool> loaded(at(matrices.size()), false);
-  for (const LoadTerm& term : load.terms())
-    for (Eigen::Index i = 0; i < term.value.size(); ++i)
-      if (term.value(i) != 0.0) loaded[at(i)] = true;
-  const BlockElimination elimination = cheapest_block_elimination(matrices, loaded);
-  return Planner(matrices, elimination).plan(load, scale);
+BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Eigen::VectorXd& scale, const std::vector<FreeEntry>& free) {
+  std::vector<bool> loaded(at(matrices.size()), load == nullptr);
+  if (load != nullptr)
+    for (const LoadTerm& term : load->terms())
+      for (Eigen::Index i = 0; i < term.value.size(); ++i)
+        if (term.value(i) != 0.0) loaded[at(i)] = true;
+  const BlockElimination elimination = cheapest_block_elimination(matrices, loaded, free);
+  return Planner(matrices, elimination, free).plan(load, scale);
 }
 
 }  // namespace trivet::numerics

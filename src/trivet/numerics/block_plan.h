@@ -10,11 +10,6 @@
 
 namespace trivet::numerics {
 
-/// An entry of Z(ω) that is given for each frequency instead of by matrices, and by symmetry the one across the diagonal.
-struct FreeEntry {
-  Eigen::Index row = 0, column = 0;
-};
-
 /// LDLᵀ of K + iK_loss + iωB − ω²A by blocks, spelled out in flat arrays: what to do for a frequency without looking anything up.
 /// Rows stand in the order of elimination.
 struct BlockPlan {
@@ -23,29 +18,36 @@ struct BlockPlan {
     int rows = 0, columns = 0;
     bool diagonal = false, has_A = false, has_B = false, has_K = false, has_loss = false;
     std::size_t values = 0;       ///< in `values`: its entries of K, K_loss, B, A, as many of these as it has
-    std::size_t place = 0;        ///< among the factors
+    bool kept = false;            ///< L is kept; else it is used up at once, as the given block is as good and far smaller
+    std::size_t place = 0;        ///< of one that is kept, among the factors
     std::size_t free_first = 0, free_end = 0;  ///< in `free`
+    [[nodiscard]] bool has_free() const { return free_end > free_first; }
     [[nodiscard]] int entries() const { return diagonal ? rows * (rows + 1) / 2 : rows * columns; }
   };
-  /// target −= left D⁻¹ rightᵀ
-  struct Update {
-    int target = 0, left = 0, right = 0;  ///< target in `blocks`, the others among the blocks below
-    bool first = false;                   ///< the target must be assembled before
-  };
+  /// A block below the diagonal of a column; those of one column follow each other.
   struct Below {
     int block = 0;
     std::size_t row = 0;                  ///< its first row
-    bool first = false;                   ///< nothing has been subtracted before
+    bool first = false;                   ///< kept, and nothing has been subtracted from it
+    std::size_t place = 0;                ///< among all that are below in this column
+  };
+  /// target −= left D rightᵀ
+  struct Update {
+    int target = 0;                       ///< in `blocks`
+    std::size_t left = 0, right = 0;      ///< in `below`
+    bool first = false;                   ///< the target must be assembled before
   };
   struct Column {
     int size = 0, diagonal = 0;
     std::size_t row = 0;
-    bool first = false, loaded = false;   ///< whether its right side can differ from 0
+    bool first = false;                   ///< nothing has been subtracted from its diagonal
+    bool loaded = false;                  ///< its right side can differ from 0
     std::size_t below_first = 0, below_end = 0, update_first = 0, update_end = 0;
   };
   struct Free {
-    int entry = 0;                        ///< within the block
-    std::size_t given = 0;                ///< which of the free entries
+    std::size_t entry = 0;                ///< within the block
+    std::size_t number = 0;               ///< which of the free entries
+    double scale = 1;                     ///< it is multiplied by this
   };
   struct LoadRow {
     std::size_t row = 0;
@@ -55,11 +57,13 @@ struct BlockPlan {
     int power = 0;
     double delay = 0;
     std::vector<LoadRow> rows;
+    std::complex<double> weighted = 0;    ///< wᵀ of it
   };
   /// An entry of the whole matrix with all its values, for residuals.
   struct Entry {
     std::size_t column = 0;
     double A = 0, B = 0, K = 0, loss = 0;
+    int free = -1;                        ///< in `free`, or none
   };
 
   std::size_t rows = 0, factors = 0, widest = 0;  ///< `widest`: entries of all blocks below one column, at most
@@ -76,11 +80,13 @@ struct BlockPlan {
   std::vector<double> scale;                      ///< a solution of row i is multiplied by this
   /// wᵀA … and w, for a residual seen through one fixed direction w with ½ ≤ |w_i| ≤ 1.
   std::vector<double> weight, weighted_A, weighted_B, weighted_K, weighted_loss;
-  bool lossy = false;
+  bool given_load = false;                        ///< the right side is given for each frequency
   double multiply_adds = 0;
 };
 
 /// @param scale  see `BlockPlan::scale`
-[[nodiscard]] BlockPlan block_plan(const DynamicMatrices& matrices, const Load& load, const Eigen::VectorXd& scale);
+/// @param load   in the same coordinates as the matrices; null: given for each frequency, anywhere
+/// @param free   each at most once, on one side of the diagonal
+[[nodiscard]] BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Eigen::VectorXd& scale, const std::vector<FreeEntry>& free);
 
 }  // namespace trivet::numerics

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "trivet/numerics/block_kernels-inl.h"
+#include "trivet/numerics/block_sweep.h"
 #include "trivet/numerics/frequency_sweep.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,233 +22,354 @@ constexpr int six = 6;
 using Packs = hwy::AlignedFreeUniquePtr<ComplexPack[]>;
 Packs packs(std::size_t count) { return hwy::AllocateAligned<ComplexPack>(std::max<std::size_t>(count, 1)); }
 
-/// Memory of one pack of frequencies after another.
+/// What belongs to one pack of frequencies.
+struct Pass {
+  explicit Pass(const BlockPlan& plan) : factors(packs(plan.factors)), left(packs(plan.widest)), plain(packs(plan.widest)), q(packs(plan.rows)), residual(packs(plan.rows)), terms(packs(plan.load.size())), free(packs(plan.free.size())), load(packs(plan.given_load ? plan.rows : 0)) {}
+  Packs factors, left, plain, q, residual, terms, free, load;
+  Frequencies at{};
+};
+
+/// Memory of a few packs of frequencies after another.
 class BlockSolver {
  public:
-  explicit BlockSolver(const BlockPlan& plan)
-      : plan_(plan), factors_(packs(plan.factors)), plain_(packs(plan.widest)), q_(packs(plan.rows)), residual_(packs(plan.rows)) {}
+  explicit BlockSolver(const BlockPlan& plan) : plan_(plan), passes_{Pass(plan), Pass(plan)} {}
 
-  /// Solves; returns the backward errors. Results stay in `solution()`.
-  Pack solve(const Pack& omega, const ComplexPack* term_factors) {
-    at_ = {omega, hn::Mul(omega, omega)};
-    set_load(term_factors, q_.get());
-    smallest_ = all(std::numeric_limits<double>::max());
-    for (const BlockPlan::Column& column : plan_.columns) eliminate(column, q_.get());
-    substitute_back(q_.get());
-    return seen_backward_error(term_factors);
-  }
+  [[nodiscard]] Pass& pass(int i) { return passes_[i]; }
 
-  [[nodiscard]] const ComplexPack* solution() const { return q_.get(); }
-
-  /// Measures the backward error in full where that seen was not accepted, and refines there until it is small or no longer falls.
-  Pack refine(Pack error, const ComplexPack* term_factors) {
-    const Pack accepted = all(accepted_backward_error);
-    const LaneMask doubtful = hn::Not(certain(error));
-    constexpr int most_steps = 3;
-    for (int step = 0; step <= most_steps; ++step) {
-      const Pack measured = backward_error(term_factors);
-      error = hn::IfThenElse(doubtful, measured, error);
-      const LaneMask bad = hn::AndNot(hn::Le(measured, accepted), doubtful);
-      if (step == most_steps || hn::AllFalse(Lanes(), bad)) break;
-      forward_all(residual_.get());
-      substitute_back(residual_.get());
-      for (std::size_t i = 0; i < plan_.rows; ++i) {
-        const ComplexPack better = q_[i] + residual_[i];
-        q_[i] = {hn::IfThenElse(bad, better.re, q_[i].re), hn::IfThenElse(bad, better.im, q_[i].im)};
-      }
+  /// Results stand in `q` of each pass.
+  void solve() {
+    for (Pack& smallest : smallest_) smallest = all(std::numeric_limits<double>::max());
+    for (Pass& p : passes_) {
+      p.at.square = hn::Mul(p.at.omega, p.at.omega);
+      set_load(p, p.q.get());
     }
-    return error;
+    for (const BlockPlan::Column& column : plan_.columns) eliminate(column);
+    substitute_back(passes_[0].q.get(), passes_[1].q.get(), false);
   }
 
-  /// Lanes whose residual need not be looked at in full.
-  static LaneMask certain(const Pack& error) { return hn::Le(error, accepted_as_seen()); }
+  /// The residual along one direction, |wᵀ(Zq − h)|, over lower bounds of ‖Z‖∞ and ‖q‖∞.
+  [[nodiscard]] Pack seen_backward_error(int pass) const {
+    const Pass& p = passes_[pass];
+    ComplexPack seen{all(0.0), all(0.0)};
+    Pack norm = all(0.0), size = all(0.0);
+    for (std::size_t i = 0; i < plan_.rows; ++i) {
+      const ComplexPack z{hn::NegMulAdd(p.at.square, all(plan_.weighted_A[i]), all(plan_.weighted_K[i])),
+                          hn::MulAdd(p.at.omega, all(plan_.weighted_B[i]), all(plan_.weighted_loss[i]))};
+      seen = add_product(seen, z, p.q[i]);
+      norm = hn::Max(norm, squared_modulus(z));
+      size = hn::Max(size, squared_modulus(p.q[i]));
+    }
+    for (std::size_t i = 0; plan_.given_load && i < plan_.rows; ++i) seen = subtract_product(seen, all(plan_.weight[i]), p.load[i]);
+    for (std::size_t t = 0; t < plan_.load.size(); ++t)
+      seen = subtract_product(seen, p.terms[t], {all(plan_.load[t].weighted.real()), all(plan_.load[t].weighted.imag())});
+    norm = hn::Sqrt(norm);
+    if (!plan_.free.empty()) return all(std::numeric_limits<double>::infinity());  // not in the weighted sums
+    return refused_pivots(pass, hn::Div(one_norm(seen), hn::Mul(norm, hn::Sqrt(size))), norm);
+  }
+
+  /// Lanes whose residual need not be looked at in full; one direction may see less of it than there is.
+  static LaneMask certain(const Pack& error) { return hn::Le(error, all(accepted_backward_error / 4)); }
+
+  /// Measures the backward errors in full where those seen were not certain, and refines there until they are accepted or a few steps are done.
+  void refine(Pack* error) const {
+    constexpr int most_steps = 3;
+    LaneMask doubtful[passes], bad[passes];
+    for (int i = 0; i < passes; ++i) doubtful[i] = hn::Not(certain(error[i]));
+    for (int step = 0; step <= most_steps; ++step) {
+      for (int i = 0; i < passes; ++i) {
+        const Pack measured = backward_error(i);
+        error[i] = hn::IfThenElse(doubtful[i], measured, error[i]);
+        bad[i] = hn::AndNot(hn::Le(measured, all(accepted_backward_error)), doubtful[i]);
+      }
+      if (step == most_steps || (hn::AllFalse(Lanes(), bad[0]) && hn::AllFalse(Lanes(), bad[1]))) break;
+      for (const Pass& p : passes_)
+        for (const BlockPlan::Column& column : plan_.columns) substitute_again(column, p, p.residual.get());
+      substitute_back(passes_[0].residual.get(), passes_[1].residual.get(), true);
+      for (int i = 0; i < passes; ++i)
+        for (std::size_t k = 0; k < plan_.rows; ++k) {
+          const Pass& p = passes_[i];
+          const ComplexPack better = p.q[k] + p.residual[k];
+          p.q[k] = {hn::IfThenElse(bad[i], better.re, p.q[k].re), hn::IfThenElse(bad[i], better.im, p.q[k].im)};
+        }
+    }
+  }
 
  private:
-  /// One direction may see less of a residual than there is.
-  static Pack accepted_as_seen() { return all(accepted_backward_error / 4); }
+  [[nodiscard]] const BlockPlan::Block& block(int number) const { return plan_.blocks[static_cast<std::size_t>(number)]; }
 
-  void set_load(const ComplexPack* term_factors, ComplexPack* HWY_RESTRICT h) const {
-    for (std::size_t i = 0; i < plan_.rows; ++i) h[i] = {all(0.0), all(0.0)};
+  /// Only rows of loaded columns are written.
+  void set_load(const Pass& p, ComplexPack* HWY_RESTRICT h) const {
+    if (plan_.given_load) {
+      std::copy_n(p.load.get(), plan_.rows, h);
+      return;
+    }
+    for (const BlockPlan::Column& column : plan_.columns)
+      for (std::size_t i = column.row; column.loaded && i < column.row + static_cast<std::size_t>(column.size); ++i) h[i] = {all(0.0), all(0.0)};
     for (std::size_t t = 0; t < plan_.load.size(); ++t)
-      for (const BlockPlan::LoadRow& row : plan_.load[t].rows) h[row.row] = add_product(h[row.row], term_factors[t], {all(row.value.real()), all(row.value.imag())});
+      for (const BlockPlan::LoadRow& row : plan_.load[t].rows) h[row.row] = add_product(h[row.row], p.terms[t], {all(row.value.real()), all(row.value.imag())});
   }
 
-  void assemble_block(const BlockPlan::Block& block) {
-    ComplexPack* place = factors_.get() + block.place;
-    if (block.entries() == six * six) assemble(six * six, block, plan_.values.data(), at_, place);
-    else if (block.entries() == six * (six + 1) / 2) assemble(six * (six + 1) / 2, block, plan_.values.data(), at_, place);
-    else assemble(block.entries(), block, plan_.values.data(), at_, place);
+  [[nodiscard]] Given given(const BlockPlan::Block& b) const { return {b, plan_.values.data()}; }
+
+  void assemble_block(const BlockPlan::Block& b, const Pass& p, ComplexPack* to) const {
+    const Given matrices = given(b);
+    if (matrices.with_mass()) assemble_with_mass(b.entries(), matrices, p.at, to);
+    else assemble(b.entries(), matrices, p.at, to);
+    for (std::size_t k = b.free_first; k < b.free_end; ++k) to[plan_.free[k].entry] = to[plan_.free[k].entry] + p.free[k];
   }
 
-  void eliminate(const BlockPlan::Column& column, ComplexPack* h) {
-    const BlockPlan::Block& diagonal = plan_.blocks[static_cast<std::size_t>(column.diagonal)];
-    if (column.first) assemble_block(diagonal);
-    ComplexPack* l = factors_.get() + diagonal.place;
-    if (column.size == six) factor(six, l, smallest_);
-    else factor(column.size, l, smallest_);
-    if (column.loaded) {
-      if (column.size == six) forward(six, l, h + column.row);
-      else forward(column.size, l, h + column.row);
-    }
-    ComplexPack* plain = plain_.get();
-    for (std::size_t k = column.below_first; k < column.below_end; ++k) {
-      const BlockPlan::Below& below = plan_.below[k];
-      const BlockPlan::Block& block = plan_.blocks[static_cast<std::size_t>(below.block)];
-      if (below.first) assemble_block(block);
-      ComplexPack* a = factors_.get() + block.place;
-      if (block.rows == six && block.columns == six) divide(six, six, l, a, plain);
-      else divide(block.rows, block.columns, l, a, plain);
-      plain += block.entries();
-      if (column.loaded) forward_block(block, h + column.row, h + below.row);
-    }
-    for (std::size_t k = column.update_first; k < column.update_end; ++k) update(column, plan_.updates[k]);
+  void eliminate(const BlockPlan::Column& column) {
+    const BlockPlan::Block& diagonal = block(column.diagonal);
+    if (column.first)
+      for (const Pass& p : passes_) assemble_block(diagonal, p, p.factors.get() + diagonal.place);
+    ComplexPack *first = passes_[0].factors.get() + diagonal.place, *second = passes_[1].factors.get() + diagonal.place;
+    if (column.size == six) factor<six>(six, first, second, smallest_);
+    else factor<0>(column.size, first, second, smallest_);
+    for (std::size_t k = column.below_first; k < column.below_end; ++k)
+      for (const Pass& p : passes_) {
+        if (column.size == six) divide_below<six>(column, plan_.below[k], p);
+        else divide_below<0>(column, plan_.below[k], p);
+      }
+    for (std::size_t k = column.update_first; k < column.update_end; ++k)
+      for (const Pass& p : passes_) {
+        if (column.size == six) update<six>(plan_.updates[k], p);
+        else update<0>(plan_.updates[k], p);
+      }
     if (column.loaded)
-      for (int i = 0; i < column.size; ++i) h[column.row + static_cast<std::size_t>(i)] = h[column.row + static_cast<std::size_t>(i)] * l[packed(i, i)];
+      for (const Pass& p : passes_) {
+        if (column.size == six) substitute(six, column, p, p.q.get());
+        else substitute(column.size, column, p, p.q.get());
+      }
   }
 
-  void update(const BlockPlan::Column& column, const BlockPlan::Update& u) {
-    const BlockPlan::Block& target = plan_.blocks[static_cast<std::size_t>(u.target)];
-    if (u.first) assemble_block(target);
-    const BlockPlan::Block& left = plan_.blocks[static_cast<std::size_t>(plan_.below[column.below_first + static_cast<std::size_t>(u.left)].block)];
-    const BlockPlan::Block& first = plan_.blocks[static_cast<std::size_t>(plan_.below[column.below_first].block)];
-    const BlockPlan::Block& right = plan_.blocks[static_cast<std::size_t>(plan_.below[column.below_first + static_cast<std::size_t>(u.right)].block)];
-    const ComplexPack* l = factors_.get() + left.place;
-    const ComplexPack* plain = plain_.get() + (right.place - first.place);  // the blocks of a column follow each other
-    ComplexPack* a = factors_.get() + target.place;
-    if (target.rows == six && target.columns == six && column.size == six) {
-      if (target.diagonal) subtract(true, six, six, six, l, plain, a);
-      else subtract(false, six, six, six, l, plain, a);
-    } else {
-      subtract(target.diagonal, target.rows, target.columns, column.size, l, plain, a);
+  /// Where L of a block below stands as long as its column is at work.
+  ComplexPack* left_of(const BlockPlan::Below& below, const Pass& p) const {
+    const BlockPlan::Block& b = block(below.block);
+    return b.kept ? p.factors.get() + b.place : p.left.get() + below.place;
+  }
+
+  template <int fixed>
+  HWY_INLINE void divide_below(const BlockPlan::Column& column, const BlockPlan::Below& below, const Pass& p) const {
+    const BlockPlan::Block& b = block(below.block);
+    const ComplexPack* l = p.factors.get() + block(column.diagonal).place;
+    ComplexPack* a = left_of(below, p);
+    const Given matrices = given(b);
+    if (!b.kept && matrices.stiffness_and_damping()) {
+      divide<fixed, true>(b.rows, b.columns, l, a, p.plain.get() + below.place, matrices.K, matrices.B, p.at.omega);
+      return;
     }
+    if (!b.kept || below.first) assemble_block(b, p, a);
+    divide<fixed, false>(b.rows, b.columns, l, a, p.plain.get() + below.place, nullptr, nullptr, p.at.omega);
   }
 
-  void forward_block(const BlockPlan::Block& block, const ComplexPack* x, ComplexPack* below) const {
-    const ComplexPack* l = factors_.get() + block.place;
-    if (block.rows == six && block.columns == six) forward_below(six, six, l, x, below);
-    else forward_below(block.rows, block.columns, l, x, below);
-  }
-
-  /// D⁻¹L⁻¹ for a right side without known zeros.
-  void forward_all(ComplexPack* h) const {
-    for (const BlockPlan::Column& column : plan_.columns) {
-      const ComplexPack* l = factors_.get() + plan_.blocks[static_cast<std::size_t>(column.diagonal)].place;
-      forward(column.size, l, h + column.row);
-      for (std::size_t k = column.below_first; k < column.below_end; ++k)
-        forward_block(plan_.blocks[static_cast<std::size_t>(plan_.below[k].block)], h + column.row, h + plan_.below[k].row);
-      for (int i = 0; i < column.size; ++i) h[column.row + static_cast<std::size_t>(i)] = h[column.row + static_cast<std::size_t>(i)] * l[packed(i, i)];
+  template <int fixed>
+  HWY_INLINE void update(const BlockPlan::Update& u, const Pass& p) const {
+    const BlockPlan::Block& target = block(u.target);
+    const BlockPlan::Below& right = plan_.below[u.right];
+    const int inner = block(right.block).columns;
+    ComplexPack* a = p.factors.get() + target.place;
+    const ComplexPack *l = left_of(plan_.below[u.left], p), *plain = p.plain.get() + right.place;
+    const Given matrices = given(target);
+    if (u.first && target.diagonal && matrices.with_mass() && !target.has_free()) {
+      subtract_lower<fixed, true>(target.rows, inner, l, plain, a, matrices, p.at);
+      return;
     }
+    if (u.first) assemble_block(target, p, a);
+    if (target.diagonal) subtract_lower<fixed, false>(target.rows, inner, l, plain, a, matrices, p.at);
+    else subtract_full<fixed>(target.rows, target.columns, inner, l, plain, a, matrices, p.at);
   }
 
-  HWY_INLINE void column_back(int size, const BlockPlan::Column& column, ComplexPack* x) const {
-    ComplexPack sum[largest_kernel_block];
-    for (int i = 0; i < size; ++i) sum[i] = x[column.row + static_cast<std::size_t>(i)];
+  /// One column of D⁻¹L⁻¹ while it is at work.
+  HWY_INLINE void substitute(int size, const BlockPlan::Column& column, const Pass& p, ComplexPack* h) const {
+    const ComplexPack* l = p.factors.get() + block(column.diagonal).place;
+    forward(size, l, h + column.row);
+    for (std::size_t k = column.below_first; k < column.below_end; ++k)
+      forward_below(block(plan_.below[k].block).rows, size, left_of(plan_.below[k], p), h + column.row, h + plan_.below[k].row);
+    divide_by_pivots(size, l, h + column.row);
+  }
+
+  /// The same later, when only some blocks of L are left: L_i y = A_i L⁻ᵀD⁻¹y.
+  void substitute_again(const BlockPlan::Column& column, const Pass& p, ComplexPack* h) const {
+    const ComplexPack* l = p.factors.get() + block(column.diagonal).place;
+    ComplexPack* x = h + column.row;
+    forward(column.size, l, x);
+    ComplexPack back[largest_kernel_block];
+    for (int i = 0; i < column.size; ++i) back[i] = x[i];
+    divide_by_pivots(column.size, l, back);
+    backward(column.size, l, back);
     for (std::size_t k = column.below_first; k < column.below_end; ++k) {
-      const BlockPlan::Block& block = plan_.blocks[static_cast<std::size_t>(plan_.below[k].block)];
-      const ComplexPack* l = factors_.get() + block.place;
-      if (block.rows == six) backward_below(six, size, l, x + plan_.below[k].row, sum);
-      else backward_below(block.rows, size, l, x + plan_.below[k].row, sum);
+      const BlockPlan::Block& b = block(plan_.below[k].block);
+      if (b.kept) forward_below(b.rows, column.size, p.factors.get() + b.place, x, h + plan_.below[k].row);
+      else subtract_given(b.rows, column.size, given(b), p.at, back, h + plan_.below[k].row);
     }
-    backward(size, factors_.get() + plan_.blocks[static_cast<std::size_t>(column.diagonal)].place, sum);
-    for (int i = 0; i < size; ++i) x[column.row + static_cast<std::size_t>(i)] = sum[i];
+    divide_by_pivots(column.size, l, x);
   }
 
-  void substitute_back(ComplexPack* x) const {
+  /// One column of L⁻ᵀ in all passes. Blocks that are not kept: Lᵀx = D⁻¹L⁻¹Aᵀx.
+  HWY_INLINE void column_back(int size, const BlockPlan::Column& column, ComplexPack* const* x, bool loaded) const {
+    const std::size_t place = block(column.diagonal).place;
+    Small sum;
+#pragma GCC unroll 2
+    for (int p = 0; p < passes; ++p)
+#pragma GCC unroll 8
+      for (int i = 0; i < size; ++i) sum.x[p][i] = {all(0.0), all(0.0)};
+    const Pack one[passes] = {all(-1.0), all(-1.0)}, omega[passes] = {hn::Neg(passes_[0].at.omega), hn::Neg(passes_[1].at.omega)};
+    bool pulls = false;
+    for (std::size_t k = column.below_first; k < column.below_end; ++k) {
+      const BlockPlan::Block& b = block(plan_.below[k].block);
+      if (b.kept) continue;
+      pulls = true;
+      const Given matrices = given(b);
+      const ComplexPack* const below[passes] = {x[0] + plan_.below[k].row, x[1] + plan_.below[k].row};
+      if (matrices.K != nullptr) add_transposed<false>(b.rows, size, matrices.K, one, below, sum);
+      if (matrices.B != nullptr) add_transposed<true>(b.rows, size, matrices.B, omega, below, sum);
+      if (matrices.loss != nullptr) add_transposed<true>(b.rows, size, matrices.loss, one, below, sum);
+      if (matrices.A != nullptr) {
+        const Pack square[passes] = {passes_[0].at.square, passes_[1].at.square};
+        add_transposed<false>(b.rows, size, matrices.A, square, below, sum);
+      }
+    }
+#pragma GCC unroll 2
+    for (int p = 0; p < passes; ++p) {
+      const ComplexPack* l = passes_[p].factors.get() + place;
+      if (pulls) {
+        forward(size, l, sum.x[p]);
+        divide_by_pivots(size, l, sum.x[p]);
+      }
+      if (loaded)
+#pragma GCC unroll 8
+        for (int i = 0; i < size; ++i) sum.x[p][i] = x[p][column.row + static_cast<std::size_t>(i)] + sum.x[p][i];
+      for (std::size_t k = column.below_first; k < column.below_end; ++k) {
+        const BlockPlan::Block& b = block(plan_.below[k].block);
+        if (b.kept) backward_below(b.rows, size, passes_[p].factors.get() + b.place, x[p] + plan_.below[k].row, sum.x[p]);
+      }
+      backward(size, l, sum.x[p]);
+#pragma GCC unroll 8
+      for (int i = 0; i < size; ++i) x[p][column.row + static_cast<std::size_t>(i)] = sum.x[p][i];
+    }
+  }
+
+  void substitute_back(ComplexPack* first, ComplexPack* second, bool all_loaded) const {
+    ComplexPack* const x[passes] = {first, second};
     for (std::size_t j = plan_.columns.size(); j-- > 0;) {
       const BlockPlan::Column& column = plan_.columns[j];
-      if (column.size == six) column_back(six, column, x);
-      else column_back(column.size, column, x);
+      if (column.size == six) column_back(six, column, x, all_loaded || column.loaded);
+      else column_back(column.size, column, x, all_loaded || column.loaded);
     }
   }
 
   /// Pivots that are nothing but round-off leave a small residual and a meaningless solution.
-  Pack refused_pivots(const Pack& error, const Pack& norm) const {
+  [[nodiscard]] Pack refused_pivots(int pass, const Pack& error, const Pack& norm) const {
     const double negligible = 16 * static_cast<double>(plan_.rows) * std::numeric_limits<double>::epsilon();
     const Pack limit = hn::Mul(all(negligible), norm);
-    return hn::IfThenElse(hn::Gt(smallest_, hn::Mul(limit, limit)), error, all(std::numeric_limits<double>::infinity()));
+    return hn::IfThenElse(hn::Gt(smallest_[pass], hn::Mul(limit, limit)), error, all(std::numeric_limits<double>::infinity()));
   }
 
-  /// The residual along one direction, |wᵀ(Zq − h)|, over lower bounds of ‖Z‖∞ and ‖q‖∞.
-  Pack seen_backward_error(const ComplexPack* term_factors) const {
-    ComplexPack seen{all(0.0), all(0.0)};
-    Pack norm = all(0.0), size = all(0.0);
+  /// As in `SweepResult`, with |re| + |im| for the modulus. Leaves h − Zq in `residual`.
+  [[nodiscard]] Pack backward_error(int pass) const {
+    const Pass& p = passes_[pass];
+    for (std::size_t i = 0; i < plan_.rows; ++i) p.residual[i] = {all(0.0), all(0.0)};
+    set_load(p, p.residual.get());
+    Pack worst = all(0.0), norm = all(0.0), size = all(0.0), load = all(0.0), nothing = all(0.0);
     for (std::size_t i = 0; i < plan_.rows; ++i) {
-      ComplexPack z{hn::NegMulAdd(at_.square, all(plan_.weighted_A[i]), all(plan_.weighted_K[i])), hn::MulAdd(at_.omega, all(plan_.weighted_B[i]), all(plan_.weighted_loss[i]))};
-      seen = add_product(seen, z, q_[i]);
-      norm = hn::Max(norm, squared_modulus(z));
-      size = hn::Max(size, squared_modulus(q_[i]));
-    }
-    for (std::size_t t = 0; t < plan_.load.size(); ++t) {
-      std::complex<double> sum = 0;
-      for (const BlockPlan::LoadRow& row : plan_.load[t].rows) sum += plan_.weight[row.row] * row.value;
-      seen = subtract_product(seen, term_factors[t], {all(sum.real()), all(sum.imag())});
-    }
-    norm = hn::Sqrt(norm);
-    return refused_pivots(hn::Div(one_norm(seen), hn::Mul(norm, hn::Sqrt(size))), norm);
-  }
-
-  /// The same in full; leaves h − Zq in `residual_`.
-  Pack backward_error(const ComplexPack* term_factors) {
-    set_load(term_factors, residual_.get());
-    Pack worst = all(0.0), norm = all(0.0), size = all(0.0), load = all(0.0);
-    for (std::size_t i = 0; i < plan_.rows; ++i) {
-      ComplexPack r = residual_[i];
+      ComplexPack r = p.residual[i];
       load = hn::Max(load, one_norm(r));
       Pack row = all(0.0);
       for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) {
         const BlockPlan::Entry& e = plan_.entries[k];
-        const ComplexPack z{hn::NegMulAdd(at_.square, all(e.A), all(e.K)), hn::MulAdd(at_.omega, all(e.B), all(e.loss))};
+        ComplexPack z{hn::NegMulAdd(p.at.square, all(e.A), all(e.K)), hn::MulAdd(p.at.omega, all(e.B), all(e.loss))};
+        if (e.free >= 0) z = z + p.free[static_cast<std::size_t>(e.free)];
         row = hn::Add(row, one_norm(z));
-        r = subtract_product(r, z, q_[e.column]);
+        r = subtract_product(r, z, p.q[e.column]);
       }
-      residual_[i] = r;
-      // A comparison with NaN is false: it must not hide behind a maximum.
-      worst = hn::IfThenElse(hn::Le(one_norm(r), worst), worst, one_norm(r));
+      p.residual[i] = r;
+      worst = hn::Max(worst, one_norm(r));
+      nothing = hn::MulAdd(all(0.0), hn::Add(one_norm(r), one_norm(p.q[i])), nothing);  // NaN and ∞ must not hide behind a maximum
       norm = hn::Max(norm, row);
-      size = hn::Max(size, one_norm(q_[i]));
+      size = hn::Max(size, one_norm(p.q[i]));
     }
-    return refused_pivots(hn::Div(worst, hn::MulAdd(norm, size, load)), norm);
+    return refused_pivots(pass, hn::Div(hn::Add(worst, nothing), hn::MulAdd(norm, size, load)), norm);
   }
 
   const BlockPlan& plan_;
-  Packs factors_, plain_, q_, residual_;
-  Frequencies at_{};
-  Pack smallest_{};
+  Pass passes_[passes];
+  Pack smallest_[passes];
 };
 
-int solve_blocks(const BlockPlan& plan, const double* omega, Eigen::Index count, std::complex<double>* response, Eigen::Index stride, double* backward_error) {
+/// Number k of `count` frequencies from `first` on; lanes that are left over repeat the last.
+ComplexPack read(const FrequencyPlanes& from, std::size_t k, Eigen::Index first, int count) {
+  const double *re = from.re + static_cast<Eigen::Index>(k) * from.stride + first, *im = from.im + static_cast<Eigen::Index>(k) * from.stride + first;
+  if (count >= lane_count()) return {hn::LoadU(Lanes(), re), hn::LoadU(Lanes(), im)};
+  HWY_ALIGN double padded_re[8];
+  HWY_ALIGN double padded_im[8];
+  for (int lane = 0; lane < lane_count(); ++lane) {
+    padded_re[lane] = re[lane < count ? lane : count - 1];
+    padded_im[lane] = im[lane < count ? lane : count - 1];
+  }
+  return {hn::Load(Lanes(), padded_re), hn::Load(Lanes(), padded_im)};
+}
+
+/// What is given at `count` frequencies from `first` on.
+void read_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, Pass& p) {
+  HWY_ALIGN double omega[8] = {};
+  HWY_ALIGN double re[8] = {};
+  HWY_ALIGN double im[8] = {};
   const int lanes = lane_count();
+  for (int lane = 0; lane < lanes; ++lane) omega[lane] = batch.omega[first + std::min(lane, count - 1)];
+  p.at.omega = hn::Load(Lanes(), omega);
+  for (std::size_t t = 0; t < plan.load.size(); ++t) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      const std::complex<double> factor = load_factor(plan.load[t].power, plan.load[t].delay, omega[lane]);
+      re[lane] = factor.real(), im[lane] = factor.imag();
+    }
+    p.terms[t] = {hn::Load(Lanes(), re), hn::Load(Lanes(), im)};
+  }
+  for (std::size_t k = 0; k < plan.free.size(); ++k) p.free[k] = all(plan.free[k].scale) * read(batch.free, plan.free[k].number, first, count);
+  for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i) p.load[i] = all(plan.scale[i]) * read(batch.load, plan.given_row[i], first, count);
+}
+
+void write(const Pack& value, int count, double* to) {
+  if (count >= lane_count()) {
+    hn::StoreU(value, Lanes(), to);
+    return;
+  }
+  HWY_ALIGN double padded[8];
+  hn::Store(value, Lanes(), padded);
+  for (int lane = 0; lane < count; ++lane) to[lane] = padded[lane];
+}
+
+void write_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, const Pass& p, const Pack& error) {
+  for (std::size_t i = 0; i < plan.rows; ++i) {
+    const Eigen::Index to = static_cast<Eigen::Index>(plan.given_row[i]) * batch.response.stride + first;
+    const Pack scale = all(plan.scale[i]);
+    write(hn::Mul(scale, p.q[i].re), count, batch.response.re + to);
+    write(hn::Mul(scale, p.q[i].im), count, batch.response.im + to);
+  }
+  write(error, count, batch.backward_error + first);
+}
+
+int solve_blocks(const BlockPlan& plan, const BlockBatch& batch) {
+  const Eigen::Index lanes = lane_count();
   BlockSolver solver(plan);
-  const Packs term_factors = packs(plan.load.size());
-  HWY_ALIGN double frequencies[8];
-  HWY_ALIGN double re[8];
-  HWY_ALIGN double im[8];
   int doubtful = 0;
-  for (Eigen::Index first = 0; first < count; first += lanes) {
-    const auto filled = static_cast<int>(std::min<Eigen::Index>(lanes, count - first));
-    for (int lane = 0; lane < lanes; ++lane) frequencies[lane] = omega[first + std::min(lane, filled - 1)];
-    for (std::size_t t = 0; t < plan.load.size(); ++t) {
-      for (int lane = 0; lane < lanes; ++lane) {
-        const std::complex<double> factor = load_factor(plan.load[t].power, plan.load[t].delay, frequencies[lane]);
-        re[lane] = factor.real(), im[lane] = factor.imag();
-      }
-      term_factors[t] = {hn::Load(Lanes(), re), hn::Load(Lanes(), im)};
+  for (Eigen::Index first = 0; first < batch.count; first += passes * lanes) {
+    int filled[passes], open = 0;
+    Pack error[passes];
+    for (int i = 0; i < passes; ++i) {
+      filled[i] = static_cast<int>(std::clamp<Eigen::Index>(batch.count - first - i * lanes, 0, lanes));
+      if (filled[i] > 0) read_pass(plan, batch, first + i * lanes, filled[i], solver.pass(i));
+      else read_pass(plan, batch, first, filled[0], solver.pass(i));
     }
-    Pack error = solver.solve(hn::Load(Lanes(), frequencies), term_factors.get());
-    if (!hn::AllTrue(Lanes(), BlockSolver::certain(error))) {
-      const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled));
-      doubtful += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(BlockSolver::certain(error), present)));
-      error = solver.refine(error, term_factors.get());
+    solver.solve();
+    for (int i = 0; i < passes; ++i) {
+      error[i] = solver.seen_backward_error(i);
+      const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled[i]));
+      open += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(BlockSolver::certain(error[i]), present)));
     }
-    const ComplexPack* q = solver.solution();
-    for (std::size_t i = 0; i < plan.rows; ++i) {
-      const Pack scale = all(plan.scale[i]);
-      hn::Store(hn::Mul(scale, q[i].re), Lanes(), re);
-      hn::Store(hn::Mul(scale, q[i].im), Lanes(), im);
-      for (int lane = 0; lane < filled; ++lane) response[(first + lane) * stride + static_cast<Eigen::Index>(plan.given_row[i])] = {re[lane], im[lane]};
-    }
-    hn::Store(error, Lanes(), re);
-    std::copy(re, re + filled, backward_error + first);
+    if (open > 0) solver.refine(error);
+    doubtful += open;
+    for (int i = 0; i < passes; ++i)
+      if (filled[i] > 0) write_pass(plan, batch, first + i * lanes, filled[i], solver.pass(i), error[i]);
   }
   return doubtful;
 }
@@ -256,19 +378,34 @@ int solve_blocks(const BlockPlan& plan, const double* omega, Eigen::Index count,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "trivet/numerics/block_sweep.h"
-
 namespace trivet::numerics {
 
 HWY_EXPORT(solve_blocks);
 
-BlockSweep::BlockSweep(const DynamicMatrices& matrices, const Load& load) {
+BlockSweep::BlockSweep(const DynamicMatrices& matrices, const Load& load, const std::vector<FreeEntry>& free) {
   const Eigen::VectorXd d = unit_scale(matrices);
-  plan_ = block_plan(scaled(matrices, d), load.scaled(d), d);
+  const Load scaled_load = load.scaled(d);
+  plan_ = block_plan(scaled(matrices, d), &scaled_load, d, free);
 }
 
+BlockSweep::BlockSweep(const DynamicMatrices& matrices, const std::vector<FreeEntry>& free) {
+  const Eigen::VectorXd d = unit_scale(matrices);
+  plan_ = block_plan(scaled(matrices, d), nullptr, d, free);
+}
+
+int BlockSweep::solve(const BlockBatch& batch) const { return HWY_DYNAMIC_DISPATCH(solve_blocks)(plan_, batch); }
+
 int BlockSweep::solve(const double* omega, Eigen::Index count, Eigen::Ref<Eigen::MatrixXcd> response, Eigen::Ref<Eigen::VectorXd> backward_error) const {
-  return HWY_DYNAMIC_DISPATCH(solve_blocks)(plan_, omega, count, response.data(), response.outerStride(), backward_error.data());
+  constexpr Eigen::Index chunk = 64;  // their planes stay in cache
+  Eigen::ArrayXXd re(chunk, response.rows()), im(chunk, response.rows());
+  int doubtful = 0;
+  for (Eigen::Index first = 0; first < count; first += chunk) {
+    const Eigen::Index filled = std::min(chunk, count - first);
+    doubtful += solve({omega + first, filled, {}, {}, {re.data(), im.data(), chunk}, backward_error.data() + first});
+    response.middleCols(first, filled).real() = re.topRows(filled).transpose();
+    response.middleCols(first, filled).imag() = im.topRows(filled).transpose();
+  }
+  return doubtful;
 }
 
 }  // namespace trivet::numerics
