@@ -41,7 +41,7 @@ class Planner {
     loaded_.assign(at(e_.count()), load == nullptr);
     if (load == nullptr) return;
     for (const LoadTerm& term : load->terms()) {
-      plan_.load.push_back({term.power, term.delay, {}});
+      plan_.load.push_back({term, {}});
       for (int j = 0; j < e_.count(); ++j)
         for (Eigen::Index i = e_.first[at(j)]; i < e_.first[at(j) + 1]; ++i)
           if (const std::complex<double> value = term.value(e_.rows[at(i)]); value != 0.0) {

@@ -54,9 +54,8 @@ struct BlockPlan {
     std::complex<double> value;
   };
   struct Term {
-    int power = 0;
-    double delay = 0;
-    std::vector<LoadRow> rows;
+    LoadTerm given;
+    std::vector<LoadRow> rows;               ///< those of `given` that are not 0, in the order of elimination
     std::complex<double> weighted = 0;    ///< wᵀ of it
   };
   /// An entry of the whole matrix with all its values, for residuals.

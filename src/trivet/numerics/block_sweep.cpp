@@ -319,7 +319,7 @@ void read_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
   p.at.omega = hn::Load(Lanes(), omega);
   for (std::size_t t = 0; t < plan.load.size(); ++t) {
     for (int lane = 0; lane < lanes; ++lane) {
-      const std::complex<double> factor = load_factor(plan.load[t].power, plan.load[t].delay, omega[lane]);
+      const std::complex<double> factor = plan.load[t].given.factor(omega[lane]);
       re[lane] = factor.real(), im[lane] = factor.imag();
     }
     p.terms[t] = {hn::Load(Lanes(), re), hn::Load(Lanes(), im)};

@@ -20,10 +20,9 @@ std::complex<double> power_of_i_omega(std::complex<double> omega, int power) {
 
 }  // namespace
 
-std::complex<double> load_factor(int power, double delay, std::complex<double> omega) {
-  std::complex<double> factor = power_of_i_omega(omega, power);
-  if (delay != 0) factor *= std::exp(std::complex<double>(0, -delay) * omega);
-  return factor;
+std::complex<double> LoadTerm::factor(std::complex<double> omega) const {
+  const std::complex<double> of_power = power_of_i_omega(omega, power);
+  return delay == 0 ? of_power : of_power * std::exp(std::complex<double>(0, -delay) * omega);
 }
 
 void Load::add(LoadTerm term) {
@@ -56,7 +55,7 @@ int Load::highest_power() const {
 
 Eigen::VectorXcd Load::at(std::complex<double> omega) const {
   Eigen::VectorXcd h = Eigen::VectorXcd::Zero(size_);
-  for (const LoadTerm& term : terms_) h += load_factor(term.power, term.delay, omega) * term.value;
+  for (const LoadTerm& term : terms_) h += term.factor(omega) * term.value;
   return h;
 }
 

@@ -12,6 +12,9 @@ struct LoadTerm {
   int power = 0;        ///< 2: an unbalance; −2: a motion given by its acceleration
   double delay = 0;     ///< [s]
   Eigen::VectorXcd value;
+
+  /// s^power e^{−s delay}, exact in its zeros for real ω.
+  [[nodiscard]] std::complex<double> factor(std::complex<double> omega) const;
 };
 
 /// The right side h(s) of Z(s) q = h as a sum of powers of s = iω, delayed or not.
@@ -46,9 +49,6 @@ class Load {
   Eigen::Index size_ = 0;
   std::vector<LoadTerm> terms_;
 };
-
-/// (iω)^power e^{−iω delay}, exact in its zeros for real ω.
-[[nodiscard]] std::complex<double> load_factor(int power, double delay, std::complex<double> omega);
 
 /// s^power by multiplication, exact in its zeros; s ≠ 0 where power < 0.
 template <typename Scalar>

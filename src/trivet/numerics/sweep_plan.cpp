@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/sweep_plan.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trivet::numerics {
+namespace {
+
+using sweep_kernels::Planes;
+
+/// Coordinates from which on elimination by bodies beats the loops over all, even where every body is coupled with every other.
+constexpr Eigen::Index fewest_for_blocks = 13;
+
+long filled_up(long count) { return (count + sweep_kernels::granule - 1) / sweep_kernels::granule * sweep_kernels::granule; }
+
+std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk); }
+
+/// Planes of a chunk: real parts first, then imaginary parts.
+Planes planes_in(std::vector<double>& memory) {
+  return {memory.data(), memory.data() + memory.size() / 2, SweepWorkspace::chunk};
+}
+
+void put(const Planes& planes, long at, Complex value) {
+  planes.re[at] = value.real();
+  planes.im[at] = value.imag();
+}
+
+/// The real vector times a complex number that a load term is, or none.
+bool has_real_direction(const Eigen::VectorXcd& value, Eigen::Index largest) {
+  for (const Complex& v : value)
+    if ((v * std::conj(value(largest))).imag() != 0) return false;
+  return true;
+}
+
+}  // namespace
+
+SweepPlan::SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part)
+    : scale_(unit_scale(matrices)), matrices_(scaled(matrices, scale_)), load_(load.scaled(scale_)), part_(std::move(part)), plain_(matrices_) {
+  if (!matrices.symmetric) return;
+  solver_ = SweepSolver::symmetric;
+  if (part_) return;
+  if (matrices.size() >= fewest_for_blocks) {
+    blocks_.emplace(matrices, load);
+    solver_ = SweepSolver::blocks;
+    return;
+  }
+  if (matrices.size() > sweep_kernels::most_fixed) return;
+  solver_ = SweepSolver::fixed;
+  if (load_.terms().size() != 1) return;
+  Eigen::Index largest = 0;
+  const LoadTerm& term = load_.terms()[0];
+  term.value.cwiseAbs().maxCoeff(&largest);
+  if (has_real_direction(term.value, largest)) aim(term, largest);
+}
+
+/// With T = I − e_n ratioᵀ after an exchange of `last` with n: Tᵀh = h_n e_n.
+void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
+  const Eigen::Index n = matrices_.size();
+  Eigen::PermutationMatrix<Eigen::Dynamic> exchange(n);
+  exchange.setIdentity();
+  std::swap(exchange.indices()(last), exchange.indices()(n - 1));
+  Eigen::VectorXd ratio = Eigen::VectorXd::Zero(n);
+  aim_.order.resize(static_cast<std::size_t>(n));
+  aim_.ratio.resize(static_cast<std::size_t>(n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    aim_.order[at] = exchange.indices()(i);
+    if (i < n - 1) ratio(i) = (term.value(aim_.order[at]) / term.value(last)).real();
+    aim_.ratio[at] = ratio(i);
+  }
+  const auto carried = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
+    if (x.size() == 0) return x;
+    Eigen::MatrixXd y = exchange.transpose() * x * exchange;
+    y -= ratio * y.row(n - 1).eval();
+    y -= y.col(n - 1).eval() * ratio.transpose();
+    return y;
+  };
+  aimed_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K), carried(matrices_.K_loss), true});
+  solver_ = SweepSolver::aimed;
+}
+
+SweepWorkspace::SweepWorkspace(const SweepPlan& plan)
+    : plan_(plan), omega_(chunk), load_(numbers(plan.size())), q_(numbers(plan.size())), error_(chunk) {
+  if (plan.solver() == SweepSolver::aimed) amplitude_.resize(numbers(1));
+  if (plan.part_) part_.resize(numbers(long{plan.size()} * plan.size()));
+}
+
+void SweepWorkspace::fill_load(long count, bool all) {
+  const bool aimed = plan_.solver() == SweepSolver::aimed;
+  const Planes load = planes_in(load_), amplitude = planes_in(amplitude_);
+  if (!aimed || all) std::fill(load_.begin(), load_.end(), 0.0);
+  for (const LoadTerm& term : plan_.load_.terms())
+    for (long f = 0; f < count; ++f) {
+      const Complex factor = term.factor(omega_[static_cast<std::size_t>(f)]);
+      if (aimed) put(amplitude, f, factor * term.value(plan_.aim_.order.back()));
+      if (aimed && !all) continue;
+      for (long i = 0; i < plan_.size(); ++i) {
+        const Complex h = factor * term.value(i);
+        load.re[i * chunk + f] += h.real();
+        load.im[i * chunk + f] += h.imag();
+      }
+    }
+}
+
+void SweepWorkspace::fill_parts(long count) {
+  const Eigen::Index n = plan_.size();
+  const Planes part = planes_in(part_), load = planes_in(load_);
+  Eigen::MatrixXcd z(n, n);
+  Eigen::VectorXcd h(n);
+  for (long f = 0; f < count; ++f) {
+    const double omega = omega_[static_cast<std::size_t>(f)];
+    if (f == 0 || omega != omega_[static_cast<std::size_t>(f - 1)]) {
+      z.setZero();
+      h.setZero();
+      plan_.part_(omega, z, h);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      load.re[i * chunk + f] += plan_.scale_(i) * h(i).real();
+      load.im[i * chunk + f] += plan_.scale_(i) * h(i).imag();
+      for (Eigen::Index j = 0; j < n; ++j) put(part, (i * n + j) * chunk + f, plan_.scale_(i) * z(i, j) * plan_.scale_(j));
+    }
+  }
+}
+
+Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
+  const long padded = filled_up(count);
+  std::copy_n(omega, count, omega_.begin());
+  std::fill(omega_.begin() + count, omega_.begin() + padded, omega[count - 1]);
+  if (!(load_filled_ && plan_.load_.is_constant() && !plan_.part_)) fill_load(plan_.load_.is_constant() ? chunk : padded, every_backward_error);
+  load_filled_ = true;
+  if (plan_.part_) fill_parts(padded);
+  const Planes q = target.re && padded == count ? target : planes_in(q_);
+  const Planes part = plan_.part_ ? planes_in(part_) : Planes{};
+  sweep_kernels::Batch batch{omega_.data(), padded, planes_in(load_), part, plan_.scale_.data(), q, error_.data()};
+  bool good = false, measured = false;  // measured: error_ holds backward errors, not marks
+  switch (plan_.solver()) {
+    case SweepSolver::aimed: {
+      sweep_kernels::Batch aimed = batch;
+      aimed.load = planes_in(amplitude_);
+      good = sweep_kernels::solve_fixed(*plan_.aimed_, &plan_.aim_, aimed);
+      break;
+    }
+    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(plan_.plain_, nullptr, batch); break;
+    case SweepSolver::blocks:
+      plan_.blocks_->solve({omega_.data(), padded, {}, {}, {q.re, q.im, q.stride}, error_.data()});
+      measured = good = true;
+      break;
+    case SweepSolver::symmetric: good = sweep_kernels::solve_symmetric(plan_.plain_, batch); break;
+    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(plan_.plain_, batch); break;
+  }
+  std::vector<char> untrusted;
+  if (!good) {
+    untrusted.resize(static_cast<std::size_t>(count));
+    for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_[f] != 0;
+  }
+  if (every_backward_error || measured) {
+    if (!measured) sweep_kernels::backward_errors(plan_.plain_, batch);
+    for (std::size_t f = 0; f < static_cast<std::size_t>(count); ++f)
+      if (!(error_[f] <= accepted_backward_error)) {
+        untrusted.resize(static_cast<std::size_t>(count));
+        untrusted[f] = 1;
+      }
+  }
+  if (!untrusted.empty()) redo(untrusted, q, padded);
+  return q;
+}
+
+/// The marked frequencies by LU with partial pivoting in lanes, and what that does not settle one by one.
+void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q, long padded) {
+  std::vector<long> which;
+  for (std::size_t f = 0; f < marked.size(); ++f)
+    if (marked[f]) which.push_back(static_cast<long>(f));
+  const auto n = static_cast<Eigen::Index>(plan_.size());
+  const auto count = static_cast<long>(which.size());
+  std::vector<char> settled(which.size());
+  if (plan_.solver() != SweepSolver::pivoted) {
+    counts_.fallbacks += static_cast<int>(count);
+    which.resize(static_cast<std::size_t>(filled_up(count)), which.back());
+    std::vector<double> omega(which.size()), error(which.size()), load(numbers(n)), part(plan_.part_ ? part_.size() : 0), solution(numbers(n));
+    for (std::size_t k = 0; k < which.size(); ++k) {
+      const auto f = static_cast<std::size_t>(which[k]);
+      omega[k] = omega_[f];
+      const Eigen::VectorXcd h = load_at(which[k]);
+      for (Eigen::Index i = 0; i < n; ++i) put(planes_in(load), i * chunk + static_cast<long>(k), h(i));
+      for (std::size_t entry = 0; entry < part.size(); entry += static_cast<std::size_t>(chunk)) part[entry + k] = part_[entry + f];
+    }
+    const sweep_kernels::Batch batch{omega.data(), static_cast<long>(which.size()), planes_in(load), part.empty() ? Planes{} : planes_in(part),
+                                     plan_.scale_.data(), planes_in(solution), error.data()};
+    (void)sweep_kernels::solve_pivoted(plan_.plain_, batch);
+    std::vector<double> singular = error;
+    sweep_kernels::backward_errors(plan_.plain_, batch);
+    for (std::size_t k = 0; k < settled.size(); ++k) {
+      settled[k] = singular[k] == 0 && error[k] <= accepted_backward_error;
+      error_[static_cast<std::size_t>(which[k])] = error[k];
+      for (Eigen::Index i = 0; i < n; ++i)
+        put(q, i * q.stride + which[k], {batch.q.re[i * chunk + static_cast<long>(k)], batch.q.im[i * chunk + static_cast<long>(k)]});
+    }
+  }
+  for (std::size_t k = 0; k < settled.size(); ++k)
+    if (!settled[k]) redo_alone(which[k], q);
+  for (long f = static_cast<long>(marked.size()); f < padded; ++f)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const long last = i * q.stride + static_cast<long>(marked.size()) - 1;
+      put(q, i * q.stride + f, {q.re[last], q.im[last]});
+    }
+}
+
+/// h of one frequency of the chunk in scaled coordinates.
+Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
+  Eigen::VectorXcd h(plan_.size());
+  if (plan_.solver() == SweepSolver::aimed) return plan_.load_.at(omega_[static_cast<std::size_t>(f)]);
+  for (Eigen::Index i = 0; i < h.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i * chunk + f);
+    h(i) = {load_[at], load_[load_.size() / 2 + at]};
+  }
+  return h;
+}
+
+/// One frequency with partial pivoting and one step of refinement; not a number if Z is singular.
+void SweepWorkspace::redo_alone(long f, const Planes& q) {
+  const auto n = static_cast<Eigen::Index>(plan_.size());
+  Eigen::MatrixXcd z = plan_.matrices_.at(omega_[static_cast<std::size_t>(f)]);
+  for (Eigen::Index i = 0; i < n && plan_.part_; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto at = static_cast<std::size_t>((i * n + j) * chunk + f);
+      z(i, j) += Complex(part_[at], part_[part_.size() / 2 + at]);
+    }
+  const Eigen::VectorXcd h = load_at(f);
+  const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
+  Eigen::VectorXcd x = lu.solve(h);
+  x += lu.solve(h - z * x);
+  double& error = error_[static_cast<std::size_t>(f)];
+  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= sweep_kernels::negligible_pivot(plan_.size()) * norm) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    x.setConstant({nan, nan});
+    error = nan;
+    ++counts_.singular;
+  } else {
+    const double possible = norm * x.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff();
+    error = possible > 0 ? (h - z * x).cwiseAbs().maxCoeff() / possible : 0;
+  }
+  for (Eigen::Index i = 0; i < n; ++i) put(q, i * q.stride + f, plan_.scale_(i) * x(i));
+}
+
+}  // namespace trivet::numerics

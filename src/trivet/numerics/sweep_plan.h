@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the frequencies of one system are solved: prepared once, then chunk by chunk.
+#pragma once
+
+#include <optional>
+
+#include "trivet/numerics/block_sweep.h"
+#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/sweep_kernels.h"
+
+namespace trivet::numerics {
+
+enum class SweepSolver {
+  aimed,      ///< n ≤ 6, the load a real direction times a factor: loops written out, no forward substitution
+  fixed,      ///< n ≤ 6, any load: loops written out
+  symmetric,  ///< any n, also with parts that depend on ω
+  blocks,     ///< n ≥ `fewest_for_blocks`, constant parts: by bodies, skipping what does not couple
+  pivoted     ///< unsymmetric
+};
+
+/// One system in coordinates of unit mass diagonal. Every solver for a sweep is chosen here.
+class SweepPlan {
+ public:
+  SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part = {});
+
+  [[nodiscard]] SweepSolver solver() const { return solver_; }
+  [[nodiscard]] int size() const { return plain_.n; }
+
+ private:
+  friend class SweepWorkspace;
+  void aim(const LoadTerm& term, Eigen::Index last);
+
+  Eigen::VectorXd scale_;
+  DynamicMatrices matrices_;
+  Load load_;
+  FrequencyPart part_;
+  SweepSolver solver_ = SweepSolver::pivoted;
+  sweep_kernels::Coefficients plain_;
+  std::optional<sweep_kernels::Coefficients> aimed_;
+  sweep_kernels::Aim aim_;
+  std::optional<BlockSweep> blocks_;
+};
+
+/// Memory for one chunk of frequencies on one thread, and its solutions.
+class SweepWorkspace {
+ public:
+  static constexpr long chunk = 256;  ///< frequencies: six coordinates of them stay in the nearest cache
+
+  explicit SweepWorkspace(const SweepPlan& plan);
+
+  /// Solutions at `count` ≤ `chunk` frequencies, into `target` or, if that is null or the chunk is not full, into planes of its own.
+  /// @return where they are
+  sweep_kernels::Planes solve(const double* omega, long count, bool every_backward_error, sweep_kernels::Planes target = {});
+
+  [[nodiscard]] const double* backward_errors() const { return error_.data(); }
+  [[nodiscard]] const SweepCounts& counts() const { return counts_; }
+
+ private:
+  void fill_load(long count, bool all);
+  void fill_parts(long count);
+  void redo(const std::vector<char>& marked, const sweep_kernels::Planes& q, long padded);
+  void redo_alone(long f, const sweep_kernels::Planes& q);
+  [[nodiscard]] Eigen::VectorXcd load_at(long f) const;
+
+  const SweepPlan& plan_;
+  std::vector<double> omega_, load_, amplitude_, part_, q_, error_;
+  bool load_filled_ = false;
+  SweepCounts counts_;
+};
+
+}  // namespace trivet::numerics
