@@ -9,6 +9,7 @@
 #include "trivet/numerics/disc_search.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/peak_count.h"
+#include "trivet/numerics/root_table.h"
 
 namespace trivet::numerics {
 namespace {
@@ -51,52 +52,131 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
   return result;
 }
 
-void note(const BandCurve& curve, const DesignPeakOptions& options, Eigen::Index design, Eigen::Index channel, DesignPeaks& peaks) {
-  double highest = curve.at_start, at = options.from, top = std::isfinite(curve.at_start) ? curve.at_start : 0;
+ChannelPeaks peaks_of_curve(const BandCurve& curve, const PeakQuestion& question) {
+  ChannelPeaks answer{curve.at_start, question.from, 0, 0};
+  double top = std::isfinite(curve.at_start) ? curve.at_start : 0;
   const auto see = [&](double amplitude, double omega) {
     if (std::isfinite(amplitude)) top = std::max(top, amplitude);
-    if (!(amplitude > highest)) return;
-    highest = amplitude;
-    at = omega;
+    if (!(amplitude > answer.highest)) return;
+    answer.highest = amplitude;
+    answer.highest_at = omega;
   };
   std::vector<double> heights = {curve.at_start};
   for (const Extremum& e : curve.extrema) {
     heights.push_back(e.amplitude);
     if (e.maximum) see(e.amplitude, e.angular_frequency);
   }
-  see(curve.at_end, options.to);
+  see(curve.at_end, question.to);
   heights.push_back(curve.at_end);
-  peaks.highest(design, channel) = highest;
-  peaks.highest_at(design, channel) = at;
-  if (!options.count_peaks) return;
-  const PeakCount count = prominent_peaks(heights, options.min_prominence * top);
-  peaks.peaks(design, channel) = count.peaks;
-  peaks.largest_rise(design, channel) = count.largest_rise;
+  if (!question.count_peaks) return answer;
+  const PeakCount count = prominent_peaks(heights, question.min_prominence * top);
+  answer.peaks = count.peaks;
+  answer.largest_rise = count.largest_rise;
+  return answer;
 }
+
+/// The designs of one piece on their way to an answer.
+class Piece {
+ public:
+  Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result) : designs_(designs), question_(question), result_(result) {}
+
+  void work_through(Eigen::Index first, Eigen::Index last) {
+    std::vector<Eigen::Index> open = designs_.coordinates() <= most_pairs ? by_lanes(first, last) : all_definite(first, last);
+    if (designs_.coordinates() <= most_pairs) open = by_states(open);
+    for (const Eigen::Index d : open) by_discs(d);
+  }
+
+ private:
+  DynamicMatrices matrices(Eigen::Index d) const {
+    const Eigen::Index n = designs_.coordinates();
+    return {full(designs_.A, d, n), full(designs_.B, d, n), full(designs_.K, d, n), {}, true};
+  }
+  Eigen::VectorXd load(Eigen::Index d) const { return designs_.load.row(designs_.load.rows() == 1 ? 0 : d).matrix().transpose(); }
+  DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
+
+  void note(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
+    const auto c = static_cast<Eigen::Index>(channel);
+    result_.highest(d, c) = answer.highest;
+    result_.highest_at(d, c) = answer.highest_at;
+    if (!question_.count_peaks) return;
+    result_.peaks(d, c) = answer.peaks;
+    result_.largest_rise(d, c) = answer.largest_rise;
+  }
+
+  /// One lane of a table that was searched, if its proof is complete.
+  bool take(Eigen::Index d, int lane, DesignStatus as) {
+    if (!answers_.complete[lane]) return false;
+    for (std::size_t c = 0; c < question_.rows.size(); ++c) note(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
+    status(d) = as;
+    return true;
+  }
+
+  std::vector<Eigen::Index> by_lanes(Eigen::Index first, Eigen::Index last) {
+    std::vector<Eigen::Index> open;
+    for (; first < last; first += table_lanes) {
+      roots_of_designs(designs_, first, table_);
+      peaks_from_roots(table_, question_, answers_);
+      for (int lane = 0; lane < table_lanes && first + lane < last; ++lane)
+        if (table_.definite[lane] && !(table_.good[lane] && take(first + lane, lane, DesignStatus::proven))) open.push_back(first + lane);
+    }
+    return open;
+  }
+
+  std::vector<Eigen::Index> by_states(const std::vector<Eigen::Index>& designs) {
+    std::vector<Eigen::Index> open;
+    for (std::size_t first = 0; first < designs.size(); first += table_lanes) {
+      const std::size_t count = std::min<std::size_t>(table_lanes, designs.size() - first);
+      for (std::size_t i = 0; i < table_lanes; ++i) {
+        const Eigen::Index d = designs[first + std::min(i, count - 1)];
+        table_.good[i] = roots_of_states(matrices(d), load(d), table_, static_cast<int>(i));
+      }
+      peaks_from_roots(table_, question_, answers_);
+      for (std::size_t i = 0; i < count; ++i)
+        if (!(table_.good[i] && take(designs[first + i], static_cast<int>(i), DesignStatus::redone))) open.push_back(designs[first + i]);
+    }
+    return open;
+  }
+
+  std::vector<Eigen::Index> all_definite(Eigen::Index first, Eigen::Index last) const {
+    std::vector<Eigen::Index> open;
+    for (; first < last; ++first)
+      if (is_positive_definite(full(designs_.A, first, designs_.coordinates()))) open.push_back(first);
+    return open;
+  }
+
+  void by_discs(Eigen::Index d) {
+    const std::vector<BandCurve> curves = search_by_discs(matrices(d), load(d), question_.rows, question_.from, question_.to);
+    status(d) = DesignStatus::redone;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      note(d, c, peaks_of_curve(curves[c], question_));
+      if (!curves[c].complete) status(d) = DesignStatus::undecided;
+    }
+  }
+
+  const Designs& designs_;
+  const PeakQuestion& question_;
+  DesignPeaks& result_;
+  RootTable table_{};
+  TablePeaks answers_;
+};
 
 }  // namespace
 
 DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& options) {
   check(designs, options);
   const Eigen::Index n = designs.coordinates(), count = designs.count();
-  const std::vector<ObservedRow> rows = observed_rows(n, options);
-  const auto channels = static_cast<Eigen::Index>(rows.size());
+  const PeakQuestion question{observed_rows(n, options), options.from, options.to, options.count_peaks, options.min_prominence};
+  const auto channels = static_cast<Eigen::Index>(question.rows.size());
   DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels), Eigen::ArrayXXd::Zero(count, channels), {}, {},
                      std::vector<DesignStatus>(static_cast<std::size_t>(count), DesignStatus::impossible)};
   if (options.count_peaks) {
     result.peaks.setZero(count, channels);
     result.largest_rise.setZero(count, channels);
   }
-  foundation::for_each_piece(static_cast<std::size_t>(count), {piece, options.threads, options.progress, "peaks of designs"}, [&](std::size_t first, std::size_t last) {
-    for (std::size_t at = first; at < last; ++at) {
-      const auto d = static_cast<Eigen::Index>(at);
-      const DynamicMatrices m{full(designs.A, d, n), full(designs.B, d, n), full(designs.K, d, n), {}, true};
-      if (!is_positive_definite(m.A)) continue;
-      const std::vector<BandCurve> curves = search_by_discs(m, designs.load.row(designs.load.rows() == 1 ? 0 : d).matrix().transpose(), rows, options.from, options.to);
-      for (Eigen::Index c = 0; c < channels; ++c) note(curves[static_cast<std::size_t>(c)], options, d, c, result);
-      result.status[at] = DesignStatus::redone;
-    }
-  });
+  foundation::for_each_piece(static_cast<std::size_t>(count), {piece, options.threads, options.progress, "peaks of designs"},
+                             [&](std::size_t first, std::size_t last) {
+                               Piece(designs, question, result).work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
+                             });
   return result;
 }
 

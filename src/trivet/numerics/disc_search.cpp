@@ -161,7 +161,10 @@ std::vector<BandCurve> search_by_discs(const DynamicMatrices& given, const Eigen
     if (panel.at_infinity && to < 1 / panel.radius) continue;
     const SeriesAtInfinity q = panel.at_infinity ? response_series_at_infinity(given, constant, panel.radius, order)
                                                  : SeriesAtInfinity{response_series(given, constant, panel.centre, panel.radius, order), 0};
-    if (!q.coefficients.allFinite()) continue;  // stands on an undamped pole to the last digit
+    if (!q.coefficients.allFinite()) {  // on a pole to the last digit
+      for (BandCurve& curve : curves) curve.complete = false;
+      continue;
+    }
     const double level = q.coefficients.col(0).cwiseAbs().cwiseQuotient(scale).maxCoeff();
     for (std::size_t c = 0; c < rows.size(); ++c) {
       const Square square = square_of(rows[c], panel, q);

@@ -27,6 +27,7 @@ struct BandCurve {
   double at_start = 0;
   double at_end = 0;             ///< the limit if the band has no end
   std::vector<Extremum> extrema;
+  bool complete = true;          ///< false: somewhere no series could be had
 };
 
 /// All extrema of |y| for from < ω < to (which may be infinite) under a constant real load: the axis is covered by discs free of poles, on each

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace trivet::numerics {
+
+/// A zero of the slope of one curve of one lane, or a place near it.
+struct FoundExtremum {
+  int lane = 0;
+  int channel = 0;
+  double at = 0;      ///< x = ω²
+  double within = 0;  ///< half the panel around it
+  bool maximum = false;
+  double value = 0;   ///< half of |y|², once refined
+  double missed = 0;  ///< what a further step would change of it, at most
+};
+
+using FoundExtrema = std::vector<FoundExtremum>;
+
+}  // namespace trivet::numerics

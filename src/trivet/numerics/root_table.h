@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/numerics/designs.h"
+#include "trivet/numerics/disc_search.h"
+
+namespace trivet::numerics {
+
+inline constexpr int most_pairs = 12;    ///< of roots, and most coordinates, in kernels for designs
+inline constexpr int table_lanes = 8;    ///< designs of one table
+
+/// Roots and residues of eight designs: q(s) = Σ_k r_k / (s − λ_k) over all roots. Roots come in pairs, as (re, im > 0) of one of two
+/// conjugates, or as two real ones; residues likewise.
+struct RootTable {
+  using Row = double[table_lanes];
+  int coordinates = 0;
+  alignas(64) Row first[most_pairs], second[most_pairs];
+  alignas(64) Row real[most_pairs];                                        ///< 1: two real roots, else 0
+  alignas(64) Row r_first[most_pairs][most_pairs], r_second[most_pairs][most_pairs];  ///< [pair][coordinate]
+  bool definite[table_lanes];                                              ///< A is positive definite
+  bool good[table_lanes];                                                  ///< all roots found, decaying, and far enough from defective
+};
+
+/// Designs first … first + 7 (the last of all again where they end), at most twelve coordinates.
+void roots_of_designs(const Designs& designs, Eigen::Index first, RootTable& table);
+
+/// One design by an eigensolver of its states, with a check by the sums that residues keep. @return whether they are good
+bool roots_of_states(const DynamicMatrices& matrices, const Eigen::VectorXd& load, RootTable& table, int lane);
+
+/// What is asked of every design.
+struct PeakQuestion {
+  std::vector<ObservedRow> rows;
+  double from = 0, to = 0;          ///< [rad/s]
+  bool count_peaks = true;
+  double min_prominence = 1e-6;
+};
+
+/// The answer for one channel of one design.
+struct ChannelPeaks {
+  double highest = 0;
+  double highest_at = 0;
+  int peaks = 0;
+  double largest_rise = 0;
+};
+
+/// Channels × designs of a table; complete: with a proof.
+struct TablePeaks {
+  std::vector<ChannelPeaks> channels;  ///< [channel * table_lanes + lane]
+  bool complete[table_lanes];
+};
+
+/// Highest values and peaks from the partial fractions of |y|² in ω², eight designs at once.
+void peaks_from_roots(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks);
+
+}  // namespace trivet::numerics
