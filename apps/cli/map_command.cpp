@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/map_text.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/report/map_figure.h"
 #include "trivet/study/map_json.h"
 
 namespace trivet::cli {
@@ -44,8 +45,9 @@ int map_command(const Options& options) {
     const study::MapOptions wanted = sizes(options.points);
     catch_interrupts();
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
-    if (options.csv) write_problems(variant.warnings);
-    write_output(options.json ? study::map_json(*project, map) : options.csv ? study::map_csv(map) : map_text(*project, map));
+    if (!options.json) write_problems(variant.warnings);
+    if (!options.picture.empty()) write_picture(options.picture, report::map_figure(map, project->title).svg);
+    write_output(options.json ? study::map_json(*project, map) : options.csv ? study::map_csv(map) : map_text(map));
     return done;
   } catch (const BadArgument& bad) {
     fmt::print(stderr, "error: {}\n", bad.what());

@@ -51,11 +51,8 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
 
 }  // namespace
 
-std::string map_text(const study::Project& project, const study::DesignMap& map) {
-  std::string text;
-  if (const study::Case* variant = project.find(map.case_name))
-    for (const auto& problem : variant->warnings.list()) text += foundation::message(problem) + "\n";
-  text += fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
+std::string map_text(const study::DesignMap& map) {
+  std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
   text += map.request.band ? fmt::format("  amplitudes over {:g} … {:g} rad/s; resonance peaks wherever they lie, from {:g} % above the minimum beside them\n", map.request.band->from, map.request.band->to, 100 * map.request.peak_tolerance)
                            : fmt::format("  amplitudes over all frequencies; resonance peaks from {:g} % above the minimum beside them\n", 100 * map.request.peak_tolerance);
   text += fmt::format("Feasible: {:.2f} % of the map\n", 100 * map.feasible.area);

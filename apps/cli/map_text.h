@@ -8,6 +8,6 @@
 namespace trivet::cli {
 
 /// A map for reading: where designs keep the rules, what governs, the best, and every marked case.
-[[nodiscard]] std::string map_text(const study::Project& project, const study::DesignMap& map);
+[[nodiscard]] std::string map_text(const study::DesignMap& map);
 
 }  // namespace trivet::cli

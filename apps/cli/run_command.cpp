@@ -10,7 +10,9 @@
 #include "trivet/report/figures.h"
 #include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/study/further_json.h"
+#include "trivet/study/map_json.h"
 #include "trivet/study/result_folder.h"
 #include "trivet/study/tables_csv.h"
 
@@ -39,9 +41,19 @@ void write_case(study::ResultFolder& folder, const std::string& stem, const stud
   if (answers.power) folder.write(stem + "/power.csv", study::power_csv(answers));
   if (!answers.shapes.empty()) folder.write(stem + "/shapes.csv", study::shapes_csv(answers));
   if (!answers.shock_spectra.empty()) folder.write(stem + "/shock_spectrum.csv", study::shock_spectrum_csv(answers));
+  if (answers.map) folder.write(stem + "/map.csv", study::map_csv(*answers.map));
   if (answers.response)
     for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
   for (const report::Figure& figure : report::further_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
+}
+
+/// The map of the base model; the cases are points on it.
+void add_map(const study::Project& project, const foundation::Progress& step, study::Answers& answers) {
+  try {
+    answers.map = study::design_map(project, project.base(), *project.base().analyses.map, {}, step);
+  } catch (const foundation::NotComputable& reason) {
+    answers.failures.emplace_back(reason.what());
+  }
 }
 
 std::string case_text(const study::Case& variant, const study::Answers& answers) {
@@ -84,6 +96,7 @@ int run_command(const Options& options) {
       report(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task), (static_cast<double>(i) + fraction) / static_cast<double>(project->cases.size()));
     };
     all.push_back(study::answers(variant, variant.analyses, step));
+    if (i == 0 && variant.analyses.map) add_map(*project, step, all.back());
     write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
     text += case_text(variant, all.back());
   }

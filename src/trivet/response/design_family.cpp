@@ -41,14 +41,12 @@ std::vector<double> nodes_between(double from, double to, int count) {
   return nodes;
 }
 
-/// Lagrange's polynomials at t.
-Eigen::VectorXd weights(const std::vector<double>& nodes, double t) {
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::VectorXd w = Eigen::VectorXd::Ones(n);
-  for (Eigen::Index k = 0; k < n; ++k)
-    for (Eigen::Index l = 0; l < n; ++l)
-      if (l != k) w(k) *= (t - nodes[static_cast<std::size_t>(l)]) / (nodes[static_cast<std::size_t>(k)] - nodes[static_cast<std::size_t>(l)]);
-  return w;
+/// Largest difference between entries over what they are measured by.
+double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
+  double worst = 0;
+  for (Eigen::Index e = 0; e < exact.size(); ++e)
+    if (interpolated(e) != exact(e)) worst = std::max(worst, std::abs(interpolated(e) - exact(e)) / scale(e));
+  return worst;
 }
 
 /// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which leaves no gaps.
@@ -105,71 +103,103 @@ PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<
   return {std::move(design), ""};
 }
 
+Eigen::VectorXd DesignFamily::Along::weights(double value) const {
+  const double t = logarithmic ? std::log(value) : value;
+  Eigen::VectorXd w = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (std::size_t l = 0; l < nodes.size(); ++l)
+      if (l != k) w(static_cast<Eigen::Index>(k)) *= (t - nodes[l]) / (nodes[k] - nodes[l]);
+  return w;
+}
+
 Eigen::VectorXd DesignFamily::entries(const FamilyPoint& point) const {
-  const Eigen::VectorXd x = weights(x_nodes_, logarithmic_ ? std::log(point.x) : point.x), y = weights(y_nodes_, logarithmic_ ? std::log(point.y) : point.y);
-  const Eigen::MatrixXd both = x * y.transpose();
+  const Eigen::MatrixXd both = x_.weights(point.x) * y_.weights(point.y).transpose();
   return values_ * Eigen::Map<const Eigen::VectorXd>(both.data(), both.size());
 }
 
-std::optional<DesignFamily> DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
-  struct Check {
-    FamilyPoint point;
-    Eigen::VectorXd entries, scale;
-  };
-  std::vector<Check> checks;
-  DesignFamily family;
-  for (const FamilyPoint& share : check_points()) {
-    const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
-    const auto design = source(point);
-    ++family.assembled_;
+std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable) {
+  constexpr double golden = 0.6180339887498949;
+  constexpr int checks = 7;
+  std::vector<double> at;
+  std::vector<Eigen::VectorXd> exact, scale;
+  for (int k = 1; k <= checks; ++k) {
+    at.push_back(variable.from + std::fmod(k * golden, 1.0) * (variable.to - variable.from));
+    const auto design = source(at.back());
     if (!design) return std::nullopt;
-    if (checks.empty()) family.first_ = *design;
-    if (design->rows != family.first_.rows || design->rows_on_velocity != family.first_.rows_on_velocity || design->load.size() != family.first_.load.size()) return std::nullopt;
-    checks.push_back({point, packed(*design), scales(*design)});
+    exact.push_back(packed(*design));
+    scale.push_back(scales(*design));
   }
-  for (const int count : {2, 3, 5, 9})
+  for (const int count : {2, 3, 5, 9, 17})
     for (const bool logarithmic : {false, true}) {
-      if (logarithmic && !(x.from > 0 && y.from > 0)) continue;
-      const auto variable = [&](double value) { return logarithmic ? std::log(value) : value; };
-      family.logarithmic_ = logarithmic;
-      family.x_nodes_ = nodes_between(variable(x.from), variable(x.to), count);
-      family.y_nodes_ = nodes_between(variable(y.from), variable(y.to), count);
-      family.values_.resize(checks[0].entries.size(), count * count);
-      for (int j = 0; j < count; ++j)
-        for (int i = 0; i < count; ++i) {
-          const auto value = [&](const FamilyVariable& v, int k, double node) { return k == 0 ? v.from : k + 1 == count ? v.to : logarithmic ? std::exp(node) : node; };
-          const auto design = source({value(x, i, family.x_nodes_[static_cast<std::size_t>(i)]), value(y, j, family.y_nodes_[static_cast<std::size_t>(j)])});
-          ++family.assembled_;
-          if (!design || design->load.size() != family.first_.load.size()) return std::nullopt;
-          family.values_.col(j * count + i) = packed(*design);
-        }
-      family.worst_ = 0;
-      for (const Check& check : checks) {
-        const Eigen::ArrayXd difference = (family.entries(check.point) - check.entries).array().abs();
-        for (Eigen::Index e = 0; e < difference.size(); ++e)
-          if (difference(e) > 0) family.worst_ = std::max(family.worst_, difference(e) / check.scale(e));
+      if (logarithmic && !(variable.from > 0)) continue;
+      const Along along{logarithmic, logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count) : nodes_between(variable.from, variable.to, count)};
+      Eigen::MatrixXd values(exact[0].size(), count);
+      for (int k = 0; k < count; ++k) {
+        const double node = along.nodes[static_cast<std::size_t>(k)];
+        const auto design = source(k == 0 ? variable.from : k + 1 == count ? variable.to : logarithmic ? std::exp(node) : node);
+        if (!design || packed(*design).size() != values.rows()) return std::nullopt;
+        values.col(k) = packed(*design);
       }
-      if (family.worst_ <= reproduced_within) return family;
+      bool good = true;
+      for (std::size_t k = 0; k < at.size() && good; ++k) {
+        const Eigen::VectorXd interpolated = values * along.weights(at[k]);
+        good = exact[k].size() == interpolated.size() && difference(interpolated, exact[k], scale[k]) <= reproduced_within;
+      }
+      if (good) return along;
     }
   return std::nullopt;
 }
 
+std::optional<DesignFamily> DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
+  DesignFamily family;
+  const auto asked = [&](const FamilyPoint& point) {
+    ++family.assembled_;
+    return source(point);
+  };
+  const auto first = asked({x.from, y.from});
+  if (!first) return std::nullopt;
+  family.first_ = *first;
+  const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);
+  const auto along_y = along_x ? fitted_along([&](double value) { return asked({0.5 * (x.from + x.to), value}); }, y) : std::nullopt;
+  if (!along_y) return std::nullopt;
+  family.x_ = *along_x;
+  family.y_ = *along_y;
+  const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
+  const Eigen::Index entries = packed(*first).size();
+  family.values_.resize(entries, static_cast<Eigen::Index>(nx * ny));
+  const auto value = [](const FamilyVariable& v, const Along& along, std::size_t k) {
+    return k == 0 ? v.from : k + 1 == along.nodes.size() ? v.to : along.logarithmic ? std::exp(along.nodes[k]) : along.nodes[k];
+  };
+  for (std::size_t j = 0; j < ny; ++j)
+    for (std::size_t i = 0; i < nx; ++i) {
+      const auto design = asked({value(x, family.x_, i), value(y, family.y_, j)});
+      if (!design || packed(*design).size() != entries) return std::nullopt;
+      family.values_.col(static_cast<Eigen::Index>(j * nx + i)) = packed(*design);
+    }
+  for (const FamilyPoint& share : check_points()) {
+    const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
+    const auto design = asked(point);
+    if (!design || packed(*design).size() != entries || design->rows != first->rows || design->rows_on_velocity != first->rows_on_velocity) return std::nullopt;
+    family.worst_ = std::max(family.worst_, difference(family.entries(point), packed(*design), scales(*design)));
+  }
+  if (!(family.worst_ <= reproduced_within)) return std::nullopt;
+  return family;
+}
+
 numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) const {
   const auto count = static_cast<Eigen::Index>(points.size()), n = first_.load.size(), triangle = n * (n + 1) / 2;
-  const auto nx = static_cast<Eigen::Index>(x_nodes_.size()), ny = static_cast<Eigen::Index>(y_nodes_.size());
+  const auto nx = static_cast<Eigen::Index>(x_.nodes.size()), ny = static_cast<Eigen::Index>(y_.nodes.size());
   numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
   for (Eigen::Index first = 0; first < count;) {  // runs along x share what belongs to y
     const double y = points[static_cast<std::size_t>(first)].y;
     Eigen::Index last = first;
     while (last < count && points[static_cast<std::size_t>(last)].y == y) ++last;
-    const Eigen::VectorXd of_y = weights(y_nodes_, logarithmic_ ? std::log(y) : y);
+    const Eigen::VectorXd of_y = y_.weights(y);
     Eigen::MatrixXd along_x = Eigen::MatrixXd::Zero(values_.rows(), nx);
     for (Eigen::Index j = 0; j < ny; ++j) along_x += of_y(j) * values_.middleCols(j * nx, nx);
     Eigen::MatrixXd of_x(last - first, nx);
-    for (Eigen::Index d = first; d < last; ++d) {
-      const double x = points[static_cast<std::size_t>(d)].x;
-      of_x.row(d - first) = weights(x_nodes_, logarithmic_ ? std::log(x) : x).transpose();
-    }
+    for (Eigen::Index d = first; d < last; ++d)
+      of_x.row(d - first) = x_.weights(points[static_cast<std::size_t>(d)].x).transpose();
     Eigen::Index row = 0;
     for (Eigen::ArrayXXd* part : {&designs.A, &designs.B, &designs.K, &designs.load}) {
       part->middleRows(first, last - first).matrix().noalias() = of_x * along_x.middleRows(row, part->cols()).transpose();

@@ -48,8 +48,8 @@ class DesignFamily {
   /// The design at a point; none ends the attempt (it says why by itself).
   using Source = std::function<std::optional<PlainDesign>(const FamilyPoint&)>;
 
-  /// Nodes are added, over the variables or over their logarithms, until 25 points of a lattice up to the ends of the ranges and 16 between them
-  /// are reproduced. None if that does not come about, or the answers' rows change with the variables.
+  /// Along each variable, or its logarithm, nodes are doubled until one line through the middle is reproduced; then 25 points of a lattice
+  /// up to the ends of the ranges and 16 between them must be. None if that does not come about, or the answers' rows change.
   [[nodiscard]] static std::optional<DesignFamily> fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
 
   /// Matrices and loads at points.
@@ -58,14 +58,22 @@ class DesignFamily {
   [[nodiscard]] const PlainDesign& first() const { return first_; }     ///< rows and derivatives hold for all
   [[nodiscard]] int assembled() const { return assembled_; }            ///< designs that were asked of the source
   [[nodiscard]] double worst_difference() const { return worst_; }      ///< of the points that were checked, see reproduced_within
-  [[nodiscard]] int nodes() const { return static_cast<int>(x_nodes_.size()); }  ///< along each variable
+  [[nodiscard]] std::size_t x_nodes() const { return x_.nodes.size(); }
+  [[nodiscard]] std::size_t y_nodes() const { return y_.nodes.size(); }
 
  private:
   DesignFamily() = default;
   [[nodiscard]] Eigen::VectorXd entries(const FamilyPoint& point) const;
 
-  bool logarithmic_ = false;
-  std::vector<double> x_nodes_, y_nodes_;
+  /// Chebyshev points of one variable.
+  struct Along {
+    bool logarithmic = false;
+    std::vector<double> nodes;
+    [[nodiscard]] Eigen::VectorXd weights(double value) const;   ///< Lagrange's polynomials
+  };
+  [[nodiscard]] static std::optional<Along> fitted_along(const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable);
+
+  Along x_, y_;
   Eigen::MatrixXd values_;   ///< entries × (x nodes × y nodes), x running
   PlainDesign first_;
   int assembled_ = 0;

@@ -21,6 +21,7 @@
 #include "trivet/response/run_up.h"
 #include "trivet/response/static_response.h"
 #include "trivet/response/transient.h"
+#include "trivet/study/design_map.h"
 #include "trivet/study/project.h"
 
 /// Answers to what a project asks, case by case.
@@ -114,6 +115,7 @@ struct Answers {
   std::optional<response::EarthquakeResponse> earthquake;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
+  std::optional<DesignMap> map;        ///< of the base model, where a run computes it
   std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
 };
 

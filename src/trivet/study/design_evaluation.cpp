@@ -28,7 +28,7 @@ std::string amplitude_words(const std::string& name, double amplitude, const std
 
 }  // namespace
 
-DesignEvaluation::DesignEvaluation(const Case& variant, const MapRequest& request, const Options& options)
+DesignEvaluation::DesignEvaluation(const Case& variant, const MapRequest& request, const EvaluationOptions& options)
     : case_(variant), request_(request), options_(options), x_keys_(path_keys(request.x.parameter)), y_keys_(path_keys(request.y.parameter)) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   for (const MapLimit& limit : request.limits) {
@@ -74,62 +74,64 @@ void DesignEvaluation::fit_family(const Case& variant) {
     report_.family = reason.empty() ? "matrices that do not depend smoothly on the two numbers" : reason;
     return;
   }
-  report_.family = fmt::format("matrices between {0} × {0} assembled designs, reproduced at 41 others within {1:.0e}", family_->nodes(), std::max(family_->worst_difference(), 1e-16));
+  report_.family = fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}", family_->x_nodes(), family_->y_nodes(), std::max(family_->worst_difference(), 1e-16));
   plan_searches();
 }
 
 void DesignEvaluation::plan_searches() {
   const response::PlainDesign& first = family_->first();
-  const bool whole = set_.band.from == 0 && std::isinf(set_.band.to);  // one search answers both kinds of rules
-  place_of_rule_.resize(set_.rules.size());
-  for (const auto kind : {response::DesignRule::Kind::amplitude, response::DesignRule::Kind::no_peak}) {
-    const bool peaks = kind == response::DesignRule::Kind::no_peak;
-    std::vector<std::size_t> asked;
-    for (std::size_t r = 0; r < set_.rules.size(); ++r)
-      if ((whole && !peaks) || set_.rules[r].kind == kind) {
-        const auto known = std::find(asked.begin(), asked.end(), set_.rules[r].channel);
-        place_of_rule_[r] = {searches_.size(), known - asked.begin()};
-        if (known == asked.end()) asked.push_back(set_.rules[r].channel);
-      }
-    if (asked.empty() || (whole && peaks)) continue;
-    numerics::DesignPeakOptions search;
-    if (!peaks) search.from = set_.band.from, search.to = set_.band.to;
-    search.count_peaks = peaks || whole;
-    search.min_prominence = set_.min_prominence;
-    search.threads = 1;
-    search.rows.resize(static_cast<Eigen::Index>(asked.size()), first.load.size());
-    search.rows_on_velocity = search.rows;
-    for (std::size_t c = 0; c < asked.size(); ++c) {
-      search.rows.row(static_cast<Eigen::Index>(c)) = first.rows.row(static_cast<Eigen::Index>(asked[c])).array();
-      search.rows_on_velocity.row(static_cast<Eigen::Index>(c)) = first.rows_on_velocity.row(static_cast<Eigen::Index>(asked[c])).array();
-      search.derivative.push_back(first.derivative[asked[c]]);
-    }
-    if (search.rows_on_velocity.isZero(0)) search.rows_on_velocity.resize(0, 0);
-    searches_.push_back(std::move(search));
-  }
+  const auto of_kind = [&](response::DesignRule::Kind kind) { return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const response::DesignRule& r) { return r.kind == kind; }); };
+  search_.count_peaks = of_kind(response::DesignRule::Kind::no_peak);
+  search_.min_prominence = set_.min_prominence;
+  search_.threads = 1;
+  search_.rows = first.rows.array();
+  if (!first.rows_on_velocity.isZero(0)) search_.rows_on_velocity = first.rows_on_velocity.array();
+  search_.derivative = first.derivative;
+  const bool whole = set_.band.from == 0 && std::isinf(set_.band.to);
+  if (!search_.count_peaks) search_.from = set_.band.from, search_.to = set_.band.to;
+  else beyond_band_ = !whole && of_kind(response::DesignRule::Kind::amplitude);
+}
+
+std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
+  std::vector<std::size_t> designs;
+  for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
+    if (std::any_of(set_.rules.begin(), set_.rules.end(), [&](const response::DesignRule& rule) {
+          const double at = found.highest_at(d, static_cast<Eigen::Index>(rule.channel));
+          return rule.kind == response::DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
+        }))
+      designs.push_back(static_cast<std::size_t>(d));
+  return designs;
 }
 
 void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes) {
   std::vector<response::FamilyPoint> places;
   for (const DesignPoint& p : points) places.push_back({p.x, p.y});
-  const numerics::Designs designs = family_->designs(places);
-  std::vector<numerics::DesignPeaks> found;
-  for (const numerics::DesignPeakOptions& search : searches_) found.push_back(numerics::design_peaks(designs, search));
+  numerics::DesignPeaks found = numerics::design_peaks(family_->designs(places), search_);
+  const auto good = [](numerics::DesignStatus status) { return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone; };
+  if (beyond_band_) {  // peaks count wherever they lie, amplitudes in the band: rarely is the highest one outside
+    const std::vector<std::size_t> again = highest_outside_band(found);
+    std::vector<response::FamilyPoint> there;
+    for (const std::size_t d : again) there.push_back(places[d]);
+    numerics::DesignPeakOptions in_band = search_;
+    in_band.from = set_.band.from;
+    in_band.to = set_.band.to;
+    in_band.count_peaks = false;
+    const numerics::DesignPeaks inside = again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      found.highest.row(static_cast<Eigen::Index>(again[k])) = inside.highest.row(static_cast<Eigen::Index>(k));
+      if (!good(inside.status[k])) found.status[again[k]] = inside.status[k];
+    }
+  }
   std::vector<double> values(set_.rules.size());
   std::size_t proven = 0;
   for (std::size_t d = 0; d < points.size(); ++d) {
-    const bool good = std::all_of(found.begin(), found.end(), [&](const numerics::DesignPeaks& f) {
-      return f.status[d] == numerics::DesignStatus::proven || f.status[d] == numerics::DesignStatus::redone;
-    });
-    if (!good) {
+    if (!good(found.status[d])) {
       outcomes[d] = assembled_outcome(first + d, points[d]);
       continue;
     }
     for (std::size_t r = 0; r < values.size(); ++r) {
-      const auto& [search, channel] = place_of_rule_[r];
-      const numerics::DesignPeaks& f = found[search];
-      const auto row = static_cast<Eigen::Index>(d);
-      values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? f.highest(row, channel) : f.largest_rise(row, channel);
+      const auto row = static_cast<Eigen::Index>(d), channel = static_cast<Eigen::Index>(set_.rules[r].channel);
+      values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
     }
     const response::Governing least = response::governing(set_, values);
     outcomes[d] = {static_cast<float>(least.margin), static_cast<std::uint8_t>(least.rule)};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/design_evaluation.h"
 #include "trivet/study/design_parameter.h"
 
 namespace trivet::study {

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/design_evaluation.h"
+#include "trivet/study/design_outcome.h"
 #include "trivet/study/map_contours.h"
+#include "trivet/study/project.h"
 
 namespace trivet::study {
 
@@ -53,7 +54,7 @@ struct DesignMap {
 
 struct MapOptions {
   int nx = 0, ny = 0;         ///< instead of those of the request
-  DesignEvaluation::Options evaluation;
+  EvaluationOptions evaluation;
 };
 
 /// Judges every design of the grid, refines the boundary of the feasible region between neighbours, and judges the cases.

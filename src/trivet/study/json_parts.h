@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "trivet/study/answers.h"
-#include "trivet/study/design_map.h"
 
 /// How Trivet's things look as JSON values; shared by the single answers and the result file.
 namespace trivet::study::json {
