@@ -87,9 +87,8 @@ int run_command(const Options& options) {
     write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
     text += case_text(variant, all.back());
   }
-  const std::string results = study::results_json(*project, all);
-  folder.write("results.json", results);
-  folder.write("report.html", report::report_page(*project, all, results));
+  folder.write("results.json", study::results_json(*project, all));
+  folder.write("report.html", report::report_page(*project, all, study::page_json(*project, all)));
   report("done", 1);
   folder.publish();
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));
