@@ -167,7 +167,10 @@ function drawn(model, vanishing, unbounded) {
   for (const p of model.pieces) for (const w of [...p.band, ...p.nodes]) first.add(w);
   for (const r of model.results) for (const [w] of r.extrema) first.add(w);
   const points = [...first, ...model.checks.undefined_at].filter(w => w >= from && w <= to).sort((a, b) => a - b).map(w => ({w, v: modelAt(model, w)}));
-  const tops = model.results.map((_, c) => (vanishing[c] ? Infinity : unbounded[c] ? 0 : largestOf(points.map(p => Math.hypot(p.v[2 * c], p.v[2 * c + 1])))));
+  const heights = model.results.map((_, c) => largestOf(points.map(p => Math.hypot(p.v[2 * c], p.v[2 * c + 1]))));
+  const ofUnit = unit => largestOf(heights.filter((_, c) => model.results[c].unit === unit));
+  const noise = (r, c) => vanishing[c] || heights[c] < 1e-10 * ofUnit(r.unit);  // there the model follows no curve, only round-off
+  const tops = model.results.map((r, c) => (noise(r, c) ? Infinity : unbounded[c] ? 0 : heights[c]));
   const result = [], open = points.reverse();  // a stack: its last two are the interval looked at
   while (open.length > 1) {
     const a = open.pop(), b = open.at(-1);
@@ -181,7 +184,8 @@ function drawn(model, vanishing, unbounded) {
 
 /// Curves of a model as those of a table: with exact heights at the maxima.
 function tabled(c) {
-  const model = c.response, has = (list, mark) => model.results.map(r => (list ?? []).some(s => s.name === r.name && s.unit === r.unit && s[mark]));
+  const packed = p => ({...p, weights: Float64Array.from(p.weights), values: p.values.map(row => Float64Array.from(row))});
+  const model = {...c.response, pieces: c.response.pieces.map(packed)}, has = (list, mark) => model.results.map(r => (list ?? []).some(s => s.name === r.name && s.unit === r.unit && s[mark]));
   if (!model.pieces.length) return {angular_frequency: [], results: model.results.map(r => ({...r, complex: [], phase: []}))};
   const points = drawn(model, has(c.peaks?.curves, 'vanishes'), has(c.peaks?.peaks, 'unbounded'));
   const results = model.results.map((r, curve) => {
