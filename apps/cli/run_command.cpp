@@ -56,8 +56,8 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
   if (answers.statics) text += static_text(answers) + "\n";
   if (answers.response) {
     const auto& check = answers.response->curves.check;
-    text += fmt::format("Characteristics at {} frequencies, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
-                        answers.response->curves.angular_frequency.size(), check.worst_backward_error, answers.response->deep.verdict(),
+    text += fmt::format("Characteristics at {} frequencies from {} solves, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
+                        answers.response->curves.angular_frequency.size(), answers.response->curves.solves, check.worst_backward_error, answers.response->deep.verdict(),
                         answers.response->deep.worst_difference, answers.response->deep.allowed);
     text += limits_text(answers);
   }
