@@ -199,14 +199,27 @@ TEST(AdaptiveCurves, FollowGroundThatMovesWithDelays) {
   expect_like_uniform_points(p);
 }
 
-TEST(AdaptiveCurves, TableOfAConstantSystemIsSolvedAndThatOfAnExactSpringSaysItsError) {
-  const std::string asked = "[excitations.push]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n[analyses]\nresponse = {band = [0, 30]}\n";
-  const auto project = test::project(test::chain({1, 1}, {100, 100, 0}, {0.2, 0.2, 0.2}) + asked);
-  const auto answers = study::answers(project.base(), project.base().analyses);
-  EXPECT_EQ(answers.response->curves.solves, static_cast<int>(answers.response->curves.angular_frequency.size()));
-  EXPECT_EQ(answers.response->curves.interpolation_error, 0);
-  ASSERT_TRUE(answers.response->model.has_value());
-  EXPECT_LE(answers.response->model->solves, most_solves);
+study::Answers answers_to_a_push(const std::string& elements, const std::string& band) {
+  const auto project = test::project("trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"z\"]\n[elements.m]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\n"
+                                     "translation = [1e4, 1e4, 1e4]\nrotation = [1, 1, 1]\n" + elements +
+                                     "[excitations.push]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n[analyses]\nresponse = {band = " + band + "}\n");
+  return study::answers(project.base(), project.base().analyses);
+}
+
+TEST(AdaptiveCurves, EveryRowOfATableIsSolvedWhereMatricesAreConstant) {
+  const study::ResponseAnswer answer = *answers_to_a_push("damping = {proportional = 1e-3}\n", "[0, 100]").response;
+  EXPECT_EQ(answer.curves.solves, static_cast<int>(answer.curves.angular_frequency.size()));
+  EXPECT_EQ(answer.curves.interpolation_error, 0);
+  ASSERT_TRUE(answer.model.has_value());
+  EXPECT_LE(answer.model->solves, most_solves);
+}
+
+TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawSayHowFarTheyAreOff) {
+  const study::ResponseAnswer answer = *answers_to_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]").response;
+  EXPECT_LE(answer.curves.solves, most_solves);
+  EXPECT_GT(answer.curves.angular_frequency.size(), static_cast<std::size_t>(answer.curves.solves));
+  EXPECT_GT(answer.curves.interpolation_error, 0);
+  EXPECT_LE(answer.curves.interpolation_error, 1e-4);
 }
 
 }  // namespace
