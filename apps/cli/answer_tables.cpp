@@ -74,8 +74,11 @@ std::string response_text(const study::Answers& answers) {
   std::string text = "Amplitude and phase (zero-to-peak; a lag is negative)\n" + table.text();
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
   text += fmt::format("  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} (round-off × condition): {}\n",
-                      answer.curves.check.worst_backward_error, count, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
+                      answer.curves.check.worst_backward_error, answer.curves.solves, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
                       answer.deep.verdict());
+  if (answer.curves.interpolation_error > 0)
+    text += fmt::format("  rows between the {} frequencies that were solved are interpolated by a rational model: off by at most {:.1e} of their value where it was tested\n",
+                        answer.curves.solves, answer.curves.interpolation_error);
   for (const double omega : answer.curves.check.undefined_at)
     text += fmt::format("  ω = {} rad/s stands on an undamped resonance or a free motion: no steady state exists there (shown as –)\n", shown(omega, 9));
   return text;

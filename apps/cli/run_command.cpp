@@ -68,8 +68,8 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
   if (answers.statics) text += static_text(answers) + "\n";
   if (answers.response) {
     const auto& check = answers.response->curves.check;
-    text += fmt::format("Characteristics at {} frequencies, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
-                        answers.response->curves.angular_frequency.size(), check.worst_backward_error, answers.response->deep.verdict(),
+    text += fmt::format("Characteristics at {} frequencies from {} solves, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
+                        answers.response->curves.angular_frequency.size(), answers.response->curves.solves, check.worst_backward_error, answers.response->deep.verdict(),
                         answers.response->deep.worst_difference, answers.response->deep.allowed);
     text += limits_text(answers);
   }
@@ -100,9 +100,8 @@ int run_command(const Options& options) {
     write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
     text += case_text(variant, all.back());
   }
-  const std::string results = study::results_json(*project, all);
-  folder.write("results.json", results);
-  folder.write("report.html", report::report_page(*project, all, results));
+  folder.write("results.json", study::results_json(*project, all));
+  folder.write("report.html", report::report_page(*project, all, study::page_json(*project, all)));
   report("done", 1);
   folder.publish();
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));

@@ -49,6 +49,7 @@ FrequencyResponse exact_response(const assembly::Assembled& assembled, const std
                                  const assembly::Loading& loading, const std::vector<double>& omega) {
   FrequencyResponse result;
   result.angular_frequency = omega;
+  result.solves = static_cast<int>(omega.size());
   for (const assembly::Channel& channel : channels)
     result.curves.push_back({channel.name, channel.unit, Eigen::VectorXcd(static_cast<Eigen::Index>(omega.size()))});
   const ExactResponse exact(assembled, channels, loading);
@@ -74,6 +75,7 @@ FrequencyResponse frequency_response(const assembly::Assembled& assembled, const
   }
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
+  result.solves = static_cast<int>(angular_frequency.size());
   for (const assembly::Channel& channel : channels)
     result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, ground, omega)});
   result.check.fallbacks = solved.fallbacks;

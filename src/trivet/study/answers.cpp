@@ -50,19 +50,24 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
     for (const response::Curve& curve : response.curves) result.push_back(curve.value.unaryExpr([](const std::complex<double>& z) { return response::phase(z); }).real());
     return result;
   }
-  // Counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
+  // Whole turns are counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
-  std::vector<double> grid = response::automatic_grid(assembled, asked.channels, asked.load, roots.poles, peaks, {lowest_defined(assembled), top});
+  const response::CurveModel model = response::curve_model(assembled, asked.channels, asked.load, roots.poles, peaks, {lowest_defined(assembled), top});
+  std::vector<double> grid = response::drawing_grid(model, peaks);
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
-  const response::FrequencyResponse dense = response::frequency_response(assembled, asked.channels, asked.load, grid);
-  for (const response::Curve& curve : dense.curves) {
-    const Eigen::VectorXd along = response::continuous_phase(curve.value);
+  const Eigen::MatrixXcd dense = model.at(grid);
+  for (std::size_t c = 0; c < response.curves.size(); ++c) {
+    const Eigen::VectorXd along = response::continuous_phase(dense.row(static_cast<Eigen::Index>(c)).transpose());
     Eigen::VectorXd at(static_cast<Eigen::Index>(asked_at.size()));
-    for (std::size_t i = 0; i < asked_at.size(); ++i)
-      at(static_cast<Eigen::Index>(i)) = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
+    for (std::size_t i = 0; i < asked_at.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const double own = response::phase(response.curves[c].value(row));
+      const double followed = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
+      at(row) = std::isfinite(followed) ? own + 2 * std::numbers::pi * std::round((followed - own) / (2 * std::numbers::pi)) : own;
+    }
     result.push_back(at);
   }
   return result;
@@ -239,8 +244,11 @@ class CaseStudy {
       if (!(result.band.from < result.band.to))
         throw foundation::NotComputable("response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
-      else if (request.spacing == response::Spacing::automatic)
-        grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, progress_);
+      else if (request.spacing == response::Spacing::automatic) {
+        result.model = response::curve_model(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, {}, progress_);
+        result.extrema = response::extrema(peaks, result.band);
+        grid = response::drawing_grid(*result.model, peaks);
+      }
       else {
         if (!(result.band.from > 0)) throw foundation::NotComputable("response: a logarithmic grid needs a band that starts above 0");
         grid = response::logarithmic_grid(result.band, request.points);
@@ -249,7 +257,10 @@ class CaseStudy {
       result.band = {*std::min_element(grid.begin(), grid.end()), *std::max_element(grid.begin(), grid.end())};
     }
     foundation::report_progress(progress_, "response", 0.5);
-    result.curves = response::frequency_response(assembled_, asked.channels, asked.load, grid);
+    // Solving constant matrices costs less than evaluating a model of the curves; an exact spring or a table is another matter.
+    result.curves = result.model && assembled_.frequency_dependent() ? response::interpolated(*result.model, asked.channels, peaks, grid)
+                                                                     : response::frequency_response(assembled_, asked.channels, asked.load, grid);
+    result.continuous_phase = request.continuous_phase;
     result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
     const std::vector<double> samples = request.at.empty()

@@ -10,6 +10,7 @@
 #include "trivet/modal/roots.h"
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/response/campbell.h"
+#include "trivet/response/curve_model.h"
 #include "trivet/response/deep_check.h"
 #include "trivet/response/deflection_shape.h"
 #include "trivet/response/earthquake.h"
@@ -33,6 +34,10 @@ struct ResponseAnswer {
   response::DeepCheck deep;
   response::Band band;
   assembly::Quantity quantity = assembly::Quantity::displacement;
+  /// Where no frequencies were asked for: the curves between those of the table, their extrema, and whether phases are continuous.
+  std::optional<response::CurveModel> model;
+  std::vector<std::vector<response::Extremum>> extrema;
+  bool continuous_phase = false;
 };
 
 struct PeaksAnswer {
