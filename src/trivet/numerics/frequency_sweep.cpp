@@ -168,9 +168,6 @@ double solve_pivoted(const DynamicMatrices& m, const Eigen::VectorXcd& h, double
   return denominator > 0 ? (h - z * q).cwiseAbs().maxCoeff() / denominator : 0;
 }
 
-/// More coordinates than a small kernel has.
-constexpr Eigen::Index smallest_for_blocks = 13;
-
 }  // namespace
 
 SweepResult sweep(const DynamicMatrices& given, const Load& load, const std::vector<double>& omega) {
