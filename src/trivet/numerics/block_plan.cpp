@@ -2,6 +2,7 @@
 #include "trivet/numerics/block_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -32,6 +33,7 @@ class Planner {
     touched_.assign(plan_.blocks.size(), false);
     for (int j = 0; j < e_.count(); ++j) add_column(j);
     add_entries();
+    add_large_rows();
     add_weights();
     return std::move(plan_);
   }
@@ -161,6 +163,20 @@ class Planner {
         if (entry.A != 0 || entry.B != 0 || entry.K != 0 || entry.loss != 0 || entry.free >= 0) plan_.entries.push_back(entry);
       }
       plan_.entry_first.push_back(plan_.entries.size());
+    }
+  }
+
+  void add_large_rows() {
+    using Part = double BlockPlan::Entry::*;
+    for (const Part part : {&BlockPlan::Entry::A, &BlockPlan::Entry::B, &BlockPlan::Entry::K, &BlockPlan::Entry::loss}) {
+      std::size_t largest = 0;
+      double most = -1;
+      for (std::size_t i = 0; i < plan_.rows; ++i) {
+        double sum = 0;
+        for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) sum += std::abs(plan_.entries[k].*part);
+        if (sum > most) most = sum, largest = i;
+      }
+      if (std::find(plan_.large_rows.begin(), plan_.large_rows.end(), largest) == plan_.large_rows.end()) plan_.large_rows.push_back(largest);
     }
   }
 

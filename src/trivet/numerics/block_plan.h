@@ -75,6 +75,7 @@ struct BlockPlan {
   std::vector<Term> load;
   std::vector<std::size_t> entry_first;           ///< of each row in `entries`, and the end
   std::vector<Entry> entries;
+  std::vector<std::size_t> large_rows;            ///< those with the largest sums in one of the matrices
   std::vector<std::size_t> given_row;             ///< given row of each row
   std::vector<double> scale;                      ///< a solution of row i is multiplied by this
   /// wᵀA … and w, for a residual seen through one fixed direction w with ½ ≤ |w_i| ≤ 1.

@@ -49,22 +49,21 @@ class BlockSolver {
 
   /// The residual along one direction, |wᵀ(Zq − h)|, over lower bounds of ‖Z‖∞ and ‖q‖∞.
   [[nodiscard]] Pack seen_backward_error(int pass) const {
+    if (!plan_.free.empty()) return all(std::numeric_limits<double>::infinity());  // not in the weighted sums
     const Pass& p = passes_[pass];
     ComplexPack seen{all(0.0), all(0.0)};
-    Pack norm = all(0.0), size = all(0.0);
+    Pack square = all(0.0), norm = all(0.0);
     for (std::size_t i = 0; i < plan_.rows; ++i) {
       const ComplexPack z{hn::NegMulAdd(p.at.square, all(plan_.weighted_A[i]), all(plan_.weighted_K[i])),
                           hn::MulAdd(p.at.omega, all(plan_.weighted_B[i]), all(plan_.weighted_loss[i]))};
       seen = add_product(seen, z, p.q[i]);
-      norm = hn::Max(norm, squared_modulus(z));
-      size = hn::Max(size, squared_modulus(p.q[i]));
+      square = hn::Max(square, squared_modulus(p.q[i]));
     }
     for (std::size_t i = 0; plan_.given_load && i < plan_.rows; ++i) seen = subtract_product(seen, all(plan_.weight[i]), p.load[i]);
     for (std::size_t t = 0; t < plan_.load.size(); ++t)
       seen = subtract_product(seen, p.terms[t], {all(plan_.load[t].weighted.real()), all(plan_.load[t].weighted.imag())});
-    norm = hn::Sqrt(norm);
-    if (!plan_.free.empty()) return all(std::numeric_limits<double>::infinity());  // not in the weighted sums
-    return refused_pivots(pass, hn::Div(one_norm(seen), hn::Mul(norm, hn::Sqrt(size))), norm);
+    for (const std::size_t i : plan_.large_rows) norm = hn::Max(norm, row_norm(i, p));
+    return refused_pivots(pass, hn::Div(one_norm(seen), hn::Mul(norm, hn::Sqrt(square))), norm);
   }
 
   /// Lanes whose residual need not be looked at in full; one direction may see less of it than there is.
@@ -265,6 +264,17 @@ class BlockSolver {
     return hn::IfThenElse(hn::Gt(smallest_[pass], hn::Mul(limit, limit)), error, all(std::numeric_limits<double>::infinity()));
   }
 
+  [[nodiscard]] ComplexPack value(const BlockPlan::Entry& e, const Pass& p) const {
+    const ComplexPack z{hn::NegMulAdd(p.at.square, all(e.A), all(e.K)), hn::MulAdd(p.at.omega, all(e.B), all(e.loss))};
+    return e.free >= 0 ? z + p.free[static_cast<std::size_t>(e.free)] : z;
+  }
+
+  [[nodiscard]] Pack row_norm(std::size_t row, const Pass& p) const {
+    Pack sum = all(0.0);
+    for (std::size_t k = plan_.entry_first[row]; k < plan_.entry_first[row + 1]; ++k) sum = hn::Add(sum, one_norm(value(plan_.entries[k], p)));
+    return sum;
+  }
+
   /// As in `SweepResult`, with |re| + |im| for the modulus. Leaves h − Zq in `residual`.
   [[nodiscard]] Pack backward_error(int pass) const {
     const Pass& p = passes_[pass];
@@ -274,18 +284,12 @@ class BlockSolver {
     for (std::size_t i = 0; i < plan_.rows; ++i) {
       ComplexPack r = p.residual[i];
       load = hn::Max(load, one_norm(r));
-      Pack row = all(0.0);
-      for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) {
-        const BlockPlan::Entry& e = plan_.entries[k];
-        ComplexPack z{hn::NegMulAdd(p.at.square, all(e.A), all(e.K)), hn::MulAdd(p.at.omega, all(e.B), all(e.loss))};
-        if (e.free >= 0) z = z + p.free[static_cast<std::size_t>(e.free)];
-        row = hn::Add(row, one_norm(z));
-        r = subtract_product(r, z, p.q[e.column]);
-      }
+      for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k)
+        r = subtract_product(r, value(plan_.entries[k], p), p.q[plan_.entries[k].column]);
       p.residual[i] = r;
       worst = hn::Max(worst, one_norm(r));
       nothing = hn::MulAdd(all(0.0), hn::Add(one_norm(r), one_norm(p.q[i])), nothing);  // NaN and ∞ must not hide behind a maximum
-      norm = hn::Max(norm, row);
+      norm = hn::Max(norm, row_norm(i, p));
       size = hn::Max(size, one_norm(p.q[i]));
     }
     return refused_pivots(pass, hn::Div(hn::Add(worst, nothing), hn::MulAdd(norm, size, load)), norm);
