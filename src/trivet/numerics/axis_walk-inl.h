@@ -46,7 +46,7 @@ constexpr double least_share = 1e-5;  ///< where no sign can be told on shorter 
 constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
 constexpr double round_off = 1e-15;
-constexpr double low_share = 0.3;     ///< of what a peak must rise by: a curve that is lower has no peak that counts
+constexpr double low_share = 0.03;    ///< of what a peak must rise by: a curve that is lower has no peak that counts
 /// The remainder of f'' against that of f' over the half panel: its terms i ≥ 3 count i times, on average fewer than 4.7 times.
 constexpr double slope_of_rest = 5;
 

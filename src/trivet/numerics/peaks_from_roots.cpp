@@ -103,7 +103,7 @@ struct LaneStore {
 
 /// Halley's steps on f' = 0 within the panels, eight extrema at once.
 HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
-  constexpr int steps = 3;
+  constexpr int steps = 4;
   const int lanes = lane_count(), n = store.pairs;
   const auto count = static_cast<int>(found.size());
   for (int begin = 0; begin < count; begin += lanes) {
@@ -250,6 +250,13 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
   hn::StoreU(hn::IfThenElseZero(complete, all(1.0)), Lanes(), ok);
   for (int i = 0; i < lanes; ++i) peaks.complete[lane + i] = ok[i] != 0;
   alignas(64) double best[table_lanes];
+  // The extrema of one curve, ascending, as a chain.
+  std::vector<int> first(static_cast<std::size_t>(channels * lanes), -1), next(found.size(), -1);
+  for (std::size_t e = found.size(); e-- > 0;) {
+    int& head = first[static_cast<std::size_t>(found[e].channel * lanes + found[e].lane)];
+    next[e] = head;
+    head = static_cast<int>(e);
+  }
   std::vector<double> heights;
   for (int c = 0; c < channels; ++c) {
     hn::StoreU(values[c], Lanes(), ends[0]);
@@ -260,8 +267,8 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
       ChannelPeaks& answer = peaks.channels[static_cast<std::size_t>(c * table_lanes + lane + i)];
       answer = {amplitude(ends[0][i]), question.from, 0, 0};
       heights.assign(1, answer.highest);
-      for (const FoundExtremum& e : found) {
-        if (e.channel != c || e.lane != i) continue;
+      for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0; at = next[static_cast<std::size_t>(at)]) {
+        const FoundExtremum& e = found[static_cast<std::size_t>(at)];
         if (!is_settled(e, best[i], question)) peaks.complete[lane + i] = false;
         const double height = amplitude(e.value);
         heights.push_back(height);
@@ -271,6 +278,7 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
       if (heights.back() > answer.highest) answer.highest = heights.back(), answer.highest_at = question.to;
       if (!question.count_peaks) continue;
       const PeakCount count = prominent_peaks(heights, question.min_prominence * (std::isfinite(answer.highest) ? answer.highest : 0));
+      if (count.close) peaks.complete[lane + i] = false;  // what passed as low may decide
       answer.peaks = count.peaks;
       answer.largest_rise = count.largest_rise;
     }
