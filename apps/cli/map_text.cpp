@@ -36,6 +36,9 @@ std::string shares_text(const study::DesignMap& map) {
     if (map.shares[r].broken + map.shares[r].kept == 0) ++silent;
     else table.add({map.rules[r].words, percent(map.shares[r].broken), percent(map.shares[r].kept)});
   }
+  std::size_t limited = 0;
+  for (const study::RuleShare& share : map.shares) limited += share.kept;
+  if (map.kept > limited) table.add({"no rule limits them: no peak", "", percent(map.kept - limited)});
   return table.text() + (silent > 0 ? fmt::format("  {} of {} rules govern nowhere\n", silent, map.rules.size()) : "");
 }
 
@@ -59,7 +62,7 @@ std::string map_text(const study::DesignMap& map) {
   if (map.best) {
     const study::DesignOutcome& best = map.outcomes[*map.best];
     text += fmt::format("{}: {}; margin {} ({})\n", best.kept() ? "Best design" : "No design keeps every rule; the nearest", point_words(map, map.point(*map.best)), margin_words(best.margin),
-                        map.rules[best.governing].words);
+                        std::isinf(best.margin) ? "no rule limits it" : map.rules[best.governing].words);
   }
   text += shares_text(map);
   for (const study::MissingReason& reason : map.report.missing)

@@ -2,6 +2,7 @@
 // Maps by poles and residues of interpolated matrices against every design assembled and searched by itself.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/projects.h"

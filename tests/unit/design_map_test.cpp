@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/response/design_family.h"
 #include "trivet/study/design_map.h"
 #include "trivet/study/map_json.h"
@@ -84,7 +85,7 @@ TEST(DesignMap, SaysWhyADesignHasNoModelAndGoesOn) {
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.unknown, 4u);  // −5 and 0 kg
   ASSERT_FALSE(map.report.missing.empty());
-  EXPECT_THAT(map.report.missing.front().words, testing::HasSubstr("bodies.machine.mass = -5"));
+  EXPECT_THAT(map.report.missing.front().words, testing::HasSubstr("mass = -5 kg; a mass must be > 0"));
   EXPECT_FALSE(map.outcomes[0].kept());
 }
 

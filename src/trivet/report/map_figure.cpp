@@ -95,11 +95,11 @@ void draw_regions(MapPicture& picture, Key& key) {
   key.heading("Rule with the least margin");
   std::size_t next = 0, others = 0;
   for (const MapRegion& region : regions) {
-    const bool known = region.governing < study::DesignOutcome::not_computed, other = known && next >= colours.size();
+    const bool free = region.governing == MapRegion::unlimited, known = free || region.governing < study::DesignOutcome::not_computed, other = known && next >= colours.size();
     const char* colour = !known ? unknown_colour : other ? other_colour : colours[next];
     picture.canvas.area(picture.rings(region.rings), fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour));
     if (other) others += region.designs;
-    else if (known) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", colour), picture.map.rules[region.governing].words, fmt::format("{:.1f} % of the designs", share(region.designs))), ++next;
+    else if (known) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", colour), free ? "no rule limits it: no peak" : picture.map.rules[region.governing].words, fmt::format("{:.1f} % of the designs", share(region.designs))), ++next;
   }
   if (others > 0) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", other_colour), "other rules", fmt::format("{:.1f} % of the designs", share(others)));
   if (picture.map.unknown > 0) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", unknown_colour), "no answer: no real body, or no model", fmt::format("{:.1f} % of the designs", share(picture.map.unknown)));

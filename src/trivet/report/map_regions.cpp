@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -45,7 +46,8 @@ void add_parts(const std::array<study::MapPlace, 4>& corner, const std::array<st
 
 std::vector<MapRegion> map_regions(const study::DesignMap& map) {
   const std::vector<int> columns = drawn(map.grid.nx), rows = drawn(map.grid.ny);
-  const auto label = [&](std::size_t i, std::size_t j) { return map.outcomes[map.grid.index(columns[i], rows[j])].governing; };
+  const auto label_of = [](const study::DesignOutcome& outcome) { return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing; };
+  const auto label = [&](std::size_t i, std::size_t j) { return label_of(map.outcomes[map.grid.index(columns[i], rows[j])]); };
   const auto place = [&](std::size_t i, std::size_t j) { return map.grid.place(columns[i], rows[j]); };
   std::map<std::uint8_t, MapRegion> regions;
   for (std::size_t j = 0; j + 1 < rows.size(); ++j)
@@ -63,7 +65,7 @@ std::vector<MapRegion> map_regions(const study::DesignMap& map) {
       }
     }
   for (const study::DesignOutcome& outcome : map.outcomes)
-    if (const auto region = regions.find(outcome.governing); region != regions.end()) ++region->second.designs;
+    if (const auto region = regions.find(label_of(outcome)); region != regions.end()) ++region->second.designs;
   std::vector<MapRegion> result;
   for (auto& [governing, region] : regions) {
     region.governing = governing;

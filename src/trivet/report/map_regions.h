@@ -10,7 +10,8 @@ namespace trivet::report {
 
 /// The part of a map with one governing rule, or without an answer (see DesignOutcome), as closed outlines.
 struct MapRegion {
-  std::uint8_t governing = 0;
+  static constexpr std::uint8_t unlimited = study::DesignOutcome::not_computed - 1;
+  std::uint8_t governing = 0;           ///< `unlimited` where no rule has a limit: nothing moves or peaks
   std::size_t designs = 0;              ///< of the grid
   std::vector<study::MapLine> rings;    ///< pieces side by side
 };

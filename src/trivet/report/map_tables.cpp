@@ -19,6 +19,9 @@ std::string rules_table(const study::DesignMap& map) {
   const auto share = [&](std::size_t designs) { return percent_cell(static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
   for (std::size_t r = 0; r < map.rules.size(); ++r)
     if (map.shares[r].kept + map.shares[r].broken > 0) rows.push_back({{map.rules[r].words}, share(map.shares[r].broken), share(map.shares[r].kept)});
+  std::size_t limited = 0;
+  for (const study::RuleShare& s : map.shares) limited += s.kept;
+  if (map.kept > limited) rows.push_back({{"no rule limits them: no peak"}, right(""), share(map.kept - limited)});
   return html_table({{"rule"}, right("governs, broken"), right("governs, kept")}, rows);
 }
 

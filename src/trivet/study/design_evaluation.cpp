@@ -226,7 +226,7 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   if (!system) {
     const auto& list = system.error().list();
     const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; });
-    note_missing(index, DesignOutcome::no_model, first->subject + first->rule, fmt::format("{} = {}; {}", first->subject, first->finding, first->rule));
+    note_missing(index, DesignOutcome::no_model, first->subject + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
     return {0, DesignOutcome::no_model};
   }
   try {

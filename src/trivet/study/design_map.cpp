@@ -83,6 +83,22 @@ std::vector<double> refined_crossings(DesignEvaluation& evaluation, const MapReq
   return crossings;
 }
 
+/// The margins of a grid that no picture resolves finer.
+struct CoarseMap {
+  MapGrid grid;
+  std::vector<DesignOutcome> outcomes;
+};
+
+CoarseMap coarse(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes) {
+  constexpr int most = 241;
+  if (grid.nx <= most && grid.ny <= most) return {grid, outcomes};
+  CoarseMap result{{std::min(grid.nx, most), std::min(grid.ny, most)}, {}};
+  const auto node = [](int k, int of, int points) { return static_cast<int>(std::lround(static_cast<double>(k) * (points - 1) / (of - 1))); };
+  for (int j = 0; j < result.grid.ny; ++j)
+    for (int i = 0; i < result.grid.nx; ++i) result.outcomes.push_back(outcomes[grid.index(node(i, result.grid.nx, grid.nx), node(j, result.grid.ny, grid.ny))]);
+  return result;
+}
+
 /// Lines of one margin among the kept designs, straight between nodes.
 std::vector<MapLine> margin_contour(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, double margin) {
   const std::function<bool(std::size_t)> above = [&](std::size_t k) { return outcomes[k].known() && outcomes[k].margin >= margin; };
@@ -149,7 +165,7 @@ void count(DesignMap& map) {
       continue;
     }
     map.kept += outcome.kept();
-    ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
+    if (std::isfinite(outcome.margin)) ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
     if (!map.best || outcome.margin > map.outcomes[*map.best].margin) map.best = k;
   }
 }
@@ -186,8 +202,9 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   };
   map.feasible = contours(map.grid, kept, edges, crossing, connected);
   map.boundary_tolerance = boundary_tolerance;
+  const CoarseMap drawn = coarse(map.grid, map.outcomes);
   if (map.best)
-    for (const double margin : round_margins(static_cast<double>(map.outcomes[*map.best].margin))) map.margin_lines.push_back({margin, margin_contour(map.grid, map.outcomes, margin)});
+    for (const double margin : round_margins(static_cast<double>(map.outcomes[*map.best].margin))) map.margin_lines.push_back({margin, margin_contour(drawn.grid, drawn.outcomes, margin)});
   map.marks = marks(project, map.request, evaluation);
   return map;
 }
@@ -205,7 +222,7 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
       const std::string& name = judged.peaks.curves[c].name;
-      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name; });
+      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit; });
       std::string list;
       for (const response::Peak& peak : judged.peaks.list) {
         const double prominence = response::relative_prominence(peak);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/map_contours.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -27,9 +28,20 @@ class Tracing {
     places_[key(edge.i, edge.j, edge.upwards)] = a;
   }
 
-  void walk_cells(const std::function<bool(int, int)>& connected) {
-    for (int j = -1; j < grid_.ny; ++j)
-      for (int i = -1; i < grid_.nx; ++i) add_cell(i, j, connected);
+  /// The cells on both sides of each crossed edge, and those along the frame.
+  void walk_cells(const std::vector<CrossedEdge>& edges, const std::function<bool(int, int)>& connected) {
+    std::vector<std::pair<int, int>> cells;  // row, column
+    for (const CrossedEdge& e : edges) {
+      cells.emplace_back(e.j, e.i);
+      cells.emplace_back(e.upwards ? e.j : e.j - 1, e.upwards ? e.i - 1 : e.i);
+    }
+    for (int i = -1; i < grid_.nx; ++i)
+      for (const int j : {-1, grid_.ny - 1}) cells.emplace_back(j, i);
+    for (int j = 0; j + 1 < grid_.ny; ++j)
+      for (const int i : {-1, grid_.nx - 1}) cells.emplace_back(j, i);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    for (const auto& [j, i] : cells) add_cell(i, j, connected);
   }
 
   MapContours outline() {
@@ -140,7 +152,7 @@ MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>
                      const std::vector<double>& crossing, const std::function<bool(int, int)>& connected) {
   Tracing tracing(grid, inside);
   for (std::size_t e = 0; e < edges.size(); ++e) tracing.place_crossing(edges[e], crossing[e]);
-  tracing.walk_cells(connected);
+  tracing.walk_cells(edges, connected);
   return tracing.outline();
 }
 

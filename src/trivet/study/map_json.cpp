@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <string>
 
@@ -45,7 +46,7 @@ Json designs(const DesignMap& map) {
   Json margin = Json::array(), governing = Json::array();
   for (const DesignOutcome& outcome : map.outcomes) {
     margin.push_back(outcome.known() ? json::number(std::stod(fmt::format("{}", outcome.margin))) : Json(nullptr));
-    governing.push_back(outcome.known() ? Json(outcome.governing) : outcome.governing == DesignOutcome::no_model ? Json("no model") : Json("not computed"));
+    governing.push_back(std::isinf(outcome.margin) ? Json("none") : outcome.known() ? Json(outcome.governing) : outcome.governing == DesignOutcome::no_model ? Json("no model") : Json("not computed"));
   }
   return {{"order", "row after row of y, x running"}, {"margin", std::move(margin)}, {"governing", std::move(governing)}};
 }
@@ -85,7 +86,7 @@ Json design_map(const DesignMap& map) {
   if (map.best) {
     const DesignPoint p = map.point(*map.best);
     const DesignOutcome& outcome = map.outcomes[*map.best];
-    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", outcome.governing}, {"kept", outcome.kept()}};
+    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", std::isinf(outcome.margin) ? Json("none") : Json(outcome.governing)}, {"kept", outcome.kept()}};
   }
   result["marks"] = Json::array();
   for (const MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
@@ -114,7 +115,7 @@ std::string map_csv(const DesignMap& map) {
     const DesignPoint p = map.point(k);
     const DesignOutcome& o = map.outcomes[k];
     fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
-    if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, words[o.governing], o.kept() ? "yes" : "no");
+    if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
     else text += o.governing == DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
   return text;
