@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/response/parts_by_delay.h"
+
 namespace trivet::response {
 namespace {
 
@@ -19,32 +21,6 @@ constexpr std::size_t most_samples = 100;   // of one piece: with those of its t
 constexpr double apart = 1e-10;             // of ω: nearer frequencies are one
 
 using Samples = std::map<double, Eigen::VectorXcd>;  // ω → a value per delay and curve
-
-numerics::Load undelayed(const numerics::Load& load, double delay) {
-  numerics::Load part(load.size());
-  for (const numerics::LoadTerm& term : load.terms())
-    if (term.delay == delay) part.add({term.power, 0, term.value});
-  return part;
-}
-
-std::vector<double> delays_of(const assembly::Loading& loading) {
-  std::vector<double> delays;
-  for (const numerics::Load* load : {&loading.force, &loading.motion})
-    for (const numerics::LoadTerm& term : load->terms()) delays.push_back(term.delay);
-  if (delays.empty()) delays.push_back(0);
-  std::sort(delays.begin(), delays.end());
-  delays.erase(std::unique(delays.begin(), delays.end()), delays.end());
-  return delays;
-}
-
-/// The curves themselves: sums over the delays.
-Eigen::VectorXcd summed(const Eigen::VectorXcd& parts, const std::vector<double>& delays, double omega) {
-  const Eigen::Index curves = parts.size() / std::ssize(delays);
-  Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(curves);
-  for (std::size_t d = 0; d < delays.size(); ++d)
-    sum += std::polar(1.0, -omega * delays[d]) * parts.segment(static_cast<Eigen::Index>(d) * curves, curves);
-  return sum;
-}
 
 /// Three frequencies for each pole of the band and, if `spread_too`, a few over all of it.
 std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const Band& band, bool spread_too) {
@@ -69,7 +45,7 @@ class Modelling {
   Modelling(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
             const Peaks& peaks, const CurveModelOptions& options, const foundation::Progress& progress, CurveModel& model)
       : assembled_(assembled), channels_(channels), options_(options), progress_(progress), model_(model) {
-    for (const double delay : model.delays) loadings_.emplace_back(undelayed(loading.force, delay), undelayed(loading.motion, delay));
+    for (const double delay : model.delays) loadings_.push_back(undelayed(loading, delay));
     extrema_ = extrema(peaks, model.band);
     for (const Peak& peak : peaks.list)
       if (std::isinf(peak.amplitude) && peak.angular_frequency >= model.band.from && peak.angular_frequency <= model.band.to)
@@ -329,57 +305,6 @@ class Modelling {
 };
 
 }  // namespace
-
-Eigen::MatrixXcd CurveModel::at(const std::vector<double>& omega) const {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  Eigen::MatrixXcd result = Eigen::MatrixXcd::Constant(curves, std::ssize(omega), std::complex<double>(nan, nan));
-  for (const ModelPiece& piece : pieces) {
-    std::vector<double> inside;
-    std::vector<Eigen::Index> columns;
-    for (std::size_t i = 0; i < omega.size(); ++i) {
-      if (!(omega[i] >= piece.band.from && omega[i] <= piece.band.to)) continue;
-      if (std::find(check.undefined_at.begin(), check.undefined_at.end(), omega[i]) != check.undefined_at.end()) continue;
-      inside.push_back(omega[i]);
-      columns.push_back(static_cast<Eigen::Index>(i));
-    }
-    if (inside.empty()) continue;
-    const Eigen::MatrixXcd parts = piece.fit.at(Eigen::Map<const Eigen::VectorXd>(inside.data(), std::ssize(inside)));
-    for (std::size_t k = 0; k < inside.size(); ++k) result.col(columns[k]) = summed(parts.col(static_cast<Eigen::Index>(k)), delays, inside[k]);
-  }
-  return result;
-}
-
-std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band) {
-  std::vector<std::vector<Extremum>> result(peaks.turnings.size());
-  const auto inside = [&](double w, double amplitude) { return w >= band.from && w <= band.to && std::isfinite(amplitude); };
-  for (std::size_t c = 0; c < peaks.turnings.size(); ++c)
-    for (const Turning& t : peaks.turnings[c]) {
-      Extremum extremum{t.angular_frequency, t.amplitude, t.maximum};
-      for (const Peak& peak : peaks.list)
-        if (peak.curve == c && t.maximum && std::abs(peak.angular_frequency - t.angular_frequency) <= t.reach && std::isfinite(peak.amplitude) &&
-            std::abs(peak.amplitude - t.amplitude) <= 1e-6 * t.amplitude)
-          extremum = {peak.angular_frequency, peak.amplitude, true};
-      if (inside(extremum.angular_frequency, extremum.amplitude)) result[c].push_back(extremum);
-    }
-  return result;
-}
-
-FrequencyResponse interpolated(const CurveModel& model, const std::vector<assembly::Channel>& channels, const Peaks& peaks,
-                               const std::vector<double>& angular_frequency) {
-  const Eigen::MatrixXcd values = model.at(angular_frequency);
-  const std::vector<std::vector<Extremum>> exact = extrema(peaks, model.band);
-  FrequencyResponse result{angular_frequency, {}, model.check, model.solves, model.worst_error};
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    Curve& curve = result.curves.emplace_back(Curve{channels[c].name, channels[c].unit, values.row(static_cast<Eigen::Index>(c)).transpose()});
-    for (std::size_t k = 0; c < exact.size() && k < exact[c].size(); ++k) {
-      const auto at = std::lower_bound(angular_frequency.begin(), angular_frequency.end(), exact[c][k].angular_frequency);
-      if (!exact[c][k].maximum || at == angular_frequency.end() || *at != exact[c][k].angular_frequency) continue;
-      std::complex<double>& value = curve.value(at - angular_frequency.begin());
-      if (std::abs(value) > 0) value *= exact[c][k].amplitude / std::abs(value);
-    }
-  }
-  return result;
-}
 
 CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                        const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band, const CurveModelOptions& options,
