@@ -2,11 +2,11 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trivet/numerics/block_sweep.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "trivet/numerics/block_kernels-inl.h"
@@ -19,8 +19,8 @@ namespace trivet::numerics::HWY_NAMESPACE {
 constexpr int six = 6;
 
 /// Aligned for the instruction set, which std::vector is not here.
-using Packs = hwy::AlignedFreeUniquePtr<ComplexPack[]>;
-Packs packs(std::size_t count) { return hwy::AllocateAligned<ComplexPack>(std::max<std::size_t>(count, 1)); }
+using Packs = std::unique_ptr<ComplexPack[]>;
+Packs packs(std::size_t count) { return std::make_unique_for_overwrite<ComplexPack[]>(count); }
 
 /// What belongs to one pack of frequencies.
 struct Pass {
@@ -382,9 +382,11 @@ int solve_blocks(const BlockPlan& plan, const BlockBatch& batch) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "trivet/numerics/dispatch.h"
+
 namespace trivet::numerics {
 
-HWY_EXPORT(solve_blocks);
+TRIVET_VARIANTS(solve_blocks);
 
 BlockSweep::BlockSweep(const DynamicMatrices& matrices, const Load& load, const std::vector<FreeEntry>& free) {
   const Eigen::VectorXd d = unit_scale(matrices);
@@ -397,7 +399,7 @@ BlockSweep::BlockSweep(const DynamicMatrices& matrices, const std::vector<FreeEn
   plan_ = block_plan(scaled(matrices, d), nullptr, d, free);
 }
 
-int BlockSweep::solve(const BlockBatch& batch) const { return HWY_DYNAMIC_DISPATCH(solve_blocks)(plan_, batch); }
+int BlockSweep::solve(const BlockBatch& batch) const { return TRIVET_DISPATCH(solve_blocks)(plan_, batch); }
 
 int BlockSweep::solve(const double* omega, Eigen::Index count, Eigen::Ref<Eigen::MatrixXcd> response, Eigen::Ref<Eigen::VectorXd> backward_error) const {
   constexpr Eigen::Index chunk = 64;  // their planes stay in cache

@@ -66,11 +66,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
+#include "trivet/numerics/dispatch.h"
 #include "trivet/numerics/generalized_modes.h"
 
 namespace trivet::numerics {
 
-HWY_EXPORT(modes_of_designs);
+TRIVET_VARIANTS(modes_of_designs);
 
 namespace {
 
@@ -113,7 +114,7 @@ DesignModes design_modes(const Designs& designs, const DesignModesOptions& optio
                              [&](std::size_t first, std::size_t last) {
                                const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
                                if (n > 12) one_by_one(designs, n, from, to, result);
-                               else HWY_DYNAMIC_DISPATCH(modes_of_designs)(designs, n, from, to, result);
+                               else TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
                              });
   return result;
 }

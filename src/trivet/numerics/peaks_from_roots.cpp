@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hwy/aligned_allocator.h>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "trivet/numerics/axis_walk-inl.h"
@@ -199,8 +199,8 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
   }
   PoleProducts products;
   form_products(poles, products);
-  const auto curves = hwy::MakeUniqueAlignedArray<WalkedCurve>(static_cast<std::size_t>(channels));
-  const auto values = hwy::MakeUniqueAlignedArray<Pack>(static_cast<std::size_t>(2 * channels));
+  const auto curves = std::make_unique<WalkedCurve[]>(static_cast<std::size_t>(channels));
+  const auto values = std::make_unique<Pack[]>(static_cast<std::size_t>(2 * channels));
   for (int c = 0; c < channels; ++c) {
     const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
     PairPack r[most_pairs];
@@ -294,12 +294,14 @@ void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TableP
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "trivet/numerics/dispatch.h"
+
 namespace trivet::numerics {
 
-HWY_EXPORT(peaks_in_lanes);
+TRIVET_VARIANTS(peaks_in_lanes);
 
 void peaks_from_roots(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
-  HWY_DYNAMIC_DISPATCH(peaks_in_lanes)(table, question, peaks);
+  TRIVET_DISPATCH(peaks_in_lanes)(table, question, peaks);
 }
 
 }  // namespace trivet::numerics

@@ -69,13 +69,15 @@ void roots_in_lanes(const Designs& designs, Eigen::Index first, RootTable& table
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "trivet/numerics/dispatch.h"
+
 namespace trivet::numerics {
 
-HWY_EXPORT(roots_in_lanes);
+TRIVET_VARIANTS(roots_in_lanes);
 
 void roots_of_designs(const Designs& designs, Eigen::Index first, RootTable& table) {
   table.coordinates = static_cast<int>(designs.coordinates());
-  HWY_DYNAMIC_DISPATCH(roots_in_lanes)(designs, first, table);
+  TRIVET_DISPATCH(roots_in_lanes)(designs, first, table);
 }
 
 }  // namespace trivet::numerics

@@ -60,6 +60,8 @@ void backward_errors(const Coefficients& z, const Batch& batch) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "trivet/numerics/dispatch.h"
+
 namespace trivet::numerics::sweep_kernels {
 
 Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size())) {
@@ -85,16 +87,16 @@ Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size
 
 namespace trivet::numerics {
 
-HWY_EXPORT(solve_fixed);
-HWY_EXPORT(solve_symmetric);
-HWY_EXPORT(solve_pivoted);
-HWY_EXPORT(backward_errors);
+TRIVET_VARIANTS(solve_fixed);
+TRIVET_VARIANTS(solve_symmetric);
+TRIVET_VARIANTS(solve_pivoted);
+TRIVET_VARIANTS(backward_errors);
 
 namespace sweep_kernels {
-bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) { return HWY_DYNAMIC_DISPATCH(solve_fixed)(z, aim, batch); }
-bool solve_symmetric(const Coefficients& z, const Batch& batch) { return HWY_DYNAMIC_DISPATCH(solve_symmetric)(z, batch); }
-bool solve_pivoted(const Coefficients& z, const Batch& batch) { return HWY_DYNAMIC_DISPATCH(solve_pivoted)(z, batch); }
-void backward_errors(const Coefficients& z, const Batch& batch) { HWY_DYNAMIC_DISPATCH(backward_errors)(z, batch); }
+bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) { return TRIVET_DISPATCH(solve_fixed)(z, aim, batch); }
+bool solve_symmetric(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_symmetric)(z, batch); }
+bool solve_pivoted(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_pivoted)(z, batch); }
+void backward_errors(const Coefficients& z, const Batch& batch) { TRIVET_DISPATCH(backward_errors)(z, batch); }
 }  // namespace sweep_kernels
 
 }  // namespace trivet::numerics

@@ -14,6 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
+#undef TRIVET_UNROLL
+#define TRIVET_UNROLL _Pragma("GCC unroll 16")
+
 
 HWY_INLINE Pack load_pack(const double* from) { return hn::LoadU(Lanes(), from); }
 HWY_INLINE void store_pack(const Pack& pack, double* to) { hn::StoreU(pack, Lanes(), to); }
