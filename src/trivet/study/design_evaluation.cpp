@@ -19,7 +19,7 @@ namespace trivet::study {
 namespace {
 
 constexpr std::size_t assembled_piece = 4;  // designs, each of milliseconds
-constexpr std::size_t lane_piece = 1024;    // designs whose matrices stay in the cache
+constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
 
 std::mutex reading;   // the unit database and the files behind elements serve one reader at a time
 std::mutex noting;
