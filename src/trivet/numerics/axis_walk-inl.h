@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All sign changes of the slopes of several |y|², one design per lane, with a proof: a walk along x = ω² in panels, on each of which
-// f' is p0 + p1 t + p2 t² and a remainder that the distances of the poles bound. A panel is left behind when every curve's slope has
+// f' is a polynomial p0 + p1 t + … + p4 t⁴ and a remainder that the distances of the poles bound. A panel is left behind when every curve's slope has
 // no zero on it, or is monotonic with a known sign at its end, or the curve cannot matter there; otherwise it is made shorter.
 #if defined(TRIVET_NUMERICS_AXIS_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_AXIS_WALK_INL_H_
@@ -37,7 +37,7 @@ struct WalkedCurve {
 
 /// 1/(x − z) and what follows from it at the middle of a panel.
 struct PanelPowers {
-  PairPack w[4];              ///< powers 1 … 4
+  PairPack w[6];              ///< powers 1 … 6
   Pack plain, turned;         ///< bounds on the remainder: for C.first, and for C.second
 };
 
@@ -46,9 +46,9 @@ constexpr double least_share = 1e-5;  ///< where no sign can be told on shorter 
 constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
 constexpr double round_off = 1e-15;
-constexpr double low_share = 0.03;    ///< of what a peak must rise by: a curve that is lower has no peak that counts
-/// The remainder of f'' against that of f' over the half panel: its terms i ≥ 3 count i times, on average fewer than 4.7 times.
-constexpr double slope_of_rest = 5;
+constexpr double low_share = 0.01;    ///< of what a peak must rise by: a curve that is lower has no peak that counts
+/// The remainder of f'' against that of f' over the half panel: its terms i ≥ 5 count i times, on average fewer than 6.5 times.
+constexpr double slope_of_rest = 7;
 
 /// Half width of the panel that starts at x so that it is `share` of the distance of its middle from the nearest pole; a little less by
 /// (4a + 3b)/5 ≤ √(a² + b²).
@@ -75,16 +75,19 @@ HWY_INLINE void form_powers(const WalkedPack& pack, const Pack& centre, const Pa
     p.w[1] = times(real, p.w[0], p.w[0]);
     p.w[2] = times(real, p.w[1], p.w[0]);
     p.w[3] = times(real, p.w[1], p.w[1]);
+    p.w[4] = times(real, p.w[2], p.w[1]);
+    p.w[5] = times(real, p.w[2], p.w[2]);
     // |w| from above: a + (√2 − 1) b ≥ √(a² + b²), b ≤ a
     const Pack re = hn::Abs(p.w[0].first), im = hn::Abs(p.w[0].second);
     const Pack modulus = hn::IfThenElse(real, re, hn::MulAdd(all(0.41422), hn::Min(re, im), hn::Max(re, im)));
-    // Σ_{i ≥ 3} (i + 1) ρⁱ and Σ_{i ≥ 3} (i + 1)(i + 2) ρⁱ from above, ρ ≤ 0.47
-    const auto tail = [](const Pack& r) HWY_ATTR {
-      return hn::Mul(hn::Mul(r, hn::Mul(r, r)), hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(14.9), all(6.0)), all(5.0)), all(4.0)));
+    // Σ_{i ≥ 5} (i + 1) ρⁱ and Σ_{i ≥ 5} (i + 1)(i + 2) ρⁱ from above, ρ ≤ 0.47
+    const auto fifth = [](const Pack& r) HWY_ATTR { return hn::Mul(hn::Mul(hn::Mul(r, r), hn::Mul(r, r)), r); };
+    const auto tail = [&](const Pack& r) HWY_ATTR {
+      return hn::Mul(fifth(r), hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(18.7), all(8.0)), all(7.0)), all(6.0)));
     };
     const Pack r = hn::Mul(half, modulus);
     p.plain = hn::Mul(hn::Mul(modulus, modulus), hn::Add(tail(r), all(round_off)));
-    const Pack turned_tail = hn::Mul(hn::Mul(r, hn::Mul(r, r)), hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(135.5), all(42.0)), all(30.0)), all(20.0)));
+    const Pack turned_tail = hn::Mul(fifth(r), hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(207.0), all(72.0)), all(56.0)), all(42.0)));
     // |Im wᵐ| ≤ m |Im w| |w|ᵐ⁻¹; of a real pair the second root on its own
     const Pack turned = hn::Mul(hn::Mul(modulus, im), hn::Add(turned_tail, all(2 * round_off)));
     const Pack second = hn::Mul(hn::Mul(im, im), hn::Add(tail(hn::Mul(half, im)), all(round_off)));
@@ -101,7 +104,7 @@ struct WalkOptions {
 HWY_INLINE LaneMask settle(const WalkedPack& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
                            WalkedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
-  Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, rest = zero;
+  Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, rest = zero;
   for (int k = 0; k < pack.count; ++k) {
     const PairPack C = curve.f.C[k];
     const PanelPowers& p = powers[k];
@@ -109,23 +112,29 @@ HWY_INLINE LaneMask settle(const WalkedPack& pack, const PanelPowers* powers, co
     s0 = hn::MulAdd(C.first, p.w[1].first, hn::MulAdd(C.second, p.w[1].second, s0));
     s1 = hn::MulAdd(C.first, p.w[2].first, hn::MulAdd(C.second, p.w[2].second, s1));
     s2 = hn::MulAdd(C.first, p.w[3].first, hn::MulAdd(C.second, p.w[3].second, s2));
+    s3 = hn::MulAdd(C.first, p.w[4].first, hn::MulAdd(C.second, p.w[4].second, s3));
+    s4 = hn::MulAdd(C.first, p.w[5].first, hn::MulAdd(C.second, p.w[5].second, s4));
     rest = hn::MulAdd(hn::Abs(C.first), p.plain, hn::MulAdd(hn::Abs(C.second), p.turned, rest));
   }
   const Pack p0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2);
-  const Pack linear = hn::Mul(half, p1), bent = hn::Mul(half, hn::Mul(half, p2));
-  const Pack size0 = hn::Abs(p0), size1 = hn::Abs(linear), size2 = hn::Abs(bent);
+  const Pack square = hn::Mul(half, half), linear = hn::Mul(half, p1), bent = hn::Mul(square, p2);
+  const Pack cubic = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)), quartic = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
+  const Pack size0 = hn::Abs(p0), size1 = hn::Abs(linear), size2 = hn::Abs(bent), size3 = hn::Abs(cubic), size4 = hn::Abs(quartic);
+  const Pack others = hn::Add(hn::Add(size3, size4), rest);
   const Pack start = hn::Add(hn::Sub(p0, linear), bent), end = hn::Add(hn::Add(p0, linear), bent);
   // The parabola keeps its distance from 0 at both ends and, where it lies between, at its vertex.
   const Pack upright = hn::CopySign(all(1.0), p0);
-  const LaneMask ends = hn::Gt(hn::Min(hn::Mul(upright, start), hn::Mul(upright, end)), rest);
+  const LaneMask ends = hn::Gt(hn::Min(hn::Mul(upright, start), hn::Mul(upright, end)), others);
   const LaneMask vertex = hn::Or(hn::Or(hn::Ge(size1, hn::Add(size2, size2)), hn::Le(hn::Mul(p0, bent), zero)),
-                                 hn::Gt(hn::Mul(hn::Mul(all(4.0), hn::Sub(size0, rest)), size2), hn::Mul(size1, size1)));
-  const LaneMask steady = hn::And(hn::And(ends, vertex), hn::Gt(size0, rest));
-  const LaneMask monotonic = hn::Gt(size1, hn::MulAdd(all(2.0), size2, hn::Mul(all(slope_of_rest), rest)));
-  const LaneMask known = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(end), rest)));
-  curve.p0 = p0, curve.p1 = p1, curve.p2 = p2, curve.rest = rest;
-  curve.after = hn::IfThenElseZero(known, hn::CopySign(all(1.0), end));
-  const Pack swing = hn::Mul(half, hn::Add(hn::Add(size0, rest), hn::MulAdd(all(0.5), size1, hn::Mul(all(1.0 / 3), size2))));
+                                 hn::Gt(hn::Mul(hn::Mul(all(4.0), hn::Sub(size0, others)), size2), hn::Mul(size1, size1)));
+  const LaneMask steady = hn::And(hn::And(ends, vertex), hn::Gt(size0, others));
+  const Pack bends = hn::MulAdd(all(2.0), size2, hn::MulAdd(all(3.0), size3, hn::Mul(all(4.0), size4)));
+  const LaneMask monotonic = hn::Gt(size1, hn::MulAdd(all(slope_of_rest), rest, bends));
+  const Pack at_end = hn::Add(end, hn::Add(cubic, quartic));
+  const LaneMask known = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(at_end), rest)));
+  curve.p0 = p0, curve.p1 = p1, curve.p2 = p2, curve.rest = others;
+  curve.after = hn::IfThenElseZero(known, hn::CopySign(all(1.0), at_end));
+  const Pack swing = hn::Mul(half, hn::Add(hn::Add(size0, others), hn::MulAdd(all(0.5), size1, hn::Mul(all(1.0 / 3), size2))));
   curve.most = hn::Add(value, swing);
   if (!options.every_extremum) return hn::Or(known, hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
   // So low that no peak is there, or so flat that none is hidden. (The slope of |y|² is 2|y| times that of |y|.)

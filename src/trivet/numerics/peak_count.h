@@ -8,7 +8,7 @@ namespace trivet::numerics {
 struct PeakCount {
   int peaks = 0;
   double largest_rise = 0;  ///< of these over the higher of those minima: height / minimum − 1
-  bool close = false;      ///< some prominence is within a twentieth of `least`
+  bool close = false;      ///< some prominence is within 2 % of `least`
 };
 
 /// Peaks among the heights along a curve, its ends first and last, whose prominence (height above the higher of the two minima that part

@@ -9,7 +9,7 @@
 #define TRIVET_NUMERICS_SQUARED_RESPONSE_INL_H_
 #endif
 
-#include "trivet/numerics/lanes-inl.h"
+#include "trivet/numerics/modes-inl.h"
 #include "trivet/numerics/root_table.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,10 +28,10 @@ HWY_INLINE PairPack times(const LaneMask& real, const PairPack& a, const PairPac
 HWY_INLINE PairPack inverse(const LaneMask& real, const PairPack& a) {
   const Pack modulus = hn::MulAdd(a.first, a.first, hn::Mul(a.second, a.second));
   if (hn::AllFalse(Lanes(), real)) {
-    const Pack scale = hn::Div(all(1.0), modulus);
+    const Pack scale = reciprocal(modulus);
     return {hn::Mul(a.first, scale), hn::Neg(hn::Mul(a.second, scale))};
   }
-  const Pack low = hn::Div(all(1.0), hn::IfThenElse(real, a.first, modulus)), high = hn::Div(all(1.0), hn::IfThenElse(real, a.second, all(1.0)));
+  const Pack low = reciprocal(hn::IfThenElse(real, a.first, modulus)), high = reciprocal(hn::IfThenElse(real, a.second, all(1.0)));
   return {hn::IfThenElse(real, low, hn::Mul(a.first, low)), hn::IfThenElse(real, high, hn::Neg(hn::Mul(a.second, low)))};
 }
 HWY_INLINE PairPack operator*(const Pack& a, const PairPack& b) { return {hn::Mul(a, b.first), hn::Mul(a, b.second)}; }
