@@ -12,8 +12,6 @@ namespace {
 
 using sweep_kernels::Planes;
 
-/// Solutions that one thread does before another would have started.
-constexpr std::size_t worth_a_thread = 20000;
 constexpr std::size_t piece = 8 * static_cast<std::size_t>(SweepWorkspace::chunk);
 
 /// Solves all chunks; target(first) says where the solutions from `first` on may go, take(first, count, planes, errors) gets them.
@@ -21,7 +19,7 @@ template <typename Target, typename Take>
 SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, const Target& target, const Take& take) {
   SweepCounts counts;
   std::mutex adding;
-  const int threads = omega.size() < worth_a_thread ? 1 : options.threads;
+  const int threads = sweep_threads(omega.size(), options.threads);
   foundation::for_each_piece(omega.size(), {piece, threads, options.progress, "frequencies"}, [&](std::size_t first, std::size_t last) {
     SweepWorkspace workspace(plan);
     for (std::size_t at = first; at < last; at += static_cast<std::size_t>(SweepWorkspace::chunk)) {

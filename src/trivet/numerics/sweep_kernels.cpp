@@ -55,6 +55,26 @@ void backward_errors(const Coefficients& z, const Batch& batch) {
   for (long at = 0; at < batch.count; at += lane_count()) store_pack(backward_error(PackSystem(z, batch, at), q), batch.error + at);
 }
 
+void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {
+  double largest[8], where[8];
+  for (int j = 0; j < n; ++j) {
+    Pack most = all(square[j]), at_most = all(angular_frequency[j]);
+    for (long at = 0; at < batch.count; at += lane_count()) {
+      const Pack here = squared_modulus(load_pack(batch.q, j * batch.q.stride + at));
+      const LaneMask larger = hn::Gt(here, most);
+      most = hn::IfThenElse(larger, here, most);
+      at_most = hn::IfThenElse(larger, load_pack(batch.omega + at), at_most);
+    }
+    store_pack(most, largest);
+    store_pack(at_most, where);
+    for (int lane = 0; lane < lane_count(); ++lane)
+      if (largest[lane] > square[j] || (largest[lane] == square[j] && where[lane] < angular_frequency[j])) {
+        square[j] = largest[lane];
+        angular_frequency[j] = where[lane];
+      }
+  }
+}
+
 }  // namespace
 }  // namespace trivet::numerics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -63,6 +83,18 @@ HWY_AFTER_NAMESPACE();
 #include "trivet/numerics/dispatch.h"
 
 namespace trivet::numerics::sweep_kernels {
+namespace {
+
+/// Σ |K − ω²A|² + |K_loss + ωB|² as a polynomial, moved by a share of its terms.
+void squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K, const Eigen::MatrixXd& loss, double share, double* polynomial) {
+  const double of_loss = loss.squaredNorm(), of_damping = B.squaredNorm();
+  polynomial[0] = (1 + share) * (K.squaredNorm() + of_loss);
+  polynomial[1] = 2 * B.cwiseProduct(loss).sum();
+  polynomial[2] = (1 + share) * of_damping - 2 * K.cwiseProduct(A).sum();
+  polynomial[3] = (1 + share) * A.squaredNorm();
+}
+
+}  // namespace
 
 Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size())) {
   const Eigen::Index size = m.size();
@@ -73,14 +105,11 @@ Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size
     return all;
   };
   K = rows(m.K), A = rows(m.A), B = rows(m.B), K_loss = rows(m.K_loss);
-  // Round-off of the sum, where its terms cancel, must not enlarge it.
-  constexpr double kept = 1 - 1e-12, margin = 1e-12;
   const Eigen::MatrixXd loss = m.lossy() ? m.K_loss : Eigen::MatrixXd::Zero(size, size);
-  const double kk = m.K.squaredNorm() + loss.squaredNorm(), aa = m.A.squaredNorm(), bb = m.B.squaredNorm();
-  norm[0] = kept * kk;
-  norm[1] = 2 * m.B.cwiseProduct(loss).sum();
-  norm[2] = bb - 2 * m.K.cwiseProduct(m.A).sum() - margin * bb;
-  norm[3] = kept * aa;
+  // Round-off of these sums, where their terms cancel, must not enlarge the one nor diminish the other.
+  constexpr double margin = 1e-12;
+  squares(m.A, m.B, m.K, loss, -margin, norm);
+  squares(m.A.col(0), m.B.col(0), m.K.col(0), loss.col(0), margin, first);
 }
 
 }  // namespace trivet::numerics::sweep_kernels
@@ -91,12 +120,16 @@ TRIVET_VARIANTS(solve_fixed);
 TRIVET_VARIANTS(solve_symmetric);
 TRIVET_VARIANTS(solve_pivoted);
 TRIVET_VARIANTS(backward_errors);
+TRIVET_VARIANTS(raise_maxima);
 
 namespace sweep_kernels {
 bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) { return TRIVET_DISPATCH(solve_fixed)(z, aim, batch); }
 bool solve_symmetric(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_symmetric)(z, batch); }
 bool solve_pivoted(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_pivoted)(z, batch); }
 void backward_errors(const Coefficients& z, const Batch& batch) { TRIVET_DISPATCH(backward_errors)(z, batch); }
+void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {
+  TRIVET_DISPATCH(raise_maxima)(n, batch, square, angular_frequency);
+}
 }  // namespace sweep_kernels
 
 }  // namespace trivet::numerics

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace trivet::numerics {
@@ -14,13 +15,21 @@ using sweep_kernels::Planes;
 /// Coordinates from which on elimination by bodies beats the loops over all, even where every body is coupled with every other.
 constexpr Eigen::Index fewest_for_blocks = 13;
 
-long filled_up(long count) { return (count + sweep_kernels::granule - 1) / sweep_kernels::granule * sweep_kernels::granule; }
+long filled_up(long count, long granule) { return (count + granule - 1) / granule * granule; }
 
-std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk); }
+/// A line of the cache: packs that cross from one to the next are stored at half the speed.
+constexpr std::size_t line = 8;
+
+std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk) + line; }
+
+std::size_t to_line(const std::vector<double>& memory) {
+  return (line - reinterpret_cast<std::uintptr_t>(memory.data()) / sizeof(double) % line) % line;
+}
 
 /// Planes of a chunk: real parts first, then imaginary parts.
 Planes planes_in(std::vector<double>& memory) {
-  return {memory.data(), memory.data() + memory.size() / 2, SweepWorkspace::chunk};
+  double* first = memory.data() + to_line(memory);
+  return {first, first + (memory.size() - line) / 2, SweepWorkspace::chunk};
 }
 
 void put(const Planes& planes, long at, Complex value) {
@@ -82,22 +91,27 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
   solver_ = SweepSolver::aimed;
 }
 
-SweepWorkspace::SweepWorkspace(const SweepPlan& plan)
-    : plan_(plan), omega_(chunk), load_(numbers(plan.size())), q_(numbers(plan.size())), error_(chunk) {
-  if (plan.solver() == SweepSolver::aimed) amplitude_.resize(numbers(1));
-  if (plan.part_) part_.resize(numbers(long{plan.size()} * plan.size()));
+void SweepWorkspace::take(const SweepPlan& plan) {
+  plan_ = &plan;
+  load_filled_ = false;
+  for (std::vector<double>* one : {&omega_, &error_}) one->resize(chunk);
+  for (std::vector<double>* each : {&load_, &q_}) each->resize(numbers(plan.size()));
+  amplitude_.resize(plan.solver() == SweepSolver::aimed ? numbers(1) : 0);
+  part_.resize(plan.part_ ? numbers(long{plan.size()} * plan.size()) : 0);
 }
 
 void SweepWorkspace::fill_load(long count, bool all) {
-  const bool aimed = plan_.solver() == SweepSolver::aimed;
-  const Planes load = planes_in(load_), amplitude = planes_in(amplitude_);
+  const bool aimed = plan_->solver() == SweepSolver::aimed;
+  const Planes load = planes_in(load_), amplitude = aimed ? planes_in(amplitude_) : Planes{};
   if (!aimed || all) std::fill(load_.begin(), load_.end(), 0.0);
-  for (const LoadTerm& term : plan_.load_.terms())
+  load_finite_ = true;
+  for (const LoadTerm& term : plan_->load_.terms())
     for (long f = 0; f < count; ++f) {
-      const Complex factor = term.factor(omega_[static_cast<std::size_t>(f)]);
-      if (aimed) put(amplitude, f, factor * term.value(plan_.aim_.order.back()));
+      const Complex factor = term.power == 0 && term.delay == 0 ? Complex(1) : term.factor(omega_[static_cast<std::size_t>(f)]);
+      load_finite_ = load_finite_ && std::isfinite(std::norm(factor));
+      if (aimed) put(amplitude, f, factor * term.value(plan_->aim_.order.back()));
       if (aimed && !all) continue;
-      for (long i = 0; i < plan_.size(); ++i) {
+      for (long i = 0; i < plan_->size(); ++i) {
         const Complex h = factor * term.value(i);
         load.re[i * chunk + f] += h.real();
         load.im[i * chunk + f] += h.imag();
@@ -106,7 +120,7 @@ void SweepWorkspace::fill_load(long count, bool all) {
 }
 
 void SweepWorkspace::fill_parts(long count) {
-  const Eigen::Index n = plan_.size();
+  const Eigen::Index n = plan_->size();
   const Planes part = planes_in(part_), load = planes_in(load_);
   Eigen::MatrixXcd z(n, n);
   Eigen::VectorXcd h(n);
@@ -115,49 +129,56 @@ void SweepWorkspace::fill_parts(long count) {
     if (f == 0 || omega != omega_[static_cast<std::size_t>(f - 1)]) {
       z.setZero();
       h.setZero();
-      plan_.part_(omega, z, h);
+      plan_->part_(omega, z, h);
     }
     for (Eigen::Index i = 0; i < n; ++i) {
-      load.re[i * chunk + f] += plan_.scale_(i) * h(i).real();
-      load.im[i * chunk + f] += plan_.scale_(i) * h(i).imag();
-      for (Eigen::Index j = 0; j < n; ++j) put(part, (i * n + j) * chunk + f, plan_.scale_(i) * z(i, j) * plan_.scale_(j));
+      load.re[i * chunk + f] += plan_->scale_(i) * h(i).real();
+      load.im[i * chunk + f] += plan_->scale_(i) * h(i).imag();
+      for (Eigen::Index j = 0; j < n; ++j) put(part, (i * n + j) * chunk + f, plan_->scale_(i) * z(i, j) * plan_->scale_(j));
     }
   }
 }
 
 Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
-  const long padded = filled_up(count);
+  const long padded = padded_ = filled_up(count, sweep_kernels::granule);
   std::copy_n(omega, count, omega_.begin());
   std::fill(omega_.begin() + count, omega_.begin() + padded, omega[count - 1]);
-  if (!(load_filled_ && plan_.load_.is_constant() && !plan_.part_)) fill_load(plan_.load_.is_constant() ? chunk : padded, every_backward_error);
+  if (!(load_filled_ && plan_->load_.is_constant() && !plan_->part_)) fill_load(plan_->load_.is_constant() ? chunk : padded, every_backward_error);
   load_filled_ = true;
-  if (plan_.part_) fill_parts(padded);
+  if (plan_->part_) fill_parts(padded);
   const Planes q = target.re && padded == count ? target : planes_in(q_);
-  const Planes part = plan_.part_ ? planes_in(part_) : Planes{};
-  sweep_kernels::Batch batch{omega_.data(), padded, planes_in(load_), part, plan_.scale_.data(), q, error_.data()};
+  const Planes part = plan_->part_ ? planes_in(part_) : Planes{};
+  sweep_kernels::Batch batch{omega_.data(), padded, planes_in(load_), part, plan_->scale_.data(), q, error_.data()};
+  std::fill(error_.begin(), error_.end(), 0.0);
   bool good = false, measured = false;  // measured: error_ holds backward errors, not marks
-  switch (plan_.solver()) {
+  switch (plan_->solver()) {
     case SweepSolver::aimed: {
       sweep_kernels::Batch aimed = batch;
       aimed.load = planes_in(amplitude_);
-      good = sweep_kernels::solve_fixed(*plan_.aimed_, &plan_.aim_, aimed);
+      good = sweep_kernels::solve_fixed(*plan_->aimed_, &plan_->aim_, aimed);
       break;
     }
-    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(plan_.plain_, nullptr, batch); break;
+    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(plan_->plain_, nullptr, batch); break;
     case SweepSolver::blocks:
-      plan_.blocks_->solve({omega_.data(), padded, {}, {}, {q.re, q.im, q.stride}, error_.data()});
+      plan_->blocks_->solve({omega_.data(), padded, {}, {}, {q.re, q.im, q.stride}, error_.data()});
       measured = good = true;
       break;
-    case SweepSolver::symmetric: good = sweep_kernels::solve_symmetric(plan_.plain_, batch); break;
-    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(plan_.plain_, batch); break;
+    case SweepSolver::symmetric: good = sweep_kernels::solve_symmetric(plan_->plain_, batch); break;
+    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(plan_->plain_, batch); break;
   }
   std::vector<char> untrusted;
   if (!good) {
     untrusted.resize(static_cast<std::size_t>(count));
     for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_[f] != 0;
   }
+  if (!load_finite_) {
+    // Growth knows nothing of the load: of a power of ω at rest.
+    untrusted.resize(static_cast<std::size_t>(count));
+    for (long f = 0; f < count; ++f)
+      if (!load_at(f).allFinite()) untrusted[static_cast<std::size_t>(f)] = 1;
+  }
   if (every_backward_error || measured) {
-    if (!measured) sweep_kernels::backward_errors(plan_.plain_, batch);
+    if (!measured) sweep_kernels::backward_errors(plan_->plain_, batch);
     for (std::size_t f = 0; f < static_cast<std::size_t>(count); ++f)
       if (!(error_[f] <= accepted_backward_error)) {
         untrusted.resize(static_cast<std::size_t>(count));
@@ -173,30 +194,37 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q, long
   std::vector<long> which;
   for (std::size_t f = 0; f < marked.size(); ++f)
     if (marked[f]) which.push_back(static_cast<long>(f));
-  const auto n = static_cast<Eigen::Index>(plan_.size());
+  const auto n = static_cast<Eigen::Index>(plan_->size());
   const auto count = static_cast<long>(which.size());
   std::vector<char> settled(which.size());
-  if (plan_.solver() != SweepSolver::pivoted) {
+  if (plan_->solver() != SweepSolver::pivoted) {
     counts_.fallbacks += static_cast<int>(count);
-    which.resize(static_cast<std::size_t>(filled_up(count)), which.back());
-    std::vector<double> omega(which.size()), error(which.size()), load(numbers(n)), part(plan_.part_ ? part_.size() : 0), solution(numbers(n));
-    for (std::size_t k = 0; k < which.size(); ++k) {
-      const auto f = static_cast<std::size_t>(which[k]);
-      omega[k] = omega_[f];
-      const Eigen::VectorXcd h = load_at(which[k]);
-      for (Eigen::Index i = 0; i < n; ++i) put(planes_in(load), i * chunk + static_cast<long>(k), h(i));
-      for (std::size_t entry = 0; entry < part.size(); entry += static_cast<std::size_t>(chunk)) part[entry + k] = part_[entry + f];
+    which.resize(static_cast<std::size_t>(filled_up(count, sweep_kernels::widest_pack)), which.back());
+    const auto width = static_cast<long>(which.size());
+    const Planes all_parts = plan_->part_ ? planes_in(part_) : Planes{};
+    std::vector<double> omega(which.size()), error(which.size()), memory(2 * which.size() * static_cast<std::size_t>(2 * n + (plan_->part_ ? n * n : 0)));
+    auto planes = [&, next = memory.data()](Eigen::Index entries) mutable {
+      const Planes these{next, next + entries * width, width};
+      next += 2 * entries * width;
+      return these;
+    };
+    const Planes load = planes(n), solution = planes(n), part = plan_->part_ ? planes(n * n) : Planes{};
+    for (long k = 0; k < width; ++k) {
+      const long f = which[static_cast<std::size_t>(k)];
+      omega[static_cast<std::size_t>(k)] = omega_[static_cast<std::size_t>(f)];
+      const Eigen::VectorXcd h = load_at(f);
+      for (Eigen::Index i = 0; i < n; ++i) put(load, i * width + k, h(i));
+      for (Eigen::Index e = 0; e < n * n && part.re; ++e) put(part, e * width + k, {all_parts.re[e * chunk + f], all_parts.im[e * chunk + f]});
     }
-    const sweep_kernels::Batch batch{omega.data(), static_cast<long>(which.size()), planes_in(load), part.empty() ? Planes{} : planes_in(part),
-                                     plan_.scale_.data(), planes_in(solution), error.data()};
-    (void)sweep_kernels::solve_pivoted(plan_.plain_, batch);
-    std::vector<double> singular = error;
-    sweep_kernels::backward_errors(plan_.plain_, batch);
+    const sweep_kernels::Batch batch{omega.data(), width, load, part, plan_->scale_.data(), solution, error.data()};
+    (void)sweep_kernels::solve_pivoted(plan_->plain_, batch);
+    const std::vector<double> singular = error;
+    sweep_kernels::backward_errors(plan_->plain_, batch);
     for (std::size_t k = 0; k < settled.size(); ++k) {
       settled[k] = singular[k] == 0 && error[k] <= accepted_backward_error;
       error_[static_cast<std::size_t>(which[k])] = error[k];
       for (Eigen::Index i = 0; i < n; ++i)
-        put(q, i * q.stride + which[k], {batch.q.re[i * chunk + static_cast<long>(k)], batch.q.im[i * chunk + static_cast<long>(k)]});
+        put(q, i * q.stride + which[k], {solution.re[i * width + static_cast<long>(k)], solution.im[i * width + static_cast<long>(k)]});
     }
   }
   for (std::size_t k = 0; k < settled.size(); ++k)
@@ -210,23 +238,24 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q, long
 
 /// h of one frequency of the chunk in scaled coordinates.
 Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
-  Eigen::VectorXcd h(plan_.size());
-  if (plan_.solver() == SweepSolver::aimed) return plan_.load_.at(omega_[static_cast<std::size_t>(f)]);
+  Eigen::VectorXcd h(plan_->size());
+  if (plan_->solver() == SweepSolver::aimed) return plan_->load_.at(omega_[static_cast<std::size_t>(f)]);
   for (Eigen::Index i = 0; i < h.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i * chunk + f);
-    h(i) = {load_[at], load_[load_.size() / 2 + at]};
+    const auto at = to_line(load_) + static_cast<std::size_t>(i * chunk + f);
+    h(i) = {load_[at], load_[(load_.size() - line) / 2 + at]};
   }
   return h;
 }
 
 /// One frequency with partial pivoting and one step of refinement; not a number if Z is singular.
 void SweepWorkspace::redo_alone(long f, const Planes& q) {
-  const auto n = static_cast<Eigen::Index>(plan_.size());
-  Eigen::MatrixXcd z = plan_.matrices_.at(omega_[static_cast<std::size_t>(f)]);
-  for (Eigen::Index i = 0; i < n && plan_.part_; ++i)
+  const auto n = static_cast<Eigen::Index>(plan_->size());
+  Eigen::MatrixXcd z = plan_->matrices_.at(omega_[static_cast<std::size_t>(f)]);
+  const Planes part = plan_->part_ ? planes_in(part_) : Planes{};
+  for (Eigen::Index i = 0; i < n && part.re; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
-      const auto at = static_cast<std::size_t>((i * n + j) * chunk + f);
-      z(i, j) += Complex(part_[at], part_[part_.size() / 2 + at]);
+      const long at = (i * n + j) * chunk + f;
+      z(i, j) += Complex(part.re[at], part.im[at]);
     }
   const Eigen::VectorXcd h = load_at(f);
   const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
@@ -234,7 +263,7 @@ void SweepWorkspace::redo_alone(long f, const Planes& q) {
   Eigen::VectorXcd x = lu.solve(h);
   x += lu.solve(h - z * x);
   double& error = error_[static_cast<std::size_t>(f)];
-  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= sweep_kernels::negligible_pivot(plan_.size()) * norm) {
+  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= sweep_kernels::negligible_pivot(plan_->size()) * norm) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     x.setConstant({nan, nan});
     error = nan;
@@ -243,7 +272,7 @@ void SweepWorkspace::redo_alone(long f, const Planes& q) {
     const double possible = norm * x.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff();
     error = possible > 0 ? (h - z * x).cwiseAbs().maxCoeff() / possible : 0;
   }
-  for (Eigen::Index i = 0; i < n; ++i) put(q, i * q.stride + f, plan_.scale_(i) * x(i));
+  for (Eigen::Index i = 0; i < n; ++i) put(q, i * q.stride + f, plan_->scale_(i) * x(i));
 }
 
 }  // namespace trivet::numerics

@@ -41,17 +41,28 @@ class SweepPlan {
   std::optional<BlockSweep> blocks_;
 };
 
+/// Threads for so many solutions: one where another would start later than it ends.
+[[nodiscard]] inline int sweep_threads(std::size_t solutions, int wanted) { return solutions < 20000 ? 1 : wanted; }
+
 /// Memory for one chunk of frequencies on one thread, and its solutions.
 class SweepWorkspace {
  public:
   static constexpr long chunk = 256;  ///< frequencies: six coordinates of them stay in the nearest cache
 
-  explicit SweepWorkspace(const SweepPlan& plan);
+  SweepWorkspace() = default;
+  explicit SweepWorkspace(const SweepPlan& plan) { take(plan); }
+
+  /// Solves another system from now on, in the same memory where it has the same size. The counts go on.
+  void take(const SweepPlan& plan);
 
   /// Solutions at `count` ≤ `chunk` frequencies, into `target` or, if that is null or the chunk is not full, into planes of its own.
   /// @return where they are
   sweep_kernels::Planes solve(const double* omega, long count, bool every_backward_error, sweep_kernels::Planes target = {});
 
+  /// Raises the largest |q_j|² by those of the last chunk and tells where they are.
+  void raise_maxima(const sweep_kernels::Planes& q, double* square, double* angular_frequency) const {
+    sweep_kernels::raise_maxima(plan_->size(), {omega_.data(), padded_, {}, {}, nullptr, q, nullptr}, square, angular_frequency);
+  }
   [[nodiscard]] const double* backward_errors() const { return error_.data(); }
   [[nodiscard]] const SweepCounts& counts() const { return counts_; }
 
@@ -62,9 +73,11 @@ class SweepWorkspace {
   void redo_alone(long f, const sweep_kernels::Planes& q);
   [[nodiscard]] Eigen::VectorXcd load_at(long f) const;
 
-  const SweepPlan& plan_;
+  const SweepPlan* plan_ = nullptr;
   std::vector<double> omega_, load_, amplitude_, part_, q_, error_;
+  long padded_ = 0;
   bool load_filled_ = false;
+  bool load_finite_ = true;
   SweepCounts counts_;
 };
 

@@ -31,9 +31,9 @@ struct Growth {
   Pack squares, reciprocals;
 };
 
-/// ‖Z‖²_F, at most.
-HWY_INLINE Pack norm_squared(const sweep_kernels::Coefficients& z, const Pack& omega, const Pack& square) {
-  return hn::MulAdd(hn::MulAdd(all(z.norm[3]), square, all(z.norm[2])), square, hn::MulAdd(all(z.norm[1]), omega, all(z.norm[0])));
+/// c₀ + c₁ ω + c₂ ω² + c₃ ω⁴
+HWY_INLINE Pack polynomial(const double* c, const Pack& omega, const Pack& square) {
+  return hn::MulAdd(hn::MulAdd(all(c[3]), square, all(c[2])), square, hn::MulAdd(all(c[1]), omega, all(c[0])));
 }
 
 /// False, too, where anything is not a number.
@@ -66,17 +66,17 @@ HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const swee
           re = hn::MulAdd(li[a][p], ui[b][p], re);
           im = hn::NegMulAdd(li[a][p], ur[b][p], im);
         }
-        const Pack modulus = hn::MulAdd(re, re, hn::Mul(im, im));
         if (i == j) {
+          const Pack modulus = hn::MulAdd(re, re, hn::Mul(im, im));
           reciprocal[p] = hn::Div(all(1.0), modulus);
           er[j][p] = hn::Mul(re, reciprocal[p]);
           ei[j][p] = hn::Mul(im, reciprocal[p]);
-          column[p] = modulus;
+          column[p] = j == 0 ? polynomial(z.first, omega[p], square[p]) : modulus;
           growth[p].reciprocals = hn::Add(growth[p].reciprocals, reciprocal[p]);
         } else {
           ur[i * n + j][p] = re;
           ui[i * n + j][p] = im;
-          column[p] = hn::MulAdd(re, re, hn::MulAdd(im, im, column[p]));
+          if (j > 0) column[p] = hn::MulAdd(re, re, hn::MulAdd(im, im, column[p]));
           lr[i * n + j][p] = hn::MulAdd(re, er[j][p], hn::Mul(im, ei[j][p]));
           li[i * n + j][p] = hn::NegMulAdd(re, ei[j][p], hn::Mul(im, er[j][p]));
         }
@@ -84,36 +84,35 @@ HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const swee
     }
     TRIVET_UNROLL for (int p = 0; p < packs; ++p) growth[p].squares = hn::MulAdd(hn::Mul(column[p], column[p]), reciprocal[p], growth[p].squares);
   }
-  LaneMask fine = hn::FirstN(Lanes(), static_cast<std::size_t>(width));
-  TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
-    const long here = at + p * width;
-    ComplexPack q[n];
-    if (!aimed) {
-      TRIVET_UNROLL for (int i = 0; i < n; ++i) {
-        q[i] = load_pack(batch.load, i * batch.load.stride + here);
-        TRIVET_UNROLL for (int k = 0; k < i; ++k) q[i] = subtract_product(q[i], ComplexPack{lr[i * n + k][p], li[i * n + k][p]}, q[k]);
-      }
-    } else {
-      q[n - 1] = load_pack(batch.load, here);
-    }
-    TRIVET_UNROLL for (int i = n - 1; i >= 0; --i) {
+  ComplexPack q[n][packs];
+  TRIVET_UNROLL for (int i = 0; i < n; ++i) TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
+    if (aimed && i < n - 1) continue;
+    q[i][p] = load_pack(batch.load, (aimed ? 0 : i) * batch.load.stride + at + p * width);
+    TRIVET_UNROLL for (int k = 0; k < i && !aimed; ++k) q[i][p] = subtract_product(q[i][p], ComplexPack{lr[i * n + k][p], li[i * n + k][p]}, q[k][p]);
+  }
+  TRIVET_UNROLL for (int i = n - 1; i >= 0; --i) {
+    const int to = aimed ? aim->order[static_cast<std::size_t>(i)] : i;
+    TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
+      ComplexPack& x = q[i][p];
       if (!aimed || i == n - 1) {
-        q[i] = ComplexPack{hn::MulAdd(q[i].re, er[i][p], hn::Mul(q[i].im, ei[i][p])), hn::NegMulAdd(q[i].re, ei[i][p], hn::Mul(q[i].im, er[i][p]))};
+        x = ComplexPack{hn::MulAdd(x.re, er[i][p], hn::Mul(x.im, ei[i][p])), hn::NegMulAdd(x.re, ei[i][p], hn::Mul(x.im, er[i][p]))};
       } else {
         const Pack &re = lr[(n - 1) * n + i][p], &im = li[(n - 1) * n + i][p];
-        q[i] = {hn::NegMulAdd(re, q[n - 1].re, hn::Mul(im, q[n - 1].im)), hn::NegMulSub(re, q[n - 1].im, hn::Mul(im, q[n - 1].re))};
+        x = {hn::NegMulAdd(re, q[n - 1][p].re, hn::Mul(im, q[n - 1][p].im)), hn::NegMulSub(re, q[n - 1][p].im, hn::Mul(im, q[n - 1][p].re))};
       }
-      TRIVET_UNROLL for (int k = aimed ? n - 2 : n - 1; k > i; --k) q[i] = subtract_product(q[i], ComplexPack{lr[k * n + i][p], li[k * n + i][p]}, q[k]);
+      TRIVET_UNROLL for (int k = aimed ? n - 2 : n - 1; k > i; --k) x = subtract_product(x, ComplexPack{lr[k * n + i][p], li[k * n + i][p]}, q[k][p]);
+      if (!aimed || i < n - 1) store_pack(all(batch.scale[to]) * x, batch.q, to * batch.q.stride + at + p * width);
     }
+  }
+  LaneMask fine = hn::FirstN(Lanes(), static_cast<std::size_t>(width));
+  TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
     if (aimed) {
-      TRIVET_UNROLL for (int i = n - 2; i >= 0; --i) q[n - 1] = subtract_product(q[n - 1], all(aim->ratio[i]), q[i]);
+      const int to = aim->order[n - 1];
+      TRIVET_UNROLL for (int i = n - 2; i >= 0; --i) q[n - 1][p] = subtract_product(q[n - 1][p], all(aim->ratio[static_cast<std::size_t>(i)]), q[i][p]);
+      store_pack(all(batch.scale[to]) * q[n - 1][p], batch.q, to * batch.q.stride + at + p * width);
     }
-    TRIVET_UNROLL for (int i = 0; i < n; ++i) {
-      const int to = aimed ? aim->order[i] : i;
-      store_pack(all(batch.scale[to]) * q[i], batch.q, to * batch.q.stride + here);
-    }
-    const LaneMask good = trusted(growth[p], norm_squared(z, omega[p], square[p]), n);
-    store_pack(hn::IfThenZeroElse(good, all(1.0)), batch.error + here);
+    const LaneMask good = trusted(growth[p], polynomial(z.norm, omega[p], square[p]), n);
+    if (!hn::AllTrue(Lanes(), good)) store_pack(hn::IfThenZeroElse(good, all(1.0)), batch.error + at + p * width);
     fine = hn::And(fine, good);
   }
   return fine;
