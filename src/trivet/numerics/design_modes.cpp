@@ -55,7 +55,7 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
 
 void modes_of_designs(const Designs& designs, int n, Eigen::Index first, Eigen::Index last, DesignModes& result) {
   const bool shapes = result.shapes.size() > 0;
-  if (n == 6) return shapes ? pieces_of_modes<true>(Fixed<6>(), designs, first, last, result) : pieces_of_modes<false>(Fixed<6>(), designs, first, last, result);
+  if (n == 6) return shapes ? pieces_of_modes<true>(six_coordinates(), designs, first, last, result) : pieces_of_modes<false>(six_coordinates(), designs, first, last, result);
   const AtMostTwelve size{n};
   shapes ? pieces_of_modes<true>(size, designs, first, last, result) : pieces_of_modes<false>(size, designs, first, last, result);
 }
