@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K φ = λ A φ with one design per lane: Cholesky of A with a verdict on definiteness, then Jacobi rotations of L⁻¹ K L⁻ᵀ in rounds of
 // pairs that do not touch each other, so that their angles are computed together. Rotations act on C = D Y D and Φ = X D with a diagonal
-// D: two multiply-adds for a pair of numbers, D follows (fast rotations, [GolubVanLoan2013] 5.1.13 and 8.5).
+// D: two multiply-adds for a pair of numbers, D follows (fast Givens rotations: W. Rath, Numerische Mathematik 40, 1982).
 #if defined(TRIVET_NUMERICS_MODES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_MODES_INL_H_
 #undef TRIVET_NUMERICS_MODES_INL_H_

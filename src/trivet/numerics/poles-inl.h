@@ -268,7 +268,8 @@ struct PackOfPoles {
 
 /// Pole and residue from a converged root, or, without one, from mode k alone.
 template <typename Size>
-HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k, const Pack& centre, const Root<Size>& at, int pole, PackOfPoles<Size>& result) {
+HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k, const Pack& centre, const Root<Size>& at,
+                             int pole, PackOfPoles<Size>& result) {
   ComplexPack participation = zero(), *residue = result.residue + pole * n;
   if (modal.coupled) {
     each(n, [&](int j) TRIVET_LANES { residue[j] = zero(); });
