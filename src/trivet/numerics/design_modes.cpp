@@ -60,7 +60,7 @@ void modes_of_size(Size n, const Designs& designs, Eigen::Index first, Eigen::In
 }
 
 void modes_of_designs(const Designs& designs, int n, Eigen::Index first, Eigen::Index last, DesignModes& result) {
-  n == 6 ? modes_of_size(Fixed<6>(), designs, first, last, result) : modes_of_size(AtMostTwelve{n}, designs, first, last, result);
+  n == 6 ? modes_of_size(six_coordinates(), designs, first, last, result) : modes_of_size(AtMostTwelve{n}, designs, first, last, result);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

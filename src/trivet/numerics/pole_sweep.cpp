@@ -90,7 +90,7 @@ void roots_of_size(Size n, RootsOfSystem& s) {
   }
 }
 
-void roots_of_system(RootsOfSystem& s) { s.n == 6 ? roots_of_size(Fixed<6>(), s) : roots_of_size(AtMostTwelve{s.n}, s); }
+void roots_of_system(RootsOfSystem& s) { s.n == 6 ? roots_of_size(six_coordinates(), s) : roots_of_size(AtMostTwelve{s.n}, s); }
 
 /// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once more.
 template <bool complex_load, bool moduli, typename Size>
@@ -133,7 +133,7 @@ void pairs_of(Size n, const PairsAtFrequencies& s, bool complex_load) {
 }
 
 void pairs_at(const PairsAtFrequencies& s, bool complex_load) {
-  s.n == 6 ? pairs_of(Fixed<6>(), s, complex_load) : pairs_of(AtMostTwelve{s.n}, s, complex_load);
+  s.n == 6 ? pairs_of(six_coordinates(), s, complex_load) : pairs_of(AtMostTwelve{s.n}, s, complex_load);
 }
 
 /// The largest backward error of them, with |re| + |im| for the modulus.

@@ -62,7 +62,7 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
 void roots_in_lanes(const Designs& designs, Eigen::Index first, RootTable& table) {
   const auto n = static_cast<int>(designs.coordinates());
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    n == 6 ? roots_of(Fixed<6>(), designs, first + lane, lane, table) : roots_of(AtMostTwelve{n}, designs, first + lane, lane, table);
+    n == 6 ? roots_of(six_coordinates(), designs, first + lane, lane, table) : roots_of(AtMostTwelve{n}, designs, first + lane, lane, table);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

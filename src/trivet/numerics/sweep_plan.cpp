@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace trivet::numerics {
@@ -17,20 +16,10 @@ constexpr Eigen::Index fewest_for_blocks = 13;
 
 long filled_up(long count, long granule) { return (count + granule - 1) / granule * granule; }
 
-/// A line of the cache: packs that cross from one to the next are stored at half the speed.
-constexpr std::size_t line = 8;
-
-std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk) + line; }
-
-std::size_t to_line(const std::vector<double>& memory) {
-  return (line - reinterpret_cast<std::uintptr_t>(memory.data()) / sizeof(double) % line) % line;
-}
+std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk); }
 
 /// Planes of a chunk: real parts first, then imaginary parts.
-Planes planes_in(std::vector<double>& memory) {
-  double* first = memory.data() + to_line(memory);
-  return {first, first + (memory.size() - line) / 2, SweepWorkspace::chunk};
-}
+Planes planes_in(const ChunkMemory& memory) { return {memory.data(), memory.data() + memory.size() / 2, SweepWorkspace::chunk}; }
 
 void put(const Planes& planes, long at, Complex value) {
   planes.re[at] = value.real();
@@ -47,16 +36,21 @@ bool has_real_direction(const Eigen::VectorXcd& value, Eigen::Index largest) {
 }  // namespace
 
 SweepPlan::SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part)
-    : scale_(unit_scale(matrices)), matrices_(scaled(matrices, scale_)), load_(load.scaled(scale_)), part_(std::move(part)), plain_(matrices_) {
-  if (!matrices.symmetric) return;
+    : scale_(unit_scale(matrices)), matrices_(scaled(matrices, scale_)), load_(load.scaled(scale_)), part_(std::move(part)) {
+  choose_solver(matrices, load);
+  if (!solved_) solved_.emplace(matrices_);
+}
+
+void SweepPlan::choose_solver(const DynamicMatrices& given, const Load& given_load) {
+  if (!matrices_.symmetric) return;
   solver_ = SweepSolver::symmetric;
   if (part_) return;
-  if (matrices.size() >= fewest_for_blocks) {
-    blocks_.emplace(matrices, load);
+  if (matrices_.size() >= fewest_for_blocks) {
+    blocks_.emplace(given, given_load);
     solver_ = SweepSolver::blocks;
     return;
   }
-  if (matrices.size() > sweep_kernels::most_fixed) return;
+  if (matrices_.size() > sweep_kernels::most_fixed) return;
   solver_ = SweepSolver::fixed;
   if (load_.terms().size() != 1) return;
   Eigen::Index largest = 0;
@@ -87,15 +81,28 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     y -= y.col(n - 1).eval() * ratio.transpose();
     return y;
   };
-  aimed_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K), carried(matrices_.K_loss), true});
+  solved_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K), carried(matrices_.K_loss), true});
   solver_ = SweepSolver::aimed;
+}
+
+void ChunkMemory::resize(std::size_t size) {
+  if (size == size_) return;
+  numbers_.reset(size > 0 ? new (line) double[size] : nullptr);
+  size_ = size;
+}
+
+const sweep_kernels::Coefficients& SweepWorkspace::plain() {
+  if (plan_->solver() != SweepSolver::aimed) return *plan_->solved_;
+  if (!plain_) plain_.emplace(plan_->matrices_);
+  return *plain_;
 }
 
 void SweepWorkspace::take(const SweepPlan& plan) {
   plan_ = &plan;
-  load_filled_ = false;
-  for (std::vector<double>* one : {&omega_, &error_}) one->resize(chunk);
-  for (std::vector<double>* each : {&load_, &q_}) each->resize(numbers(plan.size()));
+  plain_.reset();
+  load_filled_ = 0;
+  for (ChunkMemory* one : {&omega_, &error_}) one->resize(chunk);
+  for (ChunkMemory* each : {&load_, &q_}) each->resize(numbers(plan.size()));
   amplitude_.resize(plan.solver() == SweepSolver::aimed ? numbers(1) : 0);
   part_.resize(plan.part_ ? numbers(long{plan.size()} * plan.size()) : 0);
 }
@@ -103,11 +110,17 @@ void SweepWorkspace::take(const SweepPlan& plan) {
 void SweepWorkspace::fill_load(long count, bool all) {
   const bool aimed = plan_->solver() == SweepSolver::aimed;
   const Planes load = planes_in(load_), amplitude = aimed ? planes_in(amplitude_) : Planes{};
-  if (!aimed || all) std::fill(load_.begin(), load_.end(), 0.0);
+  if (!aimed || all) std::fill_n(load_.data(), load_.size(), 0.0);
   load_finite_ = true;
+  if (aimed && !all && plan_->load_.is_constant()) {
+    const Complex constant = plan_->load_.terms()[0].value(plan_->aim_.order.back());
+    std::fill_n(amplitude.re, chunk, constant.real());
+    std::fill_n(amplitude.im, chunk, constant.imag());
+    return;
+  }
   for (const LoadTerm& term : plan_->load_.terms())
     for (long f = 0; f < count; ++f) {
-      const Complex factor = term.power == 0 && term.delay == 0 ? Complex(1) : term.factor(omega_[static_cast<std::size_t>(f)]);
+      const Complex factor = term.power == 0 && term.delay == 0 ? Complex(1) : term.factor(omega_.data()[f]);
       load_finite_ = load_finite_ && std::isfinite(std::norm(factor));
       if (aimed) put(amplitude, f, factor * term.value(plan_->aim_.order.back()));
       if (aimed && !all) continue;
@@ -125,8 +138,8 @@ void SweepWorkspace::fill_parts(long count) {
   Eigen::MatrixXcd z(n, n);
   Eigen::VectorXcd h(n);
   for (long f = 0; f < count; ++f) {
-    const double omega = omega_[static_cast<std::size_t>(f)];
-    if (f == 0 || omega != omega_[static_cast<std::size_t>(f - 1)]) {
+    const double omega = omega_.data()[f];
+    if (f == 0 || omega != omega_.data()[f - 1]) {
       z.setZero();
       h.setZero();
       plan_->part_(omega, z, h);
@@ -141,35 +154,36 @@ void SweepWorkspace::fill_parts(long count) {
 
 Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
   const long padded = padded_ = filled_up(count, sweep_kernels::granule);
-  std::copy_n(omega, count, omega_.begin());
-  std::fill(omega_.begin() + count, omega_.begin() + padded, omega[count - 1]);
-  if (!(load_filled_ && plan_->load_.is_constant() && !plan_->part_)) fill_load(plan_->load_.is_constant() ? chunk : padded, every_backward_error);
-  load_filled_ = true;
+  std::copy_n(omega, count, omega_.data());
+  std::fill(omega_.data() + count, omega_.data() + padded, omega[count - 1]);
+  const int wanted = every_backward_error ? 2 : 1;
+  if (load_filled_ < wanted || !plan_->load_.is_constant() || plan_->part_) fill_load(plan_->load_.is_constant() ? chunk : padded, every_backward_error);
+  load_filled_ = wanted;
   if (plan_->part_) fill_parts(padded);
   const Planes q = target.re && padded == count ? target : planes_in(q_);
   const Planes part = plan_->part_ ? planes_in(part_) : Planes{};
   sweep_kernels::Batch batch{omega_.data(), padded, planes_in(load_), part, plan_->scale_.data(), q, error_.data()};
-  std::fill(error_.begin(), error_.end(), 0.0);
+  std::fill_n(error_.data(), padded, 0.0);
   bool good = false, measured = false;  // measured: error_ holds backward errors, not marks
   switch (plan_->solver()) {
     case SweepSolver::aimed: {
       sweep_kernels::Batch aimed = batch;
       aimed.load = planes_in(amplitude_);
-      good = sweep_kernels::solve_fixed(*plan_->aimed_, &plan_->aim_, aimed);
+      good = sweep_kernels::solve_fixed(*plan_->solved_, &plan_->aim_, aimed);
       break;
     }
-    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(plan_->plain_, nullptr, batch); break;
+    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(*plan_->solved_, nullptr, batch); break;
     case SweepSolver::blocks:
       plan_->blocks_->solve({omega_.data(), padded, {}, {}, {q.re, q.im, q.stride}, error_.data()});
       measured = good = true;
       break;
-    case SweepSolver::symmetric: good = sweep_kernels::solve_symmetric(plan_->plain_, batch); break;
-    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(plan_->plain_, batch); break;
+    case SweepSolver::symmetric: good = sweep_kernels::solve_symmetric(*plan_->solved_, batch); break;
+    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(*plan_->solved_, batch); break;
   }
   std::vector<char> untrusted;
   if (!good) {
     untrusted.resize(static_cast<std::size_t>(count));
-    for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_[f] != 0;
+    for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_.data()[f] != 0;
   }
   if (!load_finite_) {
     // Growth knows nothing of the load: of a power of ω at rest.
@@ -178,9 +192,9 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
       if (!load_at(f).allFinite()) untrusted[static_cast<std::size_t>(f)] = 1;
   }
   if (every_backward_error || measured) {
-    if (!measured) sweep_kernels::backward_errors(plan_->plain_, batch);
+    if (!measured) sweep_kernels::backward_errors(plain(), batch);
     for (std::size_t f = 0; f < static_cast<std::size_t>(count); ++f)
-      if (!(error_[f] <= accepted_backward_error)) {
+      if (!(error_.data()[f] <= accepted_backward_error)) {
         untrusted.resize(static_cast<std::size_t>(count));
         untrusted[f] = 1;
       }
@@ -211,18 +225,18 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q, long
     const Planes load = planes(n), solution = planes(n), part = plan_->part_ ? planes(n * n) : Planes{};
     for (long k = 0; k < width; ++k) {
       const long f = which[static_cast<std::size_t>(k)];
-      omega[static_cast<std::size_t>(k)] = omega_[static_cast<std::size_t>(f)];
+      omega[static_cast<std::size_t>(k)] = omega_.data()[f];
       const Eigen::VectorXcd h = load_at(f);
       for (Eigen::Index i = 0; i < n; ++i) put(load, i * width + k, h(i));
       for (Eigen::Index e = 0; e < n * n && part.re; ++e) put(part, e * width + k, {all_parts.re[e * chunk + f], all_parts.im[e * chunk + f]});
     }
     const sweep_kernels::Batch batch{omega.data(), width, load, part, plan_->scale_.data(), solution, error.data()};
-    (void)sweep_kernels::solve_pivoted(plan_->plain_, batch);
+    (void)sweep_kernels::solve_pivoted(plain(), batch);
     const std::vector<double> singular = error;
-    sweep_kernels::backward_errors(plan_->plain_, batch);
+    sweep_kernels::backward_errors(plain(), batch);
     for (std::size_t k = 0; k < settled.size(); ++k) {
       settled[k] = singular[k] == 0 && error[k] <= accepted_backward_error;
-      error_[static_cast<std::size_t>(which[k])] = error[k];
+      error_.data()[which[k]] = error[k];
       for (Eigen::Index i = 0; i < n; ++i)
         put(q, i * q.stride + which[k], {solution.re[i * width + static_cast<long>(k)], solution.im[i * width + static_cast<long>(k)]});
     }
@@ -238,11 +252,11 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q, long
 
 /// h of one frequency of the chunk in scaled coordinates.
 Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
+  if (plan_->solver() == SweepSolver::aimed) return plan_->load_.at(omega_.data()[f]);
   Eigen::VectorXcd h(plan_->size());
-  if (plan_->solver() == SweepSolver::aimed) return plan_->load_.at(omega_[static_cast<std::size_t>(f)]);
+  const Planes load = planes_in(load_);
   for (Eigen::Index i = 0; i < h.size(); ++i) {
-    const auto at = to_line(load_) + static_cast<std::size_t>(i * chunk + f);
-    h(i) = {load_[at], load_[(load_.size() - line) / 2 + at]};
+    h(i) = {load.re[i * chunk + f], load.im[i * chunk + f]};
   }
   return h;
 }
@@ -250,7 +264,7 @@ Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
 /// One frequency with partial pivoting and one step of refinement; not a number if Z is singular.
 void SweepWorkspace::redo_alone(long f, const Planes& q) {
   const auto n = static_cast<Eigen::Index>(plan_->size());
-  Eigen::MatrixXcd z = plan_->matrices_.at(omega_[static_cast<std::size_t>(f)]);
+  Eigen::MatrixXcd z = plan_->matrices_.at(omega_.data()[f]);
   const Planes part = plan_->part_ ? planes_in(part_) : Planes{};
   for (Eigen::Index i = 0; i < n && part.re; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -262,7 +276,7 @@ void SweepWorkspace::redo_alone(long f, const Planes& q) {
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
   Eigen::VectorXcd x = lu.solve(h);
   x += lu.solve(h - z * x);
-  double& error = error_[static_cast<std::size_t>(f)];
+  double& error = error_.data()[f];
   if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= sweep_kernels::negligible_pivot(plan_->size()) * norm) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     x.setConstant({nan, nan});

@@ -2,6 +2,8 @@
 // How the frequencies of one system are solved: prepared once, then chunk by chunk.
 #pragma once
 
+#include <memory>
+#include <new>
 #include <optional>
 
 #include "trivet/numerics/block_sweep.h"
@@ -24,10 +26,11 @@ class SweepPlan {
   SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part = {});
 
   [[nodiscard]] SweepSolver solver() const { return solver_; }
-  [[nodiscard]] int size() const { return plain_.n; }
+  [[nodiscard]] int size() const { return static_cast<int>(scale_.size()); }
 
  private:
   friend class SweepWorkspace;
+  void choose_solver(const DynamicMatrices& given, const Load& given_load);
   void aim(const LoadTerm& term, Eigen::Index last);
 
   Eigen::VectorXd scale_;
@@ -35,14 +38,30 @@ class SweepPlan {
   Load load_;
   FrequencyPart part_;
   SweepSolver solver_ = SweepSolver::pivoted;
-  sweep_kernels::Coefficients plain_;
-  std::optional<sweep_kernels::Coefficients> aimed_;
+  std::optional<sweep_kernels::Coefficients> solved_;  ///< what `solver` reads, in the coordinates of `aim_` if it is aimed
   sweep_kernels::Aim aim_;
   std::optional<BlockSweep> blocks_;
 };
 
 /// Threads for so many solutions: one where another would start later than it ends.
 [[nodiscard]] inline int sweep_threads(std::size_t solutions, int wanted) { return solutions < 20000 ? 1 : wanted; }
+
+/// Numbers that begin with a line of the cache, not set to anything: packs that cross from one line to the next are stored at half the speed.
+class ChunkMemory {
+ public:
+  /// Keeps the memory, and what it holds, if the size stays.
+  void resize(std::size_t size);
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] double* data() const { return numbers_.get(); }
+
+ private:
+  static constexpr std::align_val_t line{64};
+  struct Release {
+    void operator()(double* numbers) const { ::operator delete[](numbers, line); }
+  };
+  std::unique_ptr<double[], Release> numbers_;
+  std::size_t size_ = 0;
+};
 
 /// Memory for one chunk of frequencies on one thread, and its solutions.
 class SweepWorkspace {
@@ -74,9 +93,13 @@ class SweepWorkspace {
   [[nodiscard]] Eigen::VectorXcd load_at(long f) const;
 
   const SweepPlan* plan_ = nullptr;
-  std::vector<double> omega_, load_, amplitude_, part_, q_, error_;
+  /// Of the system in plain coordinates: of an aimed one only residuals and pivoting need them.
+  const sweep_kernels::Coefficients& plain();
+
+  std::optional<sweep_kernels::Coefficients> plain_;
+  ChunkMemory omega_, load_, amplitude_, part_, q_, error_;
   long padded_ = 0;
-  bool load_filled_ = false;
+  int load_filled_ = 0;  ///< 1: what the solver reads; 2: what residuals read, too
   bool load_finite_ = true;
   SweepCounts counts_;
 };

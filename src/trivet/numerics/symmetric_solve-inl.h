@@ -14,9 +14,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
+// Written out where the compiler optimises; the instrumented build keeps its loops: to write them out takes it minutes.
 #undef TRIVET_UNROLL
+#ifdef NDEBUG
 #define TRIVET_UNROLL _Pragma("GCC unroll 16")
-
+#else
+#define TRIVET_UNROLL
+#endif
 
 HWY_INLINE Pack load_pack(const double* from) { return hn::LoadU(Lanes(), from); }
 HWY_INLINE void store_pack(const Pack& pack, double* to) { hn::StoreU(pack, Lanes(), to); }
