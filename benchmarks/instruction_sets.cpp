@@ -55,7 +55,7 @@ int main() {
   one_thread.threads = 1;
   one_thread.every_backward_error = false;
   numerics::SweepPlanes planes;
-  under_each({"instruction sets, direct sweep", "10,000 frequencies", "frequency"}, 10000, 1e-11, 745,
+  under_each({"instruction sets, direct sweep", "10,000 frequencies", "frequency"}, 10000, 1e-11, 719,
              [&]() -> const Eigen::ArrayXXd& {
                numerics::sweep(matrices, m.load, omega, planes, one_thread);
                return planes.re;
