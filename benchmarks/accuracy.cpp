@@ -94,7 +94,8 @@ int main() {
     else std::puts("  Trivet, poles                declined: solved directly");
 
     const SixCoordinates system{c.system.A.data(), c.system.B.data(), c.system.K.data(), c.system.load.data()};
-    for (const auto& [name, solver] : {std::pair{"Eigen fixed LU", &eigen_fixed_lu}, std::pair{"LAPACK zgesv", &lapack_zgesv}, std::pair{"LAPACK zsysv", &lapack_zsysv}}) {
+    for (const auto& [name, solver] : {std::pair{"Eigen fixed LU", &eigen_fixed_lu}, std::pair{"LAPACK zgesv", &lapack_zgesv},
+                                       std::pair{"LAPACK zsysv", &lapack_zsysv}}) {
       solver(system, c.omega.data(), c.omega.size(), q.data());
       report.add(c, name, q.data());
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the highest amplitudes of all six coordinates of a design take, exactly? Beside loops over 10,000 frequencies, which miss them where damping is light.
+// How long do the highest amplitudes of all six coordinates of a design take, exactly? Beside loops over 10,000 frequencies, which miss them where
+// damping is light.
 #include "trivet/numerics/design_peaks.h"
 
 #include <algorithm>
@@ -90,8 +91,8 @@ int main() {
     }
   }
   const auto part = [&](numerics::DesignStatus status) { return double(std::count(found.status.begin(), found.status.end(), status)) / double(count); };
-  std::printf("  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; redone %.2f %%, undecided %.2f %%\n", compared_designs, error,
-              100 * grid_error, 100 * part(numerics::DesignStatus::redone), 100 * part(numerics::DesignStatus::undecided));
+  std::printf("  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; redone %.2f %%, undecided %.2f %%\n",
+              compared_designs, error, 100 * grid_error, 100 * part(numerics::DesignStatus::redone), 100 * part(numerics::DesignStatus::undecided));
   compared("Trivet", error, 1e-9);
 
   const PaperMachine one = machine_of(designs, 0);
@@ -102,8 +103,10 @@ int main() {
   const SixCoordinates system{one.A.data(), one.B.data(), one.K.data(), one.load.data()};
   const std::string question = "exact peaks of six coordinates over designs";
   const auto medians = measure({question, "4,096 designs, damping ratios about 1e-6 … 0.5; rivals one design on 10,000 frequencies", "design", error},
-                               {here("Trivet, highest amplitudes", count, [&] { (void)ours(); }), octave.way("loop", "Octave, the paper's loop", 1),
-                                python.way("batched", "NumPy, batched solve", 1), python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", 1),
+                               {here("Trivet, highest amplitudes", count, [&] { (void)ours(); }),
+                                octave.way("loop", "Octave, the paper's loop", 1),
+                                python.way("batched", "NumPy, batched solve", 1),
+                                python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", 1),
                                 here("Eigen, fixed 6×6 pivoted LU", 1, [&] { eigen_fixed_lu(system, grid.data(), points, q.data()); })});
   record(question, "µs per design", 1e6 * medians[0], "µs", "≤ 1.2", 1e6 * medians[0] <= 1.2);
   record(question, "largest relative error", error, "", "≤ 1e-9", error <= 1e-9);

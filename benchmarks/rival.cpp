@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rival.h"
 
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,8 +23,9 @@ Rival::Rival(const std::string& script, const std::filesystem::path& folder) : s
   setenv("OMP_NUM_THREADS", "1", 1);
   const std::string file = std::string(TRIVET_RIVALS) + "/" + script, problem = folder.string();
   const bool octave = script.ends_with(".m");
-  const std::vector<const char*> arguments = octave ? std::vector<const char*>{"octave-cli", "--norc", "--quiet", "--no-history", file.c_str(), problem.c_str(), nullptr}
-                                                    : std::vector<const char*>{TRIVET_PYTHON, file.c_str(), problem.c_str(), nullptr};
+  std::vector<const char*> arguments = {TRIVET_PYTHON};
+  if (octave) arguments = {"octave-cli", "--norc", "--quiet", "--no-history"};
+  arguments.insert(arguments.end(), {file.c_str(), problem.c_str(), nullptr});
   int requests[2], replies[2];
   if (pipe(requests) != 0 || pipe(replies) != 0) throw std::runtime_error("no pipe");
   posix_spawn_file_actions_t actions;
@@ -57,6 +59,9 @@ Rival::~Rival() {
 std::string Rival::ask(const std::string& request) {
   std::fprintf(to_, "%s\n ", request.c_str());  // Octave looks at the sign after a line before it gives the line
   std::fflush(to_);
+  constexpr int patience = 120'000;  // ms: none of the questions asks for so much
+  pollfd answered{fileno(from_), POLLIN, 0};
+  if (poll(&answered, 1, patience) == 0) throw std::runtime_error(script_ + " does not answer '" + request + "'");
   std::string reply;
   for (int c; (c = std::fgetc(from_)) != '\n';) {
     if (c == EOF) throw std::runtime_error(script_ + " ended at '" + request + "'");

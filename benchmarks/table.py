@@ -37,7 +37,7 @@ def times(lines):
         if "gflops" in line:
             speed = f"{line['gflops']:.1f}, {100 * line['part_of_peak']:.0f} % of {line['peak_gflops']:.0f}"
         ratio = f"{number(line['ratio'])} ({number(line['ratio_lowest'])} … {number(line['ratio_highest'])})"
-        rows.append([line["way"] + (f" ({line['note']})" if line["note"] else ""), time_text(line["ns"]), ratio if line["ratio"] != 1 else "1", speed, verdict(line)])
+        rows.append([line["way"] + (f" ({line['note']})" if line["note"] else ""), time_text(line["ns"]), "1" if line["ours"] else ratio, speed, verdict(line)])
     first = lines[0]
     head = [f"{first['size']}, medians of {first['turns']}", f"per {first['item']}", "× ours (lowest … highest)", "GFLOP/s", "goal"]
     return table(head, rows) + f"\n\nLargest error of ours before timing: {first['error']:.1e}."
