@@ -118,6 +118,7 @@ TEST(DesignPeaks, AreThoseOfEveryInstructionSet) {
     numerics::use_instruction_set("");
     EXPECT_LE((other.highest / best.highest - 1).abs().maxCoeff(), 1e-10) << set;
     EXPECT_TRUE((other.peaks == best.peaks).all()) << set;
+    EXPECT_GE(std::count(other.status.begin(), other.status.end(), numerics::DesignStatus::proven), 200) << set;
   }
 }
 
