@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/numerics/axis_panels.h"
 #include "trivet/response/axis_walk.h"
 #include "trivet/response/frequency_response.h"
 #include "trivet/response/peak_refinement.h"
