@@ -162,13 +162,14 @@ HWY_INLINE void note_change(const WalkedCurve& curve, const LaneMask& left, cons
   const Pack first = hn::Neg(hn::Div(curve.p0, curve.p1));
   const Pack second = hn::Neg(hn::Div(hn::MulAdd(hn::Mul(curve.p2, first), first, curve.p0), curve.p1));
   const Pack root = hn::Max(hn::Neg(half), hn::Min(half, second));
-  HWY_ALIGN double at[8], within[8], after[8], flags[8];
+  HWY_ALIGN double at[8], lower[8], upper[8], after[8], flags[8];
   hn::Store(hn::Add(centre, root), Lanes(), at);
-  hn::Store(half, Lanes(), within);
+  hn::Store(hn::Sub(centre, half), Lanes(), lower);
+  hn::Store(hn::Add(centre, half), Lanes(), upper);
   hn::Store(curve.after, Lanes(), after);
   hn::Store(hn::IfThenElseZero(changed, all(1.0)), Lanes(), flags);
   for (int lane = 0; lane < lane_count(); ++lane)
-    if (flags[lane] != 0) found.push_back({lane, channel, at[lane], within[lane], after[lane] < 0});
+    if (flags[lane] != 0) found.push_back({lane, channel, at[lane], lower[lane], upper[lane], after[lane] < 0});
 }
 
 /// The next place where it pays to look again when only the highest values are asked: some widths of a resonance before or behind it.

@@ -107,7 +107,7 @@ HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
   const int lanes = lane_count(), n = store.pairs;
   const auto count = static_cast<int>(found.size());
   for (int begin = 0; begin < count; begin += lanes) {
-    alignas(64) double z[most_pairs][2][table_lanes], C[most_pairs + 1][2][table_lanes], real[most_pairs][table_lanes], at[table_lanes], within[table_lanes];
+    alignas(64) double z[most_pairs][2][table_lanes], C[most_pairs + 1][2][table_lanes], real[most_pairs][table_lanes], at[table_lanes], lower[table_lanes], upper[table_lanes];
     for (int i = 0; i < lanes; ++i) {
       const FoundExtremum& e = found[static_cast<std::size_t>(std::min(begin + i, count - 1))];
       for (int k = 0; k < n; ++k) {
@@ -116,11 +116,11 @@ HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
       }
       for (int k = 0; k <= n; ++k)
         for (int part = 0; part < 2; ++part) C[k][part][i] = store.of(e.channel, k, part)[e.lane];
-      at[i] = e.at, within[i] = e.within;
+      at[i] = e.at, lower[i] = e.lower, upper[i] = e.upper;
     }
-    const Pack start = from_table(at, 0), reach = from_table(within, 0);
+    const Pack lowest = from_table(lower, 0), highest = from_table(upper, 0);
     const Pack constant = from_table(C[n][0], 0), slope = from_table(C[n][1], 0);
-    Pack x = start, value = constant, s0 = slope, missed = constant;
+    Pack x = from_table(at, 0), value = constant, s0 = slope, missed = constant;
     for (int step = 0; step <= steps; ++step) {
       value = hn::MulAdd(slope, x, constant);
       Pack s1 = hn::Zero(Lanes()), s2 = s1;
@@ -139,7 +139,7 @@ HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
       const Pack f1 = hn::Sub(slope, s0), f2 = hn::Add(s1, s1), f3 = hn::Mul(all(-6.0), s2);
       const Pack halley = hn::Div(hn::Mul(hn::Mul(all(2.0), f1), f2), hn::NegMulAdd(f1, f3, hn::Mul(all(2.0), hn::Mul(f2, f2))));
       missed = hn::Abs(hn::Mul(f1, halley));
-      if (step < steps) x = hn::Max(hn::Sub(start, hn::Add(reach, reach)), hn::Min(hn::Add(start, hn::Add(reach, reach)), hn::Sub(x, halley)));
+      if (step < steps) x = hn::Max(lowest, hn::Min(highest, hn::Sub(x, halley)));
     }
     alignas(64) double result[3][table_lanes];
     hn::StoreU(x, Lanes(), result[0]);
