@@ -58,6 +58,8 @@ struct SweepPlanes : SweepCounts {
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part, const std::vector<double>& omega,
                                 const SweepOptions& options = {});
 
+/// Where no backward errors are asked for, many frequencies under a constant load are summed over poles, if these can be proven (pole_sweep.h);
+/// otherwise, and where a share of the sums that is put back misses `accepted_backward_error`, solved directly.
 void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options = {});
 
 
