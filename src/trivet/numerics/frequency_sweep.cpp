@@ -12,7 +12,7 @@ namespace {
 
 using sweep_kernels::Planes;
 
-constexpr std::size_t piece = 8 * static_cast<std::size_t>(SweepWorkspace::chunk);
+constexpr std::size_t piece = 16 * static_cast<std::size_t>(SweepWorkspace::chunk);
 
 /// Solves all chunks; target(first) says where the solutions from `first` on may go, take(first, count, planes, errors) gets them.
 template <typename Target, typename Take>
