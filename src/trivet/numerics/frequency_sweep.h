@@ -18,7 +18,7 @@ inline constexpr double accepted_backward_error = 1e-14;
 using FrequencyPart = std::function<void(double omega, Eigen::MatrixXcd& Z, Eigen::VectorXcd& h)>;
 
 struct SweepOptions {
-  /// Compute the backward error of every solution (by blocks it always is, through one fixed direction). Otherwise the growth of the factors
+  /// Compute the backward error of every solution. Otherwise the growth of the factors
   /// bounds it, which costs a tenth as much.
   bool every_backward_error = true;
   int threads = 0;  ///< 0: as many as the machine has; one below 20,000 solutions
