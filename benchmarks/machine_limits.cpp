@@ -38,33 +38,36 @@ void stream(double value, double* target, size_t count) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <hwy/aligned_allocator.h>
+#include <algorithm>
+#include <cstdlib>
 
 #include "measure.h"
+#include "trivet/numerics/dispatch.h"
 
 namespace trivet::benchmarks {
 
-HWY_EXPORT(multiply_adds);
-HWY_EXPORT(multiply_adds_per_round);
-HWY_EXPORT(stream);
+using numerics::chosen_variant;
+TRIVET_VARIANTS(multiply_adds);
+TRIVET_VARIANTS(multiply_adds_per_round);
+TRIVET_VARIANTS(stream);
 
 double peak_flops() {
   constexpr int rounds = 40000;
   static volatile double start = 0.5;
   const double from = thread_seconds();
-  start = HWY_DYNAMIC_DISPATCH(multiply_adds)(rounds, start) * 0.05;
-  return 2.0 * rounds * HWY_DYNAMIC_DISPATCH(multiply_adds_per_round)() / (thread_seconds() - from);
+  start = TRIVET_DISPATCH(multiply_adds)(rounds, start) * 0.05;
+  return 2.0 * rounds * TRIVET_DISPATCH(multiply_adds_per_round)() / (thread_seconds() - from);
 }
 
 double streaming_store_bandwidth() {
   constexpr size_t count = size_t{1} << 24;
-  static const hwy::AlignedFreeUniquePtr<double[]> buffer = [] {
-    auto warmed = hwy::AllocateAligned<double>(count);
-    for (size_t i = 0; i < count; ++i) warmed[i] = 1;
+  static double* const buffer = [] {  // for as long as the process lives
+    auto* const warmed = static_cast<double*>(std::aligned_alloc(64, count * sizeof(double)));
+    std::fill_n(warmed, count, 1.0);
     return warmed;
   }();
   const double from = thread_seconds();
-  HWY_DYNAMIC_DISPATCH(stream)(2.0, buffer.get(), count);
+  TRIVET_DISPATCH(stream)(2.0, buffer, count);
   return sizeof(double) * count / (thread_seconds() - from);
 }
 

@@ -19,7 +19,8 @@ struct Way {
   std::string note = {};
 };
 
-/// Work for `items` frequencies or designs in this process, repeated to chunks of at least 200 µs; called once before, so that buffers are warm.
+/// Work for `items` frequencies or designs in this process, repeated to chunks of at least 200 µs; called once before each chunk, so that
+/// buffers are warm, unless one call takes 20 ms.
 [[nodiscard]] Way here(std::string name, double items, std::function<void()> work, double flops = 0, double goal = 0);
 
 /// Question, size and unit of a table; the first way is ours.
@@ -36,6 +37,9 @@ std::vector<double> measure(const Question& question, const std::vector<Way>& wa
 
 /// A figure that is no time: an error, a slope, a bandwidth. `met` is told with it.
 void record(const std::string& question, const std::string& name, double value, const std::string& unit, const std::string& goal, bool met);
+
+/// Errors of one way on one case.
+void record_errors(const std::string& question, const std::string& way, double forward, double backward, const std::string& goal, bool met);
 
 /// Ends the program with status 1 if an answer misses its limit: what is wrong is not timed.
 void compared(const std::string& what, double error, double limit);

@@ -69,4 +69,28 @@ double forward_error(const Values& x, const std::vector<QuadComplex>& q, const S
   return difference / largest;
 }
 
+/// ‖Zx − h‖ / (‖Z‖ ‖x‖ + ‖h‖) in maximum norms, coordinates scaled to x_i s_i; |re| + |im| stands for the modulus.
+template <typename Matrix, typename Vector, typename Values, typename Scale>
+double backward_error(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h, double omega, const Values& x, const Scale& s) {
+  const int n = static_cast<int>(h.size());
+  const Quad w = omega;
+  Quad residual = 0, norm = 0, solution = 0, load = 0;
+  for (int i = 0; i < n; ++i) {
+    QuadComplex r{h(i), 0};
+    Quad row = 0;
+    for (int j = 0; j < n; ++j) {
+      const QuadComplex z{Quad(K(i, j)) - w * w * Quad(A(i, j)), w * Quad(B(i, j))};
+      const std::complex<double> value = x[j];
+      r = r - z * QuadComplex{value.real(), value.imag()};
+      row += size(z) / s[j];
+    }
+    const std::complex<double> value = x[i];
+    residual = size(r) / s[i] <= residual ? residual : size(r) / s[i];  // keeps NaN
+    norm = std::max(norm, row / s[i]);
+    solution = std::max(solution, s[i] * size({value.real(), value.imag()}));
+    load = std::max(load, size({h(i), 0}) / s[i]);
+  }
+  return static_cast<double>(residual / (norm * solution + load));
+}
+
 }  // namespace trivet::benchmarks

@@ -38,6 +38,11 @@ Rival::Rival(const std::string& script, const std::filesystem::path& folder) : s
   to_ = fdopen(requests[1], "w");
   from_ = fdopen(replies[0], "r");
   if (failed != 0) throw std::runtime_error(std::string(arguments[0]) + " cannot be started: scripts/packages benchmarks installs it");
+  read();
+}
+
+void Rival::read() {
+  names_.clear();
   std::istringstream words(ask("names"));
   for (std::string word; words >> word;) names_.insert(word);
 }

@@ -26,6 +26,8 @@ class Rival {
 
   /// Can it answer this way? (A library may be absent.)
   [[nodiscard]] bool has(const std::string& name) const { return names_.contains(name); }
+  /// Reads the problem anew.
+  void read();
   /// The answers, in the order in which the script has them in memory.
   [[nodiscard]] std::vector<std::complex<double>> answers(const std::string& name);
   /// Timed per item; one turn is one call of the script's function, or more where that is short.

@@ -7,6 +7,7 @@
 #include "paper_machine.h"
 #include "quad.h"
 #include "rival.h"
+#include "rivals/fixed_lu.h"
 #include "trivet/foundation/temporary_folder.h"
 
 namespace trivet::benchmarks {
@@ -27,7 +28,7 @@ class SweepProblem {
   }
 
   /// Largest forward error of answers (6 per frequency) at the checked frequencies; ends the program where it is above the limit.
-  double check(const std::string& way, const Complex* answers) {
+  double check(const std::string& way, const std::complex<double>* answers) {
     double worst = 0;
     const Vector6 scale = machine.A.diagonal().cwiseSqrt();
     for (std::size_t c = 0; c < checked_.size(); ++c) {
@@ -40,6 +41,8 @@ class SweepProblem {
   }
   double check(const std::string& way, const Eigen::MatrixXcd& answers) { return check(way, answers.data()); }
   double check(Rival& rival, const std::string& name) { return check(name, rival.answers(name).data()); }
+
+  [[nodiscard]] SixCoordinates system() const { return {machine.A.data(), machine.B.data(), machine.K.data(), machine.load.data()}; }
 
   PaperMachine machine = paper_machine();
   std::vector<double> omega;

@@ -1,51 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The usual C++ ways to q = (K + iωB − ω²A)⁻¹h, one frequency after the other: Eigen's fixed-size pivoted LU, LAPACK's zgesv and zsysv.
+// The usual C++ ways to q = (K + iωB − ω²A)⁻¹h of six coordinates, one frequency after the other. Compiled for this very processor, as
+// their users would; matrices by columns, so that nothing of Eigen is shared with the rest of the program.
 #pragma once
 
-#include <Eigen/LU>
 #include <complex>
-
-#include "paper_machine.h"
-#include "rivals/lapack.h"
+#include <cstddef>
 
 namespace trivet::benchmarks {
 
-using Complex = std::complex<double>;
-using Matrix6c = Eigen::Matrix<Complex, 6, 6>;
+struct SixCoordinates {
+  const double *A, *B, *K, *load;
+};
 
-inline Matrix6c dynamic_stiffness(const PaperMachine& m, double omega) {
-  Matrix6c z;
-  z.real() = m.K - omega * omega * m.A;
-  z.imag() = omega * m.B;
-  return z;
-}
+/// q: 6 × count
+using SixCoordinateSolver = void (*)(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);
 
-inline void eigen_fixed_lu(const PaperMachine& m, const std::vector<double>& omega, Eigen::MatrixXcd& q) {
-  const Eigen::Matrix<Complex, 6, 1> h = m.load.cast<Complex>();
-  for (std::size_t i = 0; i < omega.size(); ++i) q.col(static_cast<Eigen::Index>(i)) = dynamic_stiffness(m, omega[i]).partialPivLu().solve(h);
-}
+void eigen_fixed_lu(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);
+void lapack_zgesv(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);
+void lapack_zsysv(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);
 
-inline void lapack_zgesv(const PaperMachine& m, const std::vector<double>& omega, Eigen::MatrixXcd& q) {
-  const lapack_int n = 6, one = 1;
-  lapack_int pivots[6], info = 0;
-  for (std::size_t i = 0; i < omega.size(); ++i) {
-    Matrix6c z = dynamic_stiffness(m, omega[i]);
-    auto x = q.col(static_cast<Eigen::Index>(i));
-    x = m.load.cast<Complex>();
-    LAPACK_zgesv(&n, &one, z.data(), &n, pivots, x.data(), &n, &info);
-  }
-}
+/// λ ascending and φ with φᵀAφ = 1 of K φ = λ A φ, by columns.
+using SixCoordinateModes = void (*)(const double* K, const double* A, double* lambda, double* shapes);
 
-inline void lapack_zsysv(const PaperMachine& m, const std::vector<double>& omega, Eigen::MatrixXcd& q) {
-  const lapack_int n = 6, one = 1, work_size = 64 * 6;
-  lapack_int pivots[6], info = 0;
-  Complex work[64 * 6];
-  for (std::size_t i = 0; i < omega.size(); ++i) {
-    Matrix6c z = dynamic_stiffness(m, omega[i]);
-    auto x = q.col(static_cast<Eigen::Index>(i));
-    x = m.load.cast<Complex>();
-    LAPACK_zsysv("L", &n, &one, z.data(), &n, pivots, x.data(), &n, work, &work_size, &info);
-  }
-}
+void eigen_fixed_modes(const double* K, const double* A, double* lambda, double* shapes);
+void lapack_dsygv(const double* K, const double* A, double* lambda, double* shapes);
 
 }  // namespace trivet::benchmarks

@@ -4,9 +4,6 @@ import numpy as np
 import scipy.linalg
 from serve import numbers, serve
 
-A, B, K, H = (numbers(name, 6) for name in "ABKH")
-H = H[:, 0]
-p = numbers("p", 1)[0]
 
 
 def in_pieces(evaluate, size):
@@ -58,25 +55,27 @@ def poles():
 
 def modal():
     residues, values = poles()
-    return in_pieces(lambda some: residues @ (1 / (1j * some - values[:, None])), 4000)
+    return in_pieces(lambda some: residues @ (1 / (1j * some - values[:, None])), 1500)
 
 
 def modal_pairs():
-    """Conjugate pairs joined: half as many divisions, products with real coefficients."""
+    """Conjugate pairs joined, (a + ipb) / (|λ|² - p² - 2ip Re λ), in real arithmetic: NumPy divides complex numbers slowly."""
     residues, values = poles()
     upper = values.imag > 0
     if 2 * np.count_nonzero(upper) != 12:
         raise ValueError("a real pole has no partner")
     r, v = residues[:, upper], values[upper]
-    a, b, square, twice = -2 * (r * v.conj()).real, 2 * r.real, abs(v[:, None])**2, -2 * v.real[:, None]
+    ab = np.vstack([-2 * (r * v.conj()).real, 2 * r.real])
+    square, damping = abs(v[:, None])**2, -2 * v.real[:, None]
 
     def some_of_them(some):
-        x = np.empty((6, len(some)), dtype=complex)
-        x.real = square - some**2
-        x.imag = twice * some
-        np.reciprocal(x, out=x)
-        flat = x.view(float)
-        return (a @ flat).view(complex) + 1j * some * (b @ flat).view(complex)
+        x, y = square - some * some, damping * some
+        scale = 1 / (x * x + y * y)
+        real, minus_imaginary = ab @ (x * scale), ab @ (y * scale)
+        q = np.empty((6, len(some)), dtype=complex)
+        q.real = real[:6] + some * minus_imaginary[6:]
+        q.imag = some * real[6:] - minus_imaginary[:6]
+        return q
 
     return in_pieces(some_of_them, 2000)
 
@@ -88,22 +87,26 @@ def loop(solve):
     return q
 
 
-ways = {
-    "batched": lambda: in_pieces(batched, 20000),
-    "ldlt": lambda: in_pieces(vectorised_ldlt, 2000),
-    "modal": modal,
-    "modal_pairs": modal_pairs,
-    "scipy": lambda: loop(lambda z: scipy.linalg.solve(z, H)),
-    "scipy_zgesv": lambda: loop(lambda z: scipy.linalg.lapack.zgesv(z, H)[2]),
-}
-try:
-    from pyyeti import ode
+def read():
+    global A, B, K, H, p
+    A, B, K, H = (numbers(name, 6) for name in "ABKH")
+    H = H[:, 0]
+    p = numbers("p", 1)[0]
+    ways = {
+        "batched": lambda: in_pieces(batched, 20000),
+        "ldlt": lambda: in_pieces(vectorised_ldlt, 2000),
+        "modal": modal,
+        "modal_pairs": modal_pairs,
+        "scipy": lambda: loop(lambda z: scipy.linalg.solve(z, H)),
+        "scipy_zgesv": lambda: loop(lambda z: scipy.linalg.lapack.zgesv(z, H)[2]),
+    }
+    try:
+        from pyyeti import ode
+    except ImportError:
+        return ways
+    # Complex poles of the coupled equations, pyYeti's way to frequency responses.
+    ways["pyyeti"] = lambda: ode.SolveUnc(A, B, K).fsolve(np.repeat(H[:, None], len(p), axis=1), p / (2 * np.pi)).d
+    return ways
 
-    def solve_uncoupled():
-        """Complex poles of the coupled equations, pyYeti's way to frequency responses."""
-        return ode.SolveUnc(A, B, K).fsolve(np.repeat(H[:, None], len(p), axis=1), p / (2 * np.pi)).d
 
-    ways["pyyeti"] = solve_uncoupled
-except ImportError:
-    pass
-serve(ways)
+serve(read)
