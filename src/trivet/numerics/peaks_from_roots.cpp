@@ -18,7 +18,8 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 HWY_INLINE Pack from_table(const double* row, int lane) { return hn::LoadU(Lanes(), row + lane); }
 
-HWY_INLINE void see_values(const WalkedPack& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
+template <typename Size>
+HWY_INLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
   PairPack w[most_pairs];
   for (int k = 0; k < pack.count; ++k)
     w[k] = inverse(pack.real[k], {hn::Sub(x, pack.z[k].first), hn::IfThenElse(pack.real[k], hn::Sub(x, pack.z[k].second), hn::Neg(pack.z[k].second))});
@@ -34,10 +35,11 @@ HWY_INLINE void see_values(const WalkedPack& pack, const Pack& x, WalkedCurve* c
 /// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more. In u = 1/x a curve has the
 /// same form, with poles 1/z, and one panel reaches from there to u = 0.
 /// @param complete  leaves the lanes where that is proven
-HWY_INLINE Pack beginning_of_tail(const WalkedPack& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
+template <typename Size>
+HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
                                   LaneMask& complete) {
   constexpr int most_doublings = 40;
-  WalkedPack inverted = pack;
+  WalkedPack<Size> inverted = pack;
   Pack begins = hn::Add(pack.from, pack.from);
   PairPack weight[most_pairs];
   for (int k = 0; k < pack.count; ++k) {
@@ -80,7 +82,8 @@ HWY_INLINE Pack beginning_of_tail(const WalkedPack& pack, const WalkedCurve* cur
 }
 
 /// Signs of the slopes where the walk begins; 0 where round-off hides them.
-HWY_INLINE void first_signs(const WalkedPack& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
+template <typename Size>
+HWY_INLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
   PanelPowers powers[most_pairs];
   form_powers(pack, pack.from, hn::Zero(Lanes()), powers);
   const WalkOptions options{false, 0};
@@ -180,13 +183,15 @@ inline bool is_settled(const FoundExtremum& e, double best, const PeakQuestion& 
 }
 
 /// Curves of as many designs as there are lanes, `lane` first.
-void answer(const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
+template <typename Size>
+void answer(Size n, const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
   const auto channels = static_cast<int>(question.rows.size());
-  const int n = table.coordinates, lanes = lane_count();
+  const int lanes = lane_count();
   const WalkOptions options{question.count_peaks, question.min_prominence};
   PolePairs poles;
-  WalkedPack pack;
-  poles.count = pack.count = n;
+  WalkedPack<Size> pack;
+  poles.count = n;
+  pack.count = n;
   double asked[table_lanes];
   for (int i = 0; i < lanes; ++i) asked[i] = table.good[lane + i];
   pack.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
@@ -286,7 +291,7 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
 
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
   peaks.channels.resize(question.rows.size() * table_lanes);
-  for (int lane = 0; lane < table_lanes; lane += lane_count()) answer(table, question, lane, peaks);
+  for (int lane = 0; lane < table_lanes; lane += lane_count()) table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
