@@ -74,8 +74,11 @@ std::string response_text(const study::Answers& answers) {
   std::string text = "Amplitude and phase (zero-to-peak; a lag is negative)\n" + table.text();
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
   text += fmt::format("  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} (round-off × condition): {}\n",
-                      answer.curves.check.worst_backward_error, count, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
+                      answer.curves.check.worst_backward_error, answer.curves.solves, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
                       answer.deep.verdict());
+  if (answer.curves.interpolation_error > 0)
+    text += fmt::format("  rows between the {} frequencies that were solved are interpolated by a rational model: off by at most {:.1e} of their value where it was tested\n",
+                        answer.curves.solves, answer.curves.interpolation_error);
   for (const double omega : answer.curves.check.undefined_at)
     text += fmt::format("  ω = {} rad/s stands on an undamped resonance or a free motion: no steady state exists there (shown as –)\n", shown(omega, 9));
   return text;
@@ -86,7 +89,7 @@ std::string peaks_text(const study::Answers& answers) {
   TextTable table({"curve", "ω [rad/s]", "f [Hz]", "amplitude", "unit", "× static", "above minimum", "nearest mode"});
   for (const response::Peak& peak : found.list)
     table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / turn), shown(peak.amplitude, 9), found.curves[peak.curve].unit,
-               shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(study::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * study::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
+               shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(response::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
   std::string text = (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4)) : std::string("Resonance peaks, 0 < ω < ∞\n")) + (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
     if (curve.vanishes) text += fmt::format("  {}: zero but for round-off\n", curve.name);

@@ -28,6 +28,7 @@ struct Options {
   int most = 10;
   std::string torque;
   std::string excitations;
+  std::string points;
 };
 
 /// Each returns the exit code.
@@ -37,6 +38,7 @@ int element_command(const Options& options);
 int run_command(const Options& options);
 int explain_command(const Options& options);
 int suspension_command(const Options& options);
+int map_command(const Options& options);
 
 /// The command line asks for what the project does not have.
 struct BadArgument : std::runtime_error {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <fstream>
 #include <numeric>
 #include <optional>
 
@@ -30,13 +29,6 @@ std::vector<std::size_t> replaced(const study::Case& variant, std::size_t elemen
   std::vector<std::size_t> every(variant.system.elements().size());
   std::iota(every.begin(), every.end(), std::size_t{0});
   return every;
-}
-
-void write_picture(const std::string& path, const std::string& svg) {
-  std::ofstream file(path, std::ios::binary);
-  file << svg;
-  file.close();
-  if (!file) throw std::runtime_error(path + ": the picture could not be written");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cli/map_text.h"
 #include "cli/text_table.h"
 
 namespace trivet::cli {
@@ -181,6 +182,7 @@ std::string further_text(const study::Answers& answers) {
   add(!answers.shock_spectra.empty(), shock_spectrum_text);
   add(answers.earthquake.has_value(), earthquake_text);
   add(!answers.limit_lines.empty(), limit_lines_text);
+  if (answers.map) text += map_text(*answers.map) + "\n";
   return text;
 }
 

@@ -38,6 +38,7 @@ int dispatch(const CLI::App& app, const Options& options) {
   if (which == "element") return trivet::cli::element_command(options);
   if (which == "explain") return trivet::cli::explain_command(options);
   if (which == "suspension") return trivet::cli::suspension_command(options);
+  if (which == "map") return trivet::cli::map_command(options);
   if (which == "run") return trivet::cli::run_command(options);
   return trivet::cli::answer_command(which, options);
 }
@@ -72,6 +73,9 @@ int main(int argc, char** argv) {
   CLI::App* suspension = add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
   suspension->add_option("--torque", options.torque, "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default");
   suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s");
+  CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
+  map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150");
+  map->add_option("--picture", options.picture, "draw the map to this SVG file");
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");

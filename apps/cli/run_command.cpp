@@ -10,7 +10,9 @@
 #include "trivet/report/figures.h"
 #include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/study/further_json.h"
+#include "trivet/study/map_json.h"
 #include "trivet/study/result_folder.h"
 #include "trivet/study/tables_csv.h"
 
@@ -39,9 +41,21 @@ void write_case(study::ResultFolder& folder, const std::string& stem, const stud
   if (answers.power) folder.write(stem + "/power.csv", study::power_csv(answers));
   if (!answers.shapes.empty()) folder.write(stem + "/shapes.csv", study::shapes_csv(answers));
   if (!answers.shock_spectra.empty()) folder.write(stem + "/shock_spectrum.csv", study::shock_spectrum_csv(answers));
+  if (answers.map) folder.write(stem + "/map.csv", study::map_csv(*answers.map));
   if (answers.response)
     for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
   for (const report::Figure& figure : report::further_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
+}
+
+/// The map of the base model; the cases are points on it.
+void add_map(const study::Project& project, const foundation::Progress& step, study::Answers& answers) {
+  try {
+    answers.map = study::design_map(project, project.base(), *project.base().analyses.map, {}, step);
+  } catch (const foundation::NotComputable& reason) {
+    answers.failures.emplace_back(reason.what());
+  } catch (const foundation::InvalidInput& reason) {
+    answers.failures.emplace_back(reason.what());
+  }
 }
 
 std::string case_text(const study::Case& variant, const study::Answers& answers) {
@@ -56,8 +70,8 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
   if (answers.statics) text += static_text(answers) + "\n";
   if (answers.response) {
     const auto& check = answers.response->curves.check;
-    text += fmt::format("Characteristics at {} frequencies, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
-                        answers.response->curves.angular_frequency.size(), check.worst_backward_error, answers.response->deep.verdict(),
+    text += fmt::format("Characteristics at {} frequencies from {} solves, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
+                        answers.response->curves.angular_frequency.size(), answers.response->curves.solves, check.worst_backward_error, answers.response->deep.verdict(),
                         answers.response->deep.worst_difference, answers.response->deep.allowed);
     text += limits_text(answers);
   }
@@ -84,12 +98,12 @@ int run_command(const Options& options) {
       report(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task), (static_cast<double>(i) + fraction) / static_cast<double>(project->cases.size()));
     };
     all.push_back(study::answers(variant, variant.analyses, step));
+    if (i == 0 && variant.analyses.map) add_map(*project, step, all.back());
     write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
     text += case_text(variant, all.back());
   }
-  const std::string results = study::results_json(*project, all);
-  folder.write("results.json", results);
-  folder.write("report.html", report::report_page(*project, all, results));
+  folder.write("results.json", study::results_json(*project, all));
+  folder.write("report.html", report::report_page(*project, all, study::page_json(*project, all)));
   report("done", 1);
   folder.publish();
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));

@@ -79,6 +79,29 @@ TEST(DesignPeaks, OfOtherNumbersOfCoordinatesAreThoseOfTheSearchOnDiscs) {
 }
 
 /// An independent view that needs no poles of ours: no value on a fine grid around every natural frequency is higher.
+TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
+  const numerics::Designs designs = test::random_designs(200, 6, 1e-3, 11);
+  const Eigen::ArrayXXd rows = Eigen::MatrixXd::Identity(3, 6).array();
+  Eigen::ArrayXXd on_velocity = Eigen::ArrayXXd::Zero(3, 6);
+  on_velocity.row(2) = 0.01;
+  numerics::DesignPeakOptions together;
+  together.rows = rows;
+  together.rows_on_velocity = on_velocity;
+  together.derivative = {0, 2, 0};
+  const numerics::DesignPeaks all = numerics::design_peaks(designs, together);
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    numerics::DesignPeakOptions alone;
+    alone.rows = rows.row(c);
+    if (c == 2) alone.rows_on_velocity = on_velocity.row(c);
+    alone.derivative = {together.derivative[static_cast<std::size_t>(c)]};
+    const numerics::DesignPeaks one = numerics::design_peaks(designs, alone);
+    for (Eigen::Index d = 0; d < designs.count(); ++d) {
+      EXPECT_NEAR(all.highest(d, c), one.highest(d, 0), 1e-9 * one.highest(d, 0)) << "design " << d << ", answer " << c;
+      EXPECT_EQ(all.peaks(d, c), one.peaks(d, 0)) << "design " << d << ", answer " << c;
+    }
+  }
+}
+
 TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
   constexpr double miss = 1e-3;
   const numerics::Designs designs = test::random_designs(20'000, 6, 1e-6, 6);

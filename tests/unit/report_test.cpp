@@ -35,6 +35,16 @@ TEST(Report, HoldsItsDataAndNothingFromOutside) {
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"}) EXPECT_THAT(page, testing::Not(testing::HasSubstr(outside)));
 }
 
+TEST(Report, CarriesModelsOfItsCurvesInsteadOfTheirPoints) {
+  const auto project = test::project(study::starter_text);
+  std::vector<study::Answers> all;
+  for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
+  const std::string full = study::results_json(project, all), drawn = study::page_json(project, all);
+  EXPECT_LT(3 * drawn.size(), full.size());
+  EXPECT_THAT(drawn, testing::HasSubstr("\"pieces\""));
+  EXPECT_THAT(full, testing::Not(testing::HasSubstr("\"pieces\"")));
+}
+
 TEST(Report, NamesCannotBreakThePage) {
   const auto project = test::project(R"(
 trivet = 1

@@ -50,6 +50,31 @@ TEST(DesignPeaks, AreNoneFromSeventyOnePercentOfCriticalDampingOn) {
   }
 }
 
+TEST(DesignPeaks, WithoutDampingAreInfiniteAlsoOnTheEdgeOfTheBand) {
+  for (const auto& [from, to] : {std::pair{10.0, 20.0}, {5.0, 10.0}, {5.0, 20.0}}) {
+    numerics::DesignPeakOptions options;
+    options.from = from;
+    options.to = to;
+    EXPECT_TRUE(std::isinf(numerics::design_peaks(single_masses({0}), options).highest(0, 0))) << from << " … " << to;
+  }
+}
+
+TEST(DesignPeaks, OfAMachineThatMovesInOneDirectionOnlyAreProvenInAll) {
+  numerics::Designs designs{Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 6)};
+  for (int i = 0; i < 6; ++i) {
+    const int diagonal = i * (i + 1) / 2 + i;
+    designs.A(0, diagonal) = 2;
+    designs.K(0, diagonal) = 200 * (i + 1);
+    designs.B(0, diagonal) = 4;
+  }
+  designs.load(0, 0) = 3;
+  const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
+  EXPECT_EQ(peaks.status[0], DesignStatus::proven);
+  EXPECT_NEAR(peaks.highest(0, 0), 0.015 / (0.2 * std::sqrt(0.99)), 1e-12);
+  EXPECT_EQ(peaks.peaks(0, 0), 1);
+  EXPECT_TRUE((peaks.highest.rightCols(5) == 0).all() && (peaks.peaks.rightCols(5) == 0).all());
+}
+
 TEST(DesignPeaks, OfVelocityStandAtTheNaturalFrequencyWhateverTheDamping) {
   const std::vector<double> zeta = {1e-3, 0.2, 0.9, 4};
   numerics::DesignPeakOptions options;

@@ -168,6 +168,8 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   if (m.symmetric)
     for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K, &m.K_loss}) make_exactly_symmetric(*matrix);
   if (!lossy) m.K_loss.resize(0, 0);
+  for (const Eigen::Index first : assembled.layout.blocks())
+    if (first < n) m.blocks.push_back(first);
   return m;
 }
 
@@ -206,9 +208,7 @@ Assembled assemble(const model::System& system) {
   return result;
 }
 
-Eigen::MatrixXcd Assembled::dynamic_stiffness(std::complex<double> omega, double near) const {
-  const numerics::DynamicMatrices& m = frequency_dependent() ? constant : matrices;
-  Eigen::MatrixXcd z = m.complex_stiffness() + std::complex<double>(0, 1) * omega * m.B - omega * omega * m.A;
+void Assembled::add_frequency_dependent(std::complex<double> omega, double near, Eigen::MatrixXcd& z) const {
   for (const ElementMap& map : elements) {
     if (!map.frequency_dependent()) continue;
     const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, map.end_columns);
@@ -216,6 +216,12 @@ Eigen::MatrixXcd Assembled::dynamic_stiffness(std::complex<double> omega, double
     for (Eigen::Index i = 0; i < local.rows(); ++i)
       for (Eigen::Index j = 0; j < local.cols(); ++j) z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
   }
+}
+
+Eigen::MatrixXcd Assembled::dynamic_stiffness(std::complex<double> omega, double near) const {
+  const numerics::DynamicMatrices& m = frequency_dependent() ? constant : matrices;
+  Eigen::MatrixXcd z = m.complex_stiffness() + std::complex<double>(0, 1) * omega * m.B - omega * omega * m.A;
+  add_frequency_dependent(omega, near, z);
   return z;
 }
 

@@ -71,6 +71,8 @@ struct Assembled {
   Ground ground;
 
   [[nodiscard]] bool frequency_dependent() const { return constant.size() > 0; }
+  /// Adds what the frequency-dependent elements bring into Z(ω), first rows of `layout`.
+  void add_frequency_dependent(std::complex<double> omega, double near, Eigen::MatrixXcd& z) const;
   /// Exact Z(ω) in the first rows of `layout`, also for complex ω near a real one (which piece of a table holds).
   [[nodiscard]] Eigen::MatrixXcd dynamic_stiffness(std::complex<double> omega, double near) const;
 };

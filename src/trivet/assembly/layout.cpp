@@ -5,21 +5,27 @@ namespace trivet::assembly {
 
 Layout::Layout(const model::Description& description, const std::vector<Eigen::Index>& internal, const std::vector<bool>& last)
     : internal_(internal.size()) {
+  const auto add_block = [this](Eigen::Index rows) {
+    if (rows > 0) blocks_.push_back(size_);
+    size_ += rows;
+  };
   for (const auto& body : description.bodies) {
     auto& rows = rows_.emplace_back();
-    for (std::size_t j = 0; j < 6; ++j) rows[j] = body.free[j] ? size_++ : -1;
+    Eigen::Index free = 0;
+    for (std::size_t j = 0; j < 6; ++j) rows[j] = body.free[j] ? size_ + free++ : -1;
+    add_block(free);
   }
   of_bodies_ = size_;
   for (const auto& foundation : description.foundations) {
     foundations_.push_back(size_);
-    size_ += foundation.mass.rows();
+    add_block(foundation.mass.rows());
   }
   for (const bool these : {false, true}) {
     before_last_ = size_;
     for (std::size_t e = 0; e < internal.size(); ++e) {
       if (last[e] != these) continue;
       internal_[e] = size_;
-      size_ += internal[e];
+      add_block(internal[e]);
     }
   }
 }

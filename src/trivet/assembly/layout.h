@@ -24,6 +24,8 @@ class Layout {
   [[nodiscard]] Eigen::Index foundation_row(std::size_t foundation) const { return foundations_[foundation]; }
   /// First row of the internal coordinates of an element.
   [[nodiscard]] Eigen::Index internal_row(std::size_t element) const { return internal_[element]; }
+  /// First rows, ascending, of what belongs together: the coordinates of a body, of a foundation, the internal ones of an element.
+  [[nodiscard]] const std::vector<Eigen::Index>& blocks() const { return blocks_; }
   /// −1 for a coordinate that is not free.
   [[nodiscard]] Eigen::Index row(std::size_t body, int coordinate) const { return rows_[body][static_cast<std::size_t>(coordinate)]; }
   /// All six coordinates of a body out of a global vector; zeros where it is guided.
@@ -39,7 +41,7 @@ class Layout {
 
  private:
   std::vector<std::array<Eigen::Index, 6>> rows_;
-  std::vector<Eigen::Index> foundations_, internal_;
+  std::vector<Eigen::Index> foundations_, internal_, blocks_;
   Eigen::Index of_bodies_ = 0, before_last_ = 0, size_ = 0;
 };
 

@@ -103,10 +103,8 @@ numerics::Load right_side(const Assembled& assembled, const Loading& loading) {
   return h;
 }
 
-Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near) {
-  const Eigen::Index n = assembled.layout.before_last();
-  Eigen::VectorXcd h = right_side(assembled, loading).head(n).at(omega);
-  if (loading.motion.vanishes()) return h;
+void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near, Eigen::VectorXcd& h) {
+  if (loading.motion.vanishes()) return;
   const Eigen::VectorXcd g = loading.motion.at(omega);
   for (const ElementMap& map : assembled.elements) {
     if (!map.frequency_dependent() || map.ground_rows.empty()) continue;
@@ -115,6 +113,11 @@ Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loa
     const Eigen::VectorXcd force = map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);
     for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[static_cast<std::size_t>(j)]) -= force(j);
   }
+}
+
+Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near) {
+  Eigen::VectorXcd h = right_side(assembled, loading).head(assembled.layout.before_last()).at(omega);
+  add_frequency_dependent(assembled, loading, omega, near, h);
   return h;
 }
 

@@ -39,6 +39,9 @@ struct Loading {
 /// Right side of Z q = h for constant matrices: forces minus what the motion of the ground brings in.
 [[nodiscard]] numerics::Load right_side(const Assembled& assembled, const Loading& loading);
 
+/// Adds to it, at one ω, what the motion of the ground brings in through frequency-dependent elements, first rows of the layout.
+void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near, Eigen::VectorXcd& h);
+
 /// The same at one ω with frequency-dependent elements, first rows of the layout.
 [[nodiscard]] Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near);
 

@@ -136,9 +136,11 @@ TRIVET_UNROLL
   const Pack bends = hn::MulAdd(all(2.0), size2, hn::MulAdd(all(3.0), size3, hn::Mul(all(4.0), size4)));
   const LaneMask monotonic = hn::Gt(size1, hn::MulAdd(all(slope_of_rest), rest, bends));
   const Pack at_end = hn::Add(end, hn::Add(cubic, quartic));
-  const LaneMask known = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(at_end), rest)));
+  // A coordinate that nothing moves has nothing to find.
+  const LaneMask at_rest = hn::And(hn::Eq(value, zero), hn::Eq(hn::Add(hn::Add(size0, size1), hn::Add(size2, others)), zero));
+  const LaneMask turns = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(at_end), rest))), known = hn::Or(turns, at_rest);
   curve.p0 = p0, curve.p1 = p1, curve.p2 = p2, curve.rest = others;
-  curve.after = hn::IfThenElseZero(known, hn::CopySign(all(1.0), at_end));
+  curve.after = hn::IfThenElseZero(turns, hn::CopySign(all(1.0), at_end));
   const Pack swing = hn::Mul(half, hn::Add(hn::Add(size0, others), hn::MulAdd(all(0.5), size1, hn::Mul(all(1.0 / 3), size2))));
   curve.most = hn::Add(value, swing);
   if (!options.every_extremum) return hn::Or(known, hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));

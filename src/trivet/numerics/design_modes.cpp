@@ -49,15 +49,18 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
       for (int i = 0; i < n * n; ++i) store(hn::IfThenElse(definite, modes.x[i], nothing), result.shapes.data() + i * count, first, last);
     double verdict[8];
     hn::StoreU(hn::IfThenElseZero(definite, all(1.0)), Lanes(), verdict);
-    for (Eigen::Index lane = 0; lane < lane_count() && first + lane < last; ++lane) result.definite[static_cast<std::size_t>(first + lane)] = verdict[lane] != 0;
+    for (Eigen::Index lane = 0; lane < lane_count() && first + lane < last; ++lane)
+      result.definite[static_cast<std::size_t>(first + lane)] = verdict[lane] != 0;
   }
 }
 
+template <typename Size>
+void modes_of_size(Size n, const Designs& designs, Eigen::Index first, Eigen::Index last, DesignModes& result) {
+  result.shapes.size() > 0 ? pieces_of_modes<true>(n, designs, first, last, result) : pieces_of_modes<false>(n, designs, first, last, result);
+}
+
 void modes_of_designs(const Designs& designs, int n, Eigen::Index first, Eigen::Index last, DesignModes& result) {
-  const bool shapes = result.shapes.size() > 0;
-  if (n == 6) return shapes ? pieces_of_modes<true>(Fixed<6>(), designs, first, last, result) : pieces_of_modes<false>(Fixed<6>(), designs, first, last, result);
-  const AtMostTwelve size{n};
-  shapes ? pieces_of_modes<true>(size, designs, first, last, result) : pieces_of_modes<false>(size, designs, first, last, result);
+  n == 6 ? modes_of_size(six_coordinates(), designs, first, last, result) : modes_of_size(AtMostTwelve{n}, designs, first, last, result);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
@@ -66,11 +69,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
+#include "trivet/numerics/dispatch.h"
 #include "trivet/numerics/generalized_modes.h"
 
 namespace trivet::numerics {
 
-HWY_EXPORT(modes_of_designs);
+TRIVET_VARIANTS(modes_of_designs);
 
 namespace {
 
@@ -113,7 +117,7 @@ DesignModes design_modes(const Designs& designs, const DesignModesOptions& optio
                              [&](std::size_t first, std::size_t last) {
                                const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
                                if (n > 12) one_by_one(designs, n, from, to, result);
-                               else HWY_DYNAMIC_DISPATCH(modes_of_designs)(designs, n, from, to, result);
+                               else TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
                              });
   return result;
 }

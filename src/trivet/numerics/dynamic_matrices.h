@@ -17,6 +17,7 @@ struct DynamicMatrices {
   Eigen::MatrixXd K;
   Eigen::MatrixXd K_loss;  ///< empty if there is no loss factor
   bool symmetric = true;
+  std::vector<Eigen::Index> blocks = {};  ///< first rows of the coordinates that belong together (a body), ascending from 0; empty: unknown
 
   [[nodiscard]] Eigen::Index size() const { return A.rows(); }
   [[nodiscard]] bool lossy() const { return K_loss.size() > 0; }
@@ -44,7 +45,7 @@ struct DynamicMatrices {
 /// The same matrices in coordinates q = D q̃.
 [[nodiscard]] inline DynamicMatrices scaled(const DynamicMatrices& m, const Eigen::VectorXd& d) {
   const auto apply = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return d.asDiagonal() * x * d.asDiagonal(); };
-  return {apply(m.A), apply(m.B), apply(m.K), m.lossy() ? apply(m.K_loss) : Eigen::MatrixXd(), m.symmetric};
+  return {apply(m.A), apply(m.B), apply(m.K), m.lossy() ? apply(m.K_loss) : Eigen::MatrixXd(), m.symmetric, m.blocks};
 }
 
 }  // namespace trivet::numerics

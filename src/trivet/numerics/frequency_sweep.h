@@ -2,26 +2,65 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
+#include "trivet/foundation/interruption.h"
 #include "trivet/numerics/dynamic_matrices.h"
 #include "trivet/numerics/load.h"
 
 namespace trivet::numerics {
 
-/// q(ω) = Z(ω)⁻¹ h(ω) for many ω, each with the backward error of its solution.
-struct SweepResult {
-  Eigen::MatrixXcd response;        ///< n × count; NaN where Z(ω) is singular
-  Eigen::VectorXd backward_error;   ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal
-  int fallbacks = 0;                ///< frequencies redone by the pivoted solver
-  int singular = 0;
-};
-
-/// Backward error above which a frequency is solved anew with pivoting.
+/// Backward error above which a frequency is solved anew with pivoting: ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal.
 inline constexpr double accepted_backward_error = 1e-14;
 
-/// Symmetric matrices: LDLᵀ without pivoting on eight frequencies at a time, then residuals, then pivoted LU for the
-/// frequencies that miss `accepted_backward_error`. Unsymmetric matrices: pivoted LU throughout.
-[[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega);
+/// What depends on ω in its own way: adds to Z (n × n) and to h (n) at one ω. Called on several threads at once.
+using FrequencyPart = std::function<void(double omega, Eigen::MatrixXcd& Z, Eigen::VectorXcd& h)>;
+
+struct SweepOptions {
+  /// Compute the backward error of every solution. Otherwise the growth of the factors
+  /// bounds it, which costs a tenth as much.
+  bool every_backward_error = true;
+  int threads = 0;  ///< 0: as many as the machine has; one below 20,000 solutions
+  foundation::Progress progress = {};
+};
+
+/// What a sweep had to redo.
+struct SweepCounts {
+  int fallbacks = 0;  ///< frequencies redone by a pivoted solver
+  int singular = 0;   ///< frequencies where Z(ω) is singular
+
+  void add(const SweepCounts& other) {
+    fallbacks += other.fallbacks;
+    singular += other.singular;
+  }
+};
+
+/// q(ω) = Z(ω)⁻¹ h(ω) for many ω.
+struct SweepResult : SweepCounts {
+  Eigen::MatrixXcd response;        ///< n × count; NaN where Z(ω) is singular
+  Eigen::VectorXd backward_error;   ///< of each, NaN where Z(ω) is singular; empty unless asked for
+};
+
+/// The same by coordinates, for one curve each. Kept by the caller: a second sweep of that size needs no fresh memory, which costs more to
+/// touch for the first time than the solutions.
+struct SweepPlanes : SweepCounts {
+  Eigen::ArrayXXd re, im;           ///< count × n; NaN where Z(ω) is singular
+  Eigen::ArrayXd backward_error;    ///< of each; empty unless asked for
+};
+
+
+/// Symmetric matrices: LDLᵀ without pivoting, one frequency per lane; what grows too much or misses `accepted_backward_error` is redone by
+/// LU with partial pivoting. Unsymmetric matrices: LU throughout. See docs/decisions/no-pivoting-first.md.
+[[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, const SweepOptions& options = {});
+
+/// With a part that depends on ω in its own way; Z as a whole is symmetric if `matrices.symmetric`.
+[[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part, const std::vector<double>& omega,
+                                const SweepOptions& options = {});
+
+/// Where no backward errors are asked for, many frequencies under a constant load are summed over poles, if these can be proven (pole_sweep.h);
+/// otherwise, and where a share of the sums that is put back misses `accepted_backward_error`, solved directly.
+void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options = {});
+
 
 }  // namespace trivet::numerics

@@ -10,13 +10,9 @@
 
 #include <hwy/highway.h>
 
-// Before a loop whose number of turns, at most six, the compiler knows. On single numbers GCC finds no use for it and says so.
-#undef TRIVET_UNROLL
-#if HWY_TARGET == HWY_SCALAR
-#define TRIVET_UNROLL
-#else
-#define TRIVET_UNROLL HWY_PRAGMA(GCC unroll 6)
-#endif
+// After the parameters of a lambda in a kernel.
+#undef TRIVET_LANES
+#define TRIVET_LANES __attribute__((always_inline)) HWY_ATTR
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -61,8 +57,48 @@ HWY_INLINE ComplexPack inverse(const ComplexPack& z) {
   return {hn::Mul(z.re, scale), hn::Neg(hn::Mul(z.im, scale))};
 }
 
+/// A number of coordinates or an index: known to the compiler, or not, at most 12.
+template <int N>
+struct Fixed {
+  static constexpr int most = N;
+  constexpr operator int() const { return N; }  // NOLINT: it is that number
+};
+struct AtMostTwelve {
+  static constexpr int most = 12;
+  int value;
+  constexpr operator int() const { return value; }  // NOLINT
+};
+/// Six coordinates, known to the compiler where it optimises. The instrumented build keeps its loops: to write them out takes it minutes.
+constexpr auto six_coordinates() {
+#ifdef NDEBUG
+  return Fixed<6>();
+#else
+  return AtMostTwelve{6};
+#endif
+}
+template <int N>
+constexpr Fixed<N + 1> after(Fixed<N>) { return {}; }
+constexpr int after(int i) { return i + 1; }
+
+/// body(i) for i = first … last − 1: where the compiler knows both, one after the other without a loop.
+template <int first, int last, typename Body>
+HWY_INLINE void each(Fixed<first> i, Fixed<last> end, const Body& body) {
+  if constexpr (first < last) {
+    body(i);
+    each(after(i), end, body);
+  }
+}
+template <typename Body>
+HWY_INLINE void each(int first, int last, const Body& body) {
+  for (int i = first; i < last; ++i) body(i);
+}
+template <typename Size, typename Body>
+HWY_INLINE void each(Size n, const Body& body) { each(Fixed<0>(), n, body); }
+
 /// Where entry (i, j), j ≤ i, of a symmetric matrix stands in its packed lower triangle.
 constexpr int packed(int i, int j) { return i * (i + 1) / 2 + j; }
+/// The same for any order of i and j.
+constexpr int packed_of(int i, int j) { return i > j ? packed(i, j) : packed(j, i); }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -20,6 +20,11 @@ std::complex<double> power_of_i_omega(std::complex<double> omega, int power) {
 
 }  // namespace
 
+std::complex<double> LoadTerm::factor(std::complex<double> omega) const {
+  const std::complex<double> of_power = power_of_i_omega(omega, power);
+  return delay == 0 ? of_power : of_power * std::exp(std::complex<double>(0, -delay) * omega);
+}
+
 void Load::add(LoadTerm term) {
   if (term.value.size() == 0 || term.value.isZero(0)) return;
   const auto same = std::find_if(terms_.begin(), terms_.end(), [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
@@ -50,11 +55,7 @@ int Load::highest_power() const {
 
 Eigen::VectorXcd Load::at(std::complex<double> omega) const {
   Eigen::VectorXcd h = Eigen::VectorXcd::Zero(size_);
-  for (const LoadTerm& term : terms_) {
-    std::complex<double> factor = power_of_i_omega(omega, term.power);
-    if (term.delay != 0) factor *= std::exp(std::complex<double>(0, -term.delay) * omega);
-    h += factor * term.value;
-  }
+  for (const LoadTerm& term : terms_) h += term.factor(omega) * term.value;
   return h;
 }
 

@@ -12,6 +12,9 @@ struct LoadTerm {
   int power = 0;        ///< 2: an unbalance; −2: a motion given by its acceleration
   double delay = 0;     ///< [s]
   Eigen::VectorXcd value;
+
+  /// s^power e^{−s delay}, exact in its zeros for real ω.
+  [[nodiscard]] std::complex<double> factor(std::complex<double> omega) const;
 };
 
 /// The right side h(s) of Z(s) q = h as a sum of powers of s = iω, delayed or not.

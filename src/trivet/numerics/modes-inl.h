@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K φ = λ A φ with one design per lane: Cholesky of A with a verdict on definiteness, then Jacobi rotations of L⁻¹ K L⁻ᵀ in rounds of
 // pairs that do not touch each other, so that their angles are computed together. Rotations act on C = D Y D and Φ = X D with a diagonal
-// D: two multiply-adds for a pair of numbers, D follows (fast rotations, [GolubVanLoan2013] 5.1.13 and 8.5).
+// D: two multiply-adds for a pair of numbers, D follows (fast Givens rotations: W. Rath, Numerische Mathematik 40, 1982).
 #if defined(TRIVET_NUMERICS_MODES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_MODES_INL_H_
 #undef TRIVET_NUMERICS_MODES_INL_H_
@@ -37,17 +37,13 @@ HWY_INLINE Pack reciprocal(const Pack& x) {
 #endif
 }
 
-/// How many coordinates: known to the compiler, which then unrolls all loops, or not, at most 12.
+/// Rounds in which each of n meets each other once, and pairs in each of them.
 template <int N>
-struct Fixed {
-  static constexpr int most = N;
-  constexpr operator int() const { return N; }  // NOLINT: it is that number
-};
-struct AtMostTwelve {
-  static constexpr int most = 12;
-  int value;
-  constexpr operator int() const { return value; }  // NOLINT
-};
+constexpr Fixed<N + N % 2 - 1> rounds_of(Fixed<N>) { return {}; }
+constexpr int rounds_of(int n) { return n + n % 2 - 1; }
+template <int N>
+constexpr Fixed<(N + 1) / 2> pairs_of(Fixed<N>) { return {}; }
+constexpr int pairs_of(int n) { return (n + 1) / 2; }
 
 /// Where the pair (i, j), j < i, stands among the pairs.
 constexpr int pair(int i, int j) { return i * (i - 1) / 2 + j; }
@@ -102,34 +98,28 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   return {alpha, beta};
 }
 
-template <bool vectors, typename Size>
-HWY_INLINE void rotate(Size n, PackOfModes<Size>& m, const Angle& by, int p, int q) {
-TRIVET_UNROLL
-  for (int k = 0; k < n; ++k)
-    if (k != p && k != q) rotate(by.alpha, by.beta, m.y[pair_of(k, p)], m.y[pair_of(k, q)]);
-  if constexpr (vectors) {
-TRIVET_UNROLL
-    for (int k = 0; k < n; ++k) rotate(by.alpha, by.beta, m.x[p * n + k], m.x[q * n + k]);
-  }
-}
-
 /// Each pair once, in rounds of pairs that share no index. A lane that is positive in the answer needs another turn.
 template <bool vectors, bool check, typename Size>
 HWY_INLINE Pack turn(Size n, PackOfModes<Size>& m) {
-  const int rounds = n + n % 2 - 1, pairs = (rounds + 1) / 2;
+  const auto rounds = rounds_of(n);
+  const auto pairs = pairs_of(n);
   Pack unsettled = all(-1.0);
-TRIVET_UNROLL
-  for (int round = 0; round < rounds; ++round) {
-    const auto first = [&](int k) { return k == 0 ? rounds : (round + k) % rounds; };
+  each(rounds, [&](int round) TRIVET_LANES {
+    const auto first = [&](int k) { return k == 0 ? int(rounds) : (round + k) % rounds; };
     const auto second = [&](int k) { return (round + rounds - k) % rounds; };
-    Angle by[(Size::most + 1) / 2] = {};
-TRIVET_UNROLL
-    for (int k = 0; k < pairs; ++k)
+    Angle by[(Size::most + 1) / 2];
+    each(pairs, [&](int k) TRIVET_LANES {
       if (first(k) < n) by[k] = angle<check>(m, first(k), second(k), unsettled);
-TRIVET_UNROLL
-    for (int k = 0; k < pairs; ++k)
-      if (first(k) < n) rotate<vectors>(n, m, by[k], first(k), second(k));
-  }
+    });
+    each(pairs, [&](int k) TRIVET_LANES {
+      const int p = first(k), q = second(k);
+      if (p >= n) return;
+      each(n, [&](int i) TRIVET_LANES {
+        if (i != p && i != q) rotate(by[k].alpha, by[k].beta, m.y[pair_of(i, p)], m.y[pair_of(i, q)]);
+        if constexpr (vectors) rotate(by[k].alpha, by[k].beta, m.x[p * n + i], m.x[q * n + i]);
+      });
+    });
+  });
   return unsettled;
 }
 
@@ -139,87 +129,69 @@ template <typename Size>
 HWY_INLINE LaneMask cholesky(Size n, const Pack* a, Pack* l, Pack* inverse) {
   constexpr double epsilon = 2.220446049250313e-16;
   LaneMask definite = hn::Eq(all(0.0), all(0.0));
-TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) {
+  each(n, [&](auto j) TRIVET_LANES {
     Pack square = a[packed(j, j)];
-TRIVET_UNROLL
-    for (int h = 0; h < j; ++h) square = hn::NegMulAdd(l[packed(j, h)], l[packed(j, h)], square);
+    each(j, [&](int h) TRIVET_LANES { square = hn::NegMulAdd(l[packed(j, h)], l[packed(j, h)], square); });
     const LaneMask regular = hn::Gt(square, hn::Mul(all(epsilon), hn::Abs(a[packed(j, j)])));
     definite = hn::And(definite, regular);
     inverse[packed(j, j)] = inverse_root(hn::IfThenElse(regular, square, all(1.0)));
-TRIVET_UNROLL
-    for (int i = j + 1; i < n; ++i) {
+    each(after(j), n, [&](int i) TRIVET_LANES {
       Pack x = a[packed(i, j)];
-TRIVET_UNROLL
-      for (int h = 0; h < j; ++h) x = hn::NegMulAdd(l[packed(i, h)], l[packed(j, h)], x);
+      each(j, [&](int h) TRIVET_LANES { x = hn::NegMulAdd(l[packed(i, h)], l[packed(j, h)], x); });
       l[packed(i, j)] = hn::Mul(x, inverse[packed(j, j)]);
-    }
-  }
+    });
+  });
   Pack sum = all(0.0);
-TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) {
+  each(n, [&](auto j) TRIVET_LANES {
     Pack column = hn::Mul(inverse[packed(j, j)], inverse[packed(j, j)]);
-TRIVET_UNROLL
-    for (int i = j + 1; i < n; ++i) {
+    each(after(j), n, [&](auto i) TRIVET_LANES {
       Pack x = hn::Mul(l[packed(i, j)], inverse[packed(j, j)]);
-TRIVET_UNROLL
-      for (int h = j + 1; h < i; ++h) x = hn::MulAdd(l[packed(i, h)], inverse[packed(h, j)], x);
+      each(after(j), i, [&](int h) TRIVET_LANES { x = hn::MulAdd(l[packed(i, h)], inverse[packed(h, j)], x); });
       inverse[packed(i, j)] = hn::Neg(hn::Mul(x, inverse[packed(i, i)]));
       column = hn::MulAdd(inverse[packed(i, j)], inverse[packed(i, j)], column);
-    }
+    });
     sum = hn::MulAdd(a[packed(j, j)], column, sum);
-  }
+  });
   return hn::And(definite, hn::Lt(sum, all(1 / (8 * n * epsilon))));
 }
 
-/// L⁻¹ K, n × n by rows, l and the inverse of L as `cholesky` leaves them.
+/// L⁻¹ K L⁻ᵀ: diagonal and pairs below it, l and the inverse of L as `cholesky` leaves them. Returns the sum of moduli.
 template <typename Size>
-HWY_INLINE void divided_by_factor(Size n, const Pack* l, const Pack* inverse, const Pack* k, Pack* w) {
-TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) {
-TRIVET_UNROLL
-    for (int i = 0; i < n; ++i) {
-      Pack x = k[i > j ? packed(i, j) : packed(j, i)];
-TRIVET_UNROLL
-      for (int h = 0; h < i; ++h) x = hn::NegMulAdd(l[packed(i, h)], w[h * n + j], x);
+HWY_INLINE Pack transformed(Size n, const Pack* l, const Pack* inverse, const Pack* k, Pack* diagonal, Pack* below) {
+  Pack w[Size::most * Size::most], largest = all(0.0);
+  each(n, [&](auto i) TRIVET_LANES {
+    each(n, [&](int j) TRIVET_LANES {
+      Pack x = k[packed_of(i, j)];
+      each(i, [&](int h) TRIVET_LANES { x = hn::NegMulAdd(l[packed(i, h)], w[h * n + j], x); });
       w[i * n + j] = hn::Mul(x, inverse[packed(i, i)]);
-    }
-  }
+    });
+    Pack row[Size::most];
+    each(after(i), [&](auto j) TRIVET_LANES {
+      Pack x = w[i * n + j];
+      each(j, [&](int h) TRIVET_LANES { x = hn::NegMulAdd(row[h], l[packed(j, h)], x); });
+      row[j] = hn::Mul(x, inverse[packed(j, j)]);
+      largest = hn::Add(largest, hn::Abs(row[j]));
+      (j < i ? below[pair_of(i, j)] : diagonal[i]) = row[j];
+    });
+  });
+  return largest;
 }
 
 /// C = L⁻¹ K L⁻ᵀ and X = L⁻ᵀ. A lane where A is not positive definite or a number not finite is false in the answer and has C = 0.
 template <bool vectors, typename Size>
 HWY_INLINE LaneMask reduced(Size n, const Pack* a, const Pack* k, PackOfModes<Size>& m) {
   constexpr int triangle = Size::most * (Size::most + 1) / 2;
-  Pack l[triangle], inverse[triangle], w[Size::most * Size::most], largest = all(0.0);
+  Pack l[triangle], inverse[triangle];
   LaneMask definite = cholesky(n, a, l, inverse);
-  divided_by_factor(n, l, inverse, k, w);
-TRIVET_UNROLL
-  for (int i = 0; i < n; ++i) {
-    Pack row[Size::most];
-TRIVET_UNROLL
-    for (int j = 0; j <= i; ++j) {
-      Pack x = w[i * n + j];
-TRIVET_UNROLL
-      for (int h = 0; h < j; ++h) x = hn::NegMulAdd(row[h], l[packed(j, h)], x);
-      row[j] = hn::Mul(x, inverse[packed(j, j)]);
-      largest = hn::Add(largest, hn::Abs(row[j]));
-      (j < i ? m.y[pair_of(i, j)] : m.lambda[i]) = row[j];
-    }
-    m.weight[i] = all(1.0);
-  }
+  const Pack largest = transformed(n, l, inverse, k, m.lambda, m.y);
   definite = hn::And(definite, hn::Lt(largest, all(1e150)));
   m.negligible = hn::Mul(all(1e-34), hn::Mul(largest, largest));
-TRIVET_UNROLL
-  for (int i = 0; i < n; ++i) {
+  each(n, [&](auto i) TRIVET_LANES {
+    m.weight[i] = all(1.0);
     m.lambda[i] = hn::IfThenElseZero(definite, m.lambda[i]);
-TRIVET_UNROLL
-    for (int j = 0; j < i; ++j) m.y[pair(i, j)] = hn::IfThenElseZero(definite, m.y[pair(i, j)]);
-    if constexpr (vectors) {
-TRIVET_UNROLL
-      for (int j = 0; j < n; ++j) m.x[i * n + j] = j <= i ? inverse[packed(i, j)] : all(0.0);
-    }
-  }
+    each(i, [&](int j) TRIVET_LANES { m.y[pair(i, j)] = hn::IfThenElseZero(definite, m.y[pair(i, j)]); });
+    if constexpr (vectors) each(n, [&](int j) TRIVET_LANES { m.x[i * n + j] = j <= i ? inverse[packed_of(i, j)] : all(0.0); });
+  });
   return definite;
 }
 
@@ -233,12 +205,10 @@ HWY_INLINE LaneMask modes_of_pack(Size n, const Pack* a, const Pack* k, PackOfMo
   for (int i = unchecked_turns; i < most_turns; ++i)
     if (hn::AllTrue(Lanes(), hn::Le(turn<vectors, true>(n, m), all(0.0)))) break;
   if constexpr (vectors) {
-TRIVET_UNROLL
-    for (int i = 0; i < n; ++i) {
+    each(n, [&](int i) TRIVET_LANES {
       const Pack d = hn::Mul(m.weight[i], inverse_root(m.weight[i]));
-TRIVET_UNROLL
-      for (int j = 0; j < n; ++j) m.x[i * n + j] = hn::Mul(d, m.x[i * n + j]);
-    }
+      each(n, [&](int j) TRIVET_LANES { m.x[i * n + j] = hn::Mul(d, m.x[i * n + j]); });
+    });
   }
   return definite;
 }
@@ -246,24 +216,22 @@ TRIVET_UNROLL
 /// λ ascending, the shapes with them.
 template <bool vectors, typename Size>
 HWY_INLINE void sort(Size n, PackOfModes<Size>& m) {
-TRIVET_UNROLL
-  for (int last = n - 1; last > 0; --last) {
-TRIVET_UNROLL
-    for (int i = 0; i < last; ++i) {
+  each(n, [&](int done) TRIVET_LANES {
+    each(n, [&](int i) TRIVET_LANES {
+      if (i + done >= n - 1) return;
       const Pack one = m.lambda[i], two = m.lambda[i + 1];
       m.lambda[i] = hn::Min(one, two);
       m.lambda[i + 1] = hn::Max(one, two);
       if constexpr (vectors) {
         const LaneMask keep = hn::Le(one, two);
-TRIVET_UNROLL
-        for (int j = 0; j < n; ++j) {
+        each(n, [&](int j) TRIVET_LANES {
           const Pack x = m.x[i * n + j], y = m.x[(i + 1) * n + j];
           m.x[i * n + j] = hn::IfThenElse(keep, x, y);
           m.x[(i + 1) * n + j] = hn::IfThenElse(keep, y, x);
-        }
+        });
       }
-    }
-  }
+    });
+  });
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

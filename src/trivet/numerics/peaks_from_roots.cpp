@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hwy/aligned_allocator.h>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "trivet/numerics/axis_walk-inl.h"
@@ -17,12 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
 HWY_INLINE Pack from_table(const double* row, int lane) { return hn::LoadU(Lanes(), row + lane); }
-
-/// Σ over one pair of poles.
-HWY_INLINE Pack partial_fraction(const LaneMask& real, const PairPack& z, const PairPack& C, const Pack& x) {
-  const PairPack w = inverse(real, {hn::Sub(x, z.first), hn::IfThenElse(real, hn::Sub(x, z.second), hn::Neg(z.second))});
-  return hn::MulAdd(C.first, w.first, hn::Mul(C.second, w.second));
-}
 
 template <typename Size>
 HWY_INLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
@@ -40,8 +34,10 @@ HWY_INLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCu
 
 /// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more. In u = 1/x a curve has the
 /// same form, with poles 1/z, and one panel reaches from there to u = 0.
+/// @param complete  leaves the lanes where that is proven
 template <typename Size>
-HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options) {
+HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
+                                  LaneMask& complete) {
   constexpr int most_doublings = 40;
   WalkedPack<Size> inverted = pack;
   Pack begins = hn::Add(pack.from, pack.from);
@@ -68,17 +64,19 @@ HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurv
     }
     // Slopes that vanish at u = 0 keep their sign while they are monotonic.
     const bool flat_at_infinity = proper && question.rows[static_cast<std::size_t>(c)].derivative == 0;
+    LaneMask settled = hn::Not(pack.asked);
     for (int doubling = 0; doubling < most_doublings; ++doubling) {
       PanelPowers powers[most_pairs];
       const Pack half = hn::Div(all(0.5), begins);
       form_powers(inverted, half, half, powers);
-      LaneMask settled = settle(inverted, powers, half, half, options, curve);
+      settled = settle(inverted, powers, half, half, options, curve);
       const Pack start = hn::Sub(hn::MulAdd(hn::Mul(half, half), curve.p2, curve.p0), hn::Mul(half, curve.p1));
       if (!flat_at_infinity) settled = hn::And(settled, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(start, curve.after), curve.rest)));
       settled = hn::Or(settled, hn::Not(pack.asked));
       if (hn::AllTrue(Lanes(), settled)) break;
       begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
     }
+    complete = hn::And(complete, settled);
   }
   return begins;
 }
@@ -204,8 +202,8 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
   }
   PoleProducts products;
   form_products(poles, products);
-  const auto curves = hwy::MakeUniqueAlignedArray<WalkedCurve>(static_cast<std::size_t>(channels));
-  const auto values = hwy::MakeUniqueAlignedArray<Pack>(static_cast<std::size_t>(2 * channels));
+  const auto curves = std::make_unique<WalkedCurve[]>(static_cast<std::size_t>(channels));
+  const auto values = std::make_unique<Pack[]>(static_cast<std::size_t>(2 * channels));
   for (int c = 0; c < channels; ++c) {
     const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
     PairPack r[most_pairs];
@@ -214,6 +212,7 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
     curves[c].best = curves[c].sign = hn::Zero(Lanes());
   }
 
+  LaneMask complete = hn::Eq(hn::Zero(Lanes()), hn::Zero(Lanes()));
   pack.from = all(question.from * question.from);
   pack.to = all(question.to * question.to);
   see_values(pack, pack.from, curves.get(), channels, values.get());
@@ -222,7 +221,7 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
   if (std::isfinite(question.to)) {
     see_values(pack, pack.to, curves.get(), channels, values.get() + channels);
   } else {
-    pack.to = hn::Max(pack.from, beginning_of_tail(pack, curves.get(), channels, question, options));
+    pack.to = hn::Max(pack.from, beginning_of_tail(pack, curves.get(), channels, question, options, complete));
     for (int c = 0; c < channels; ++c) {
       const Pack slope = curves[c].f.slope;  // a curve that grows without end
       values[channels + c] = hn::IfThenElse(hn::Gt(slope, hn::Zero(Lanes())), all(std::numeric_limits<double>::infinity()), curves[c].f.constant);
@@ -232,7 +231,7 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
   first_signs(pack, curves.get(), channels, question);
 
   FoundExtrema found;
-  const LaneMask complete = walk(pack, curves.get(), channels, options, found);
+  complete = hn::And(complete, walk(pack, curves.get(), channels, options, found));
   LaneStore store;
   store.pairs = n;
   store.C.resize(static_cast<std::size_t>(channels * (n + 1) * 2 * table_lanes));
@@ -292,19 +291,21 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
 
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
   peaks.channels.resize(question.rows.size() * table_lanes);
-  for (int lane = 0; lane < table_lanes; lane += lane_count()) table.coordinates == 6 ? answer(Fixed<6>(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
+  for (int lane = 0; lane < table_lanes; lane += lane_count()) table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "trivet/numerics/dispatch.h"
+
 namespace trivet::numerics {
 
-HWY_EXPORT(peaks_in_lanes);
+TRIVET_VARIANTS(peaks_in_lanes);
 
 void peaks_from_roots(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
-  HWY_DYNAMIC_DISPATCH(peaks_in_lanes)(table, question, peaks);
+  TRIVET_DISPATCH(peaks_in_lanes)(table, question, peaks);
 }
 
 }  // namespace trivet::numerics

@@ -23,13 +23,17 @@ HWY_INLINE ComplexPack select(LaneMask mask, const ComplexPack& yes, const Compl
 HWY_INLINE ComplexPack add_product(const ComplexPack& target, const Pack& a, const ComplexPack& b) {
   return {hn::MulAdd(a, b.re, target.re), hn::MulAdd(a, b.im, target.im)};
 }
-HWY_INLINE ComplexPack divided(const ComplexPack& a, const ComplexPack& b) { return a * inverse(b); }
+HWY_INLINE ComplexPack quick_inverse(const ComplexPack& z) {
+  const Pack scale = reciprocal(squared_modulus(z));
+  return {hn::Mul(z.re, scale), hn::Neg(hn::Mul(z.im, scale))};
+}
+HWY_INLINE ComplexPack divided(const ComplexPack& a, const ComplexPack& b) { return a * quick_inverse(b); }
 
-/// √z with Re ≥ 0; finite and right to a few units for moderate z, also 0.
+/// √z with Re ≥ 0, to a few units; 0 of 0.
 HWY_INLINE ComplexPack root(const ComplexPack& z) {
-  const Pack modulus = hn::Sqrt(squared_modulus(z));
-  const Pack larger = hn::Sqrt(hn::Mul(all(0.5), hn::Add(modulus, hn::Abs(z.re))));
-  const Pack smaller = hn::IfThenElseZero(hn::Gt(larger, all(0.0)), hn::Div(hn::Mul(all(0.5), hn::Abs(z.im)), larger));
+  const Pack square = hn::Add(squared_modulus(z), all(1e-280)), modulus = hn::Mul(square, inverse_root(square));
+  const Pack half = hn::Mul(all(0.5), hn::Add(modulus, hn::Abs(z.re))), by_larger = inverse_root(half);
+  const Pack larger = hn::Mul(half, by_larger), smaller = hn::Mul(hn::Mul(all(0.5), hn::Abs(z.im)), by_larger);
   const LaneMask right = hn::Ge(z.re, all(0.0));
   return {hn::IfThenElse(right, larger, smaller), hn::CopySign(hn::IfThenElse(right, smaller, larger), z.im)};
 }
@@ -47,6 +51,7 @@ template <typename Size>
 struct Root {
   ComplexPack offset;
   ComplexPack v[Size::most];  ///< length 1
+  ComplexPack bv[Size::most];
   ComplexPack slope;          ///< vᵀ M'(λ) v
   Pack turned;                ///< sin² of the angle between v and the one before
 };
@@ -66,108 +71,136 @@ HWY_INLINE ComplexPack diagonal(const Pencil<Size>& m, const ComplexPack& offset
 /// B v
 template <typename Size>
 HWY_INLINE void damped(Size n, const Pencil<Size>& m, const ComplexPack* v, ComplexPack* result) {
-  TRIVET_UNROLL
-  for (int i = 0; i < n; ++i) {
+  each(n, [&](int i) TRIVET_LANES {
     result[i] = m.b[packed(i, 0)] * v[0];
-    TRIVET_UNROLL
-    for (int j = 1; j < n; ++j) {
-      const Pack b = m.b[i > j ? packed(i, j) : packed(j, i)];
-      result[i] = add_product(result[i], b, v[j]);
-    }
-  }
+    each(Fixed<1>(), n, [&](int j) TRIVET_LANES { result[i] = add_product(result[i], m.b[packed_of(i, j)], v[j]); });
+  });
+}
+
+/// Scales v to length 1; returns the factor.
+template <typename Size>
+HWY_INLINE Pack normalise(Size n, ComplexPack* v) {
+  Pack length = all(0.0);
+  each(n, [&](int i) TRIVET_LANES { length = hn::MulAdd(v[i].re, v[i].re, hn::MulAdd(v[i].im, v[i].im, length)); });
+  const Pack scale = inverse_root(length);
+  each(n, [&](int i) TRIVET_LANES { v[i] = scale * v[i]; });
+  return scale;
+}
+
+/// The change of λ to the nearer root of a quadratic with this value, slope and half its second derivative; third order.
+HWY_INLINE ComplexPack to_root(const ComplexPack& value, const ComplexPack& slope, const ComplexPack& square) {
+  return divided(value, subtract_product(slope, square, divided(value, slope)));
 }
 
 /// From the root of the last diagonal entry: v is the last unit vector, turned towards each other mode as if that were the only one.
 template <typename Size>
-HWY_INLINE void start(Size n, const Pencil<Size>& m, const ComplexPack& offset, Root<Size>& at) {
-  const ComplexPack lambda = value(m, offset);
-  at.offset = offset;
-  Pack length = all(1.0);
-  TRIVET_UNROLL
-  for (int j = 0; j < n - 1; ++j) {
-    const ComplexPack entry = diagonal(m, offset, j), coupling = m.b[packed(n - 1, j)] * lambda, twice = coupling + coupling;
-    const ComplexPack radical = root(add_product(twice * twice, entry, entry));
-    const Pack same = hn::MulAdd(entry.re, radical.re, hn::Mul(entry.im, radical.im));  // the larger of entry ± radical
-    const ComplexPack denominator = {hn::Add(entry.re, hn::Mul(hn::CopySign(all(1.0), same), radical.re)), hn::Add(entry.im, hn::Mul(hn::CopySign(all(1.0), same), radical.im))};
-    const LaneMask apart = hn::Gt(one_norm(denominator), all(0.0));
-    const ComplexPack turn = divided(twice, {hn::IfThenElse(apart, denominator.re, all(1.0)), denominator.im});
+HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
+  const ComplexPack lambda = value(m, at.offset);
+  const int own = n - 1;
+  ComplexPack entry[Size::most], square = zero(), middle = zero(), p = zero();
+  each(n, [&](int j) TRIVET_LANES {
+    entry[j] = diagonal(m, at.offset, j);
+    at.v[j] = {all(1.0), all(0.0)};
+    if (j == own) return;
+    const ComplexPack coupling = m.b[packed(own, j)] * lambda, twice = coupling + coupling;
+    const ComplexPack radical = root(add_product(twice * twice, entry[j], entry[j]));
+    const Pack same = hn::CopySign(all(1.0), hn::MulAdd(entry[j].re, radical.re, hn::Mul(entry[j].im, radical.im)));
+    ComplexPack denominator = add_product(entry[j], same, radical);  // the larger of entry ± radical
+    denominator.re = hn::IfThenElse(hn::Gt(one_norm(denominator), all(0.0)), denominator.re, all(1.0));
+    const ComplexPack turn = divided(twice, denominator);
     at.v[j] = {hn::Neg(turn.re), hn::Neg(turn.im)};
-    length = hn::Add(length, squared_modulus(turn));
-  }
-  const Pack scale = inverse_root(length);
-  at.v[n - 1] = {all(1.0), all(0.0)};
-  TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) at.v[j] = scale * at.v[j];
-  ComplexPack bv[Size::most], square = zero(), middle = zero(), p = zero();
-  damped(n, m, at.v, bv);
-  TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) {
-    const ComplexPack own = at.v[j] * at.v[j];
-    square = square + own;
-    middle = add_product(middle, at.v[j], bv[j]);
-    ComplexPack entry = diagonal(m, offset, j);
-    entry = entry - m.b[packed(j, j)] * lambda;
-    p = add_product(p, own, entry);
-  }
+  });
+  normalise(n, at.v);
+  damped(n, m, at.v, at.bv);
+  each(n, [&](int j) TRIVET_LANES {
+    const ComplexPack own_square = at.v[j] * at.v[j];
+    square = square + own_square;
+    middle = add_product(middle, at.v[j], at.bv[j]);
+    p = add_product(p, own_square, entry[j] - m.b[packed(j, j)] * lambda);
+  });
   p = add_product(p, lambda, middle);
-  const ComplexPack slope = add_product(middle, lambda + lambda, square);
-  const ComplexPack first = divided(p, slope), change = divided(p, subtract_product(slope, square, first));
-  at.offset = at.offset - change;
+  at.offset = at.offset - to_root(p, add_product(middle, lambda + lambda, square), square);
 }
 
-/// One step of the iteration.
+/// M = L D Lᵀ, and r on the way to u of M(λ) u = r. Pivots are never smaller than 1e-60 of (centre + Ω)²: λ may be a root to the last digit.
 template <typename Size>
-HWY_INLINE void step(Size n, const Pencil<Size>& m, Root<Size>& at) {
-  const ComplexPack lambda = value(m, at.offset), twice = lambda + lambda;
-  ComplexPack z[Size::most], l[Size::most * Size::most], by_pivot[Size::most], p = zero();
-  damped(n, m, at.v, z);
-  TRIVET_UNROLL
-  for (int i = 0; i < n; ++i) {
-    z[i] = add_product(z[i], twice, at.v[i]);
-    ComplexPack row[Size::most], pivot = diagonal(m, at.offset, i);
-    TRIVET_UNROLL
-    for (int j = 0; j < i; ++j) {
-      row[j] = m.b[packed(i, j)] * lambda;
-      TRIVET_UNROLL
-      for (int k = 0; k < j; ++k) row[j] = subtract_product(row[j], row[k], l[j * n + k]);
+struct Factors {
+  ComplexPack lambda, l[Size::most * Size::most], by_pivot[Size::most], u[Size::most];
+
+  template <typename Row>
+  HWY_INLINE void eliminate(Size n, const Pencil<Size>& m, const ComplexPack& offset, Row i) {
+    ComplexPack row[Size::most], pivot = diagonal(m, offset, i);
+    each(i, [&](auto j) TRIVET_LANES {
+      row[j] = m.b[packed_of(i, j)] * lambda;
+      each(j, [&](int k) TRIVET_LANES { row[j] = subtract_product(row[j], row[k], l[j * n + k]); });
       l[i * n + j] = row[j] * by_pivot[j];
       pivot = subtract_product(pivot, row[j], l[i * n + j]);
-      z[i] = subtract_product(z[i], l[i * n + j], z[j]);
-    }
-    const Pack least = hn::Mul(all(1e-60), hn::Mul(m.above[i], m.above[i]));  // λ may be a root to the last digit
+      u[i] = subtract_product(u[i], l[i * n + j], u[j]);
+    });
+    const Pack least = hn::Mul(all(1e-60), hn::Mul(m.above[i], m.above[i]));
     const LaneMask regular = hn::Gt(one_norm(pivot), least);
-    pivot = {hn::IfThenElse(regular, pivot.re, least), hn::IfThenElseZero(regular, pivot.im)};
-    by_pivot[i] = inverse(pivot);
-    const ComplexPack scaled = z[i] * by_pivot[i];
-    p = add_product(p, z[i], scaled);
+    by_pivot[i] = quick_inverse({hn::IfThenElse(regular, pivot.re, least), hn::IfThenElseZero(regular, pivot.im)});
   }
-  ComplexPack u[Size::most];
-  Pack length = all(0.0);
-  TRIVET_UNROLL
-  for (int i = n - 1; i >= 0; --i) {
-    u[i] = z[i] * by_pivot[i];
-    TRIVET_UNROLL
-    for (int j = i + 1; j < n; ++j) u[i] = subtract_product(u[i], l[j * n + i], u[j]);
-    length = hn::Add(length, squared_modulus(u[i]));
+
+  /// u at last; returns uᵀ r.
+  HWY_INLINE ComplexPack substitute(Size n) {
+    ComplexPack product = zero();
+    each(n, [&](int i) TRIVET_LANES {
+      const ComplexPack scaled = u[i] * by_pivot[i];
+      product = add_product(product, u[i], scaled);
+      u[i] = scaled;
+    });
+    each(n, [&](auto back) TRIVET_LANES {
+      const int i = n - 1 - back;
+      each(back, [&](int other) TRIVET_LANES { u[i] = subtract_product(u[i], l[(n - 1 - other) * n + i], u[n - 1 - other]); });
+    });
+    return product;
   }
-  const Pack scale = inverse_root(length);
-  ComplexPack square = zero(), middle = zero(), along = zero();
-  TRIVET_UNROLL
-  for (int i = 0; i < n; ++i) {
-    u[i] = scale * u[i];
-    along = add_product(along, {at.v[i].re, hn::Neg(at.v[i].im)}, u[i]);
-    square = add_product(square, u[i], u[i]);
-    at.v[i] = u[i];
+};
+
+/// One step of the iteration for some roots, side by side so that one does not wait for the other.
+template <typename Size, int roots>
+HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots]) {
+  Factors<Size> factors[roots];
+  each(Fixed<roots>(), [&](int r) TRIVET_LANES {
+    factors[r].lambda = value(m[r], at[r].offset);
+    each(n, [&](int i) TRIVET_LANES { factors[r].u[i] = add_product(at[r].bv[i], factors[r].lambda + factors[r].lambda, at[r].v[i]); });
+  });
+  each(n, [&](auto i) TRIVET_LANES {
+    each(Fixed<roots>(), [&](int r) TRIVET_LANES { factors[r].eliminate(n, m[r], at[r].offset, i); });
+  });
+  each(Fixed<roots>(), [&](int r) TRIVET_LANES {
+    ComplexPack p = factors[r].substitute(n), *u = factors[r].u, square = zero(), middle = zero(), along = zero();
+    const Pack scale = normalise(n, u);
+    damped(n, m[r], u, at[r].bv);
+    each(n, [&](int i) TRIVET_LANES {
+      along = add_product(along, conjugate(at[r].v[i]), u[i]);
+      square = add_product(square, u[i], u[i]);
+      middle = add_product(middle, u[i], at[r].bv[i]);
+      at[r].v[i] = u[i];
+    });
+    const ComplexPack slope = add_product(middle, factors[r].lambda + factors[r].lambda, square);
+    const ComplexPack change = to_root(hn::Mul(scale, scale) * p, slope, square);
+    at[r].offset = at[r].offset - change;
+    at[r].slope = subtract_product(slope, change + change, square);
+    at[r].turned = hn::Sub(all(1.0), squared_modulus(along));
+  });
+}
+
+/// From the roots of the last diagonal entries until v settles in all lanes: a step that turns it by less than 1e-5 leaves the third power of that.
+template <typename Size, int roots>
+HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots]) {
+  constexpr int most_steps = 6;
+  constexpr double settled = 1e-10;
+  each(Fixed<roots>(), [&](int r) TRIVET_LANES { start(n, m[r], at[r]); });
+  Pack turned = all(1.0);
+  for (int i = 0; i < most_steps; ++i) {
+    step(n, m, at);
+    turned = all(0.0);
+    each(Fixed<roots>(), [&](int r) TRIVET_LANES { turned = hn::IfThenElse(hn::Le(at[r].turned, all(settled)), turned, all(1.0)); });
+    if (hn::AllTrue(Lanes(), hn::Eq(turned, all(0.0)))) break;
   }
-  damped(n, m, u, z);
-  TRIVET_UNROLL
-  for (int i = 0; i < n; ++i) middle = add_product(middle, u[i], z[i]);
-  p = hn::Mul(scale, scale) * p;
-  const ComplexPack slope = add_product(middle, twice, square);
-  const ComplexPack first = divided(p, slope), change = divided(p, subtract_product(slope, square, first));
-  at.offset = at.offset - change;
-  at.slope = subtract_product(slope, change + change, square);
-  at.turned = hn::Sub(all(1.0), squared_modulus(along));
+  return hn::Eq(turned, all(0.0));
 }
 
 /// Real modes with their damping and load, one design per lane.
@@ -183,34 +216,28 @@ template <typename Size>
 HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h, ModalPack<Size>& result) {
   constexpr double round_off = 1e-26;  // squared
   LaneMask coupled = hn::Lt(all(0.0), all(0.0));
-  TRIVET_UNROLL
-  for (int k = 0; k < n; ++k) {
+  each(n, [&](auto k) TRIVET_LANES {
     const Pack* phi = modes.x + k * n;
     Pack product[Size::most], load = all(0.0);
-    TRIVET_UNROLL
-    for (int i = 0; i < n; ++i) {
+    each(n, [&](int i) TRIVET_LANES {
       load = hn::MulAdd(phi[i], h[i], load);
       product[i] = hn::Mul(b[packed(i, 0)], phi[0]);
-      TRIVET_UNROLL
-      for (int j = 1; j < n; ++j) product[i] = hn::MulAdd(b[i > j ? packed(i, j) : packed(j, i)], phi[j], product[i]);
-    }
+      each(Fixed<1>(), n, [&](int j) TRIVET_LANES { product[i] = hn::MulAdd(b[packed_of(i, j)], phi[j], product[i]); });
+    });
     result.load[k] = load;
     result.omega[k] = hn::Sqrt(modes.lambda[k]);
-    TRIVET_UNROLL
-    for (int l = 0; l <= k; ++l) {
+    each(after(k), [&](int l) TRIVET_LANES {
       Pack entry = hn::Mul(modes.x[l * n], product[0]);
-      TRIVET_UNROLL
-      for (int i = 1; i < n; ++i) entry = hn::MulAdd(modes.x[l * n + i], product[i], entry);
-      result.b[packed(k, l)] = entry;
-    }
-    TRIVET_UNROLL
-    for (int l = 0; l < k; ++l) {
-      Pack& entry = result.b[packed(k, l)];
+      each(Fixed<1>(), n, [&](int i) TRIVET_LANES { entry = hn::MulAdd(modes.x[l * n + i], product[i], entry); });
+      result.b[packed_of(k, l)] = entry;
+    });
+    each(k, [&](int l) TRIVET_LANES {
+      Pack& entry = result.b[packed_of(k, l)];
       const LaneMask matters = hn::Gt(hn::Mul(entry, entry), hn::Mul(all(round_off), hn::Mul(result.b[packed(k, k)], result.b[packed(l, l)])));
       entry = hn::IfThenElseZero(matters, entry);
       coupled = hn::Or(coupled, matters);
-    }
-  }
+    });
+  });
   result.coupled = !hn::AllFalse(Lanes(), coupled);
 }
 
@@ -224,24 +251,8 @@ HWY_INLINE void arrange(Size n, const ModalPack<Size>& modal, int own, const Pac
     const int row = seen(i, own, n);
     m.below[i] = hn::Sub(centre, modal.omega[row]);
     m.above[i] = hn::Add(centre, modal.omega[row]);
-    for (int j = 0; j <= i; ++j) {
-      const int column = seen(j, own, n);
-      m.b[packed(i, j)] = modal.b[row > column ? packed(row, column) : packed(column, row)];
-    }
+    for (int j = 0; j <= i; ++j) m.b[packed(i, j)] = modal.b[packed_of(row, seen(j, own, n))];
   }
-}
-
-/// From the root of the last diagonal entry until v settles in all lanes: a step that turns it by less than 1e-5 leaves the third power of that.
-template <typename Size>
-HWY_INLINE LaneMask converge(Size n, const Pencil<Size>& m, Root<Size>& at) {
-  constexpr int most_steps = 6;
-  constexpr double settled = 1e-10;
-  start(n, m, ComplexPack(at.offset), at);
-  for (int i = 0; i < most_steps; ++i) {
-    step(n, m, at);
-    if (hn::AllTrue(Lanes(), hn::Le(at.turned, all(settled)))) break;
-  }
-  return hn::Le(at.turned, all(settled));
 }
 
 /// Poles and residues of a pack of designs, one design per lane. Poles k and n + k belong to mode k.
@@ -257,46 +268,45 @@ struct PackOfPoles {
 
 /// Pole and residue from a converged root, or, without one, from mode k alone.
 template <typename Size>
-HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k, const Pack& centre, const Root<Size>& at, int pole, PackOfPoles<Size>& result) {
+HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k, const Pack& centre, const Root<Size>& at,
+                             int pole, PackOfPoles<Size>& result) {
   ComplexPack participation = zero(), *residue = result.residue + pole * n;
   if (modal.coupled) {
-    TRIVET_UNROLL
-    for (int j = 0; j < n; ++j) residue[j] = zero();
+    each(n, [&](int j) TRIVET_LANES { residue[j] = zero(); });
     for (int i = 0; i < n; ++i) {
       const int mode = seen(i, k, n);
       participation = add_product(participation, modal.load[mode], at.v[i]);
-      TRIVET_UNROLL
-      for (int j = 0; j < n; ++j) residue[j] = add_product(residue[j], modes.x[mode * n + j], at.v[i]);
+      each(n, [&](int j) TRIVET_LANES { residue[j] = add_product(residue[j], modes.x[mode * n + j], at.v[i]); });
     }
   } else {
     participation.re = modal.load[k];
-    TRIVET_UNROLL
-    for (int j = 0; j < n; ++j) residue[j] = {modes.x[k * n + j], all(0.0)};
+    each(n, [&](int j) TRIVET_LANES { residue[j] = {modes.x[k * n + j], all(0.0)}; });
   }
   const ComplexPack scale = divided(participation, at.slope);
   result.lambda[pole] = {at.offset.re, hn::Add(centre, at.offset.im)};
   result.driving[pole] = participation * scale;
-  TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) residue[j] = scale * residue[j];
+  each(n, [&](int j) TRIVET_LANES { residue[j] = scale * residue[j]; });
   const Pack apart = hn::Mul(all(4.0), squared_modulus(result.lambda[pole]));
   result.condition = hn::Max(result.condition, hn::Div(apart, squared_modulus(at.slope)));  // its square
 }
 
-/// Where the lane is not `real`: the conjugate of pole k as pole n + k.
+/// Where the lane is not real: the conjugate of pole k as pole n + k.
 template <typename Size>
-HWY_INLINE void mirror(Size n, LaneMask real, int k, PackOfPoles<Size>& result) {
-  const int to = n + k;
-  result.lambda[to] = select(real, result.lambda[to], conjugate(result.lambda[k]));
-  result.driving[to] = select(real, result.driving[to], conjugate(result.driving[k]));
-  TRIVET_UNROLL
-  for (int j = 0; j < n; ++j) result.residue[to * n + j] = select(real, result.residue[to * n + j], conjugate(result.residue[k * n + j]));
+HWY_INLINE void mirror(Size n, int k, PackOfPoles<Size>& result) {
+  const LaneMask real = result.real[k];
+  const auto partner = [&](ComplexPack* of_poles, int to, int from) TRIVET_LANES {
+    if (hn::AllFalse(Lanes(), real)) of_poles[to] = conjugate(of_poles[from]);
+    else of_poles[to] = select(real, of_poles[to], conjugate(of_poles[from]));
+  };
+  partner(result.lambda, n + k, k);
+  partner(result.driving, n + k, k);
+  for (int j = 0; j < n; ++j) partner(result.residue, (n + k) * n + j, k * n + j);
 }
 
 /// Each pole found once?
 template <typename Size>
 HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfPoles<Size>& poles) {
   Pack trace = all(0.0), damping = trace, product = all(1.0), energy = trace, sum = trace, size = trace, slope_sum = trace, slope_size = trace;
-  TRIVET_UNROLL
   for (int k = 0; k < n; ++k) {
     const ComplexPack &one = poles.lambda[k], two = poles.lambda[n + k], *driving = poles.driving;
     damping = hn::Add(damping, modal.b[packed(k, k)]);
@@ -317,39 +327,44 @@ HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfP
   return hn::And(good, hn::Le(hn::Abs(hn::Sub(slope_sum, energy)), hn::Mul(tolerance, slope_size)));
 }
 
+/// Where modes k alone have their poles: the slower one (or Im > 0), or the partner.
+template <typename Size>
+HWY_INLINE void alone(const ModalPack<Size>& modal, int k, bool partner, LaneMask& real, Pack& centre, Root<Size>& at) {
+  const Pack omega = modal.omega[k], damping = hn::Mul(all(0.5), modal.b[packed(k, k)]);
+  const Pack difference = hn::Mul(hn::Sub(damping, omega), hn::Add(damping, omega)), radical = hn::Sqrt(hn::Abs(difference));
+  real = hn::Gt(difference, all(0.0));
+  centre = hn::IfThenZeroElse(real, omega);
+  const Pack fast = hn::Neg(hn::Add(damping, radical)), slow = hn::Div(hn::Mul(omega, omega), fast);
+  const Pack detuning = hn::Neg(hn::Div(hn::Mul(damping, damping), hn::Add(radical, omega)));
+  at.offset = {hn::IfThenElse(real, partner ? fast : slow, hn::Neg(damping)), hn::IfThenZeroElse(real, detuning)};
+  at.slope = {hn::Mul(all(2.0), hn::Add(at.offset.re, damping)), hn::Mul(all(2.0), hn::Add(centre, at.offset.im))};
+}
+
 /// Poles and residues from modes (ω² > 0 in lanes that shall be good), damping matrix (packed lower triangle) and real load.
 template <typename Size>
 HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h, PackOfPoles<Size>& result) {
+  constexpr int together = Size::most % 2 == 0 && Size::most < 12 ? 2 : 1;
   ModalPack<Size> modal;
   in_modes(n, modes, b, h, modal);
-  const Pack nothing = all(0.0);
-  result.good = hn::Eq(nothing, nothing);
-  result.condition = nothing;
-  for (int k = 0; k < n; ++k) {
-    const Pack omega = modal.omega[k], damping = hn::Mul(all(0.5), modal.b[packed(k, k)]);
-    const Pack difference = hn::Mul(hn::Sub(damping, omega), hn::Add(damping, omega)), radical = hn::Sqrt(hn::Abs(difference));
-    const LaneMask real = result.real[k] = hn::Gt(difference, nothing);
-    const Pack fast = hn::Neg(hn::Add(damping, radical)), slow = hn::Div(hn::Mul(omega, omega), fast);
-    const Pack centre = hn::IfThenZeroElse(real, omega), detuning = hn::Neg(hn::Div(hn::Mul(damping, damping), hn::Add(radical, omega)));
-    const int partners = hn::AllFalse(Lanes(), real) ? 1 : 2;
-    for (int partner = 0; partner < partners; ++partner) {
-      Root<Size> at;
-      at.offset = {hn::IfThenElse(real, partner == 0 ? slow : fast, hn::Neg(damping)), hn::IfThenZeroElse(real, detuning)};
-      at.slope = {hn::Mul(all(2.0), hn::Add(at.offset.re, damping)), hn::Mul(all(2.0), hn::Add(centre, at.offset.im))};
-      if (modal.coupled) {
-        Pencil<Size> pencil;
-        arrange(n, modal, k, centre, pencil);
-        result.good = hn::And(result.good, converge(n, pencil, at));
+  result.good = hn::Eq(all(0.0), all(0.0));
+  result.condition = all(0.0);
+  LaneMask any_real = hn::Lt(all(0.0), all(0.0));
+  for (int partner = 0; partner < 2; ++partner) {
+    if (partner == 1 && hn::AllFalse(Lanes(), any_real)) break;
+    for (int k = 0; k < n; k += together) {
+      Root<Size> at[together];
+      Pencil<Size> pencil[together];
+      Pack centre[together];
+      for (int r = 0; r < together; ++r) {
+        alone(modal, k + r, partner == 1, result.real[k + r], centre[r], at[r]);
+        any_real = hn::Or(any_real, result.real[k + r]);
+        if (modal.coupled) arrange(n, modal, k + r, centre[r], pencil[r]);
       }
-      pole_of_mode(n, modes, modal, k, centre, at, partner * n + k, result);
+      if (modal.coupled) result.good = hn::And(result.good, converge(n, pencil, at));
+      for (int r = 0; r < together; ++r) pole_of_mode(n, modes, modal, k + r, centre[r], at[r], partner * n + k + r, result);
     }
-    if (partners == 1) {  // nothing to keep
-      result.lambda[n + k] = result.driving[n + k] = zero();
-      TRIVET_UNROLL
-      for (int j = 0; j < n; ++j) result.residue[(n + k) * n + j] = zero();
-    }
-    mirror(n, real, k, result);
   }
+  for (int k = 0; k < n; ++k) mirror(n, k, result);
   result.good = hn::And(result.good, complete(n, modal, result));
   result.condition = hn::Sqrt(result.condition);
 }

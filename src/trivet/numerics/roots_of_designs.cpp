@@ -62,20 +62,22 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
 void roots_in_lanes(const Designs& designs, Eigen::Index first, RootTable& table) {
   const auto n = static_cast<int>(designs.coordinates());
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    n == 6 ? roots_of(Fixed<6>(), designs, first + lane, lane, table) : roots_of(AtMostTwelve{n}, designs, first + lane, lane, table);
+    n == 6 ? roots_of(six_coordinates(), designs, first + lane, lane, table) : roots_of(AtMostTwelve{n}, designs, first + lane, lane, table);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "trivet/numerics/dispatch.h"
+
 namespace trivet::numerics {
 
-HWY_EXPORT(roots_in_lanes);
+TRIVET_VARIANTS(roots_in_lanes);
 
 void roots_of_designs(const Designs& designs, Eigen::Index first, RootTable& table) {
   table.coordinates = static_cast<int>(designs.coordinates());
-  HWY_DYNAMIC_DISPATCH(roots_in_lanes)(designs, first, table);
+  TRIVET_DISPATCH(roots_in_lanes)(designs, first, table);
 }
 
 }  // namespace trivet::numerics

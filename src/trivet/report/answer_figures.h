@@ -36,6 +36,9 @@ namespace trivet::report {
 /// Operating deflection shapes in three views and at an angle, at rest and when farthest from it.
 [[nodiscard]] std::vector<Figure> shape_figures(const study::Answers& answers);
 
+/// Two numbers of the project against its rules.
+[[nodiscard]] std::vector<Figure> map_figures(const study::Answers& answers);
+
 /// Nothing but round-off: 1e-9 of the largest curve of its unit.
 [[nodiscard]] bool is_round_off(const response::TransientResponse& transient, const response::TimeCurve& curve);
 

@@ -28,7 +28,7 @@ std::vector<Figure> all_run_up_figures(const study::Answers& answers) {
 }  // namespace
 
 std::string answer_sections(const study::Answers& answers) {
-  return section("Random response", random_table(answers), random_figures(answers)) +
+  return section("Map of designs", map_tables(answers), map_figures(answers)) + section("Random response", random_table(answers), random_figures(answers)) +
          section("Motion in time", transient_table(answers), transient_figures(answers)) +
          section("Run-up", run_up_tables(answers), all_run_up_figures(answers)) +
          section("Transmissibility", transmissibility_table(answers), transmissibility_figures(answers)) +

@@ -31,6 +31,9 @@ namespace trivet::report {
 /// Least margins and exceeded bands.
 [[nodiscard]] std::string limit_line_table(const study::Answers& answers);
 
+/// What governs a map, its best design, and the verdict on every case.
+[[nodiscard]] std::string map_tables(const study::Answers& answers);
+
 [[nodiscard]] std::string load_sharing_table(const study::Answers& answers);
 
 }  // namespace trivet::report

@@ -20,7 +20,7 @@ double highest_finite(const Eigen::VectorXd& values) {
 std::vector<Figure> further_figures(const study::Answers& answers) {
   std::vector<Figure> all;
   for (const auto& kind : {random_figures, transient_figures, run_up_figures, campbell_figures, waterfall_figures, transmissibility_figures,
-                           power_figures, shock_figures, limit_figures, shape_figures}) {
+                           power_figures, shock_figures, limit_figures, shape_figures, map_figures}) {
     int number = 0;  // different names may share the letters that are safe in a file name
     for (Figure& figure : kind(answers)) {
       const std::size_t dash = figure.file_name.find('-');

@@ -114,19 +114,103 @@ function place(name, unit) {
   return {owner, kind: 'motions', lower: turns, label: turns ? 'θ' + component.slice(1) : component};
 }
 
-const frequencies = c => (c.response ? c.response.angular_frequency : []);
+const frequencies = c => (curvesOf(c).length ? curvesOf(c)[0].omega : []);
 
 const known = new Map();
 function curvesOf(c) {
   if (!known.has(c)) known.set(c, c.response ? readCurves(c) : []);
   return known.get(c);
 }
+
+/// Values [re, im, re, im, …] of all curves of a model at ω: Σ w v/(ω − x) / Σ w/(ω − x) over the nodes x, of each delay d turned by e^{−iωd}.
+function modelAt(model, w) {
+  const piece = model.pieces.find(p => w <= p.band[1]) ?? model.pieces.at(-1), {nodes, weights, values} = piece, n = nodes.length;
+  const curves = model.results.length, result = new Float64Array(2 * curves), shares = new Float64Array(2 * n), hit = nodes.indexOf(w);
+  if (model.checks.undefined_at.includes(w)) return result.fill(NaN);
+  let re = 0, im = 0;
+  for (let j = 0; j < n; j++) {
+    re += shares[2 * j] = hit < 0 ? weights[2 * j] / (w - nodes[j]) : hit === j ? 1 : 0;
+    im += shares[2 * j + 1] = hit < 0 ? weights[2 * j + 1] / (w - nodes[j]) : 0;
+  }
+  model.delays.forEach((delay, d) => {
+    const size = re * re + im * im, cos = Math.cos(w * delay), sin = -Math.sin(w * delay);
+    const a = (cos * re + sin * im) / size, b = (sin * re - cos * im) / size;  // e^{−iωd} over the denominator
+    for (let c = 0; c < curves; c++) {
+      const v = values[d * curves + c];
+      let x = 0, y = 0;
+      for (let j = 0; j < n; j++) {
+        x += shares[2 * j] * v[2 * j] - shares[2 * j + 1] * v[2 * j + 1];
+        y += shares[2 * j] * v[2 * j + 1] + shares[2 * j + 1] * v[2 * j];
+      }
+      result[2 * c] += a * x - b * y;
+      result[2 * c + 1] += a * y + b * x;
+    }
+  });
+  return result;
+}
+
+/// Does any curve leave the straight line between two frequencies at a part of it, or turn its phase too fast?
+function bends(a, m, b, part, tops) {
+  for (let c = 0; c < tops.length; c++) {
+    const size = v => Math.hypot(v[2 * c], v[2 * c + 1]), [from, middle, to] = [size(a), size(m), size(b)], most = Math.max(from, middle, to);
+    if (!(most > 1e-6 * tops[c])) continue;  // its shape there shows in no picture
+    if (Math.abs(middle - (1 - part) * from - part * to) > 7e-4 * Math.max(middle, 1e-3 * most)) return true;
+    const turn = (u, v) => Math.abs(Math.atan2(u[2 * c] * v[2 * c + 1] - u[2 * c + 1] * v[2 * c], u[2 * c] * v[2 * c] + u[2 * c + 1] * v[2 * c + 1]));
+    if (turn(a, m) > Math.PI / 9 || turn(m, b) > Math.PI / 9) return true;
+  }
+  return false;
+}
+
+/// Frequencies between which straight lines follow all curves of a model, and its values there.
+function drawn(model, vanishing, unbounded) {
+  const [from, to] = model.band, first = new Set([...Array(65).keys()].map(i => from + (to - from) * i / 64));
+  for (const p of model.pieces) for (const w of [...p.band, ...p.nodes]) first.add(w);
+  for (const r of model.results) for (const [w] of r.extrema) first.add(w);
+  const points = [...first, ...model.checks.undefined_at].filter(w => w >= from && w <= to).sort((a, b) => a - b).map(w => ({w, v: modelAt(model, w)}));
+  const heights = model.results.map((_, c) => largestOf(points.map(p => Math.hypot(p.v[2 * c], p.v[2 * c + 1]))));
+  const ofUnit = unit => largestOf(heights.filter((_, c) => model.results[c].unit === unit));
+  const noise = (r, c) => vanishing[c] || heights[c] < 1e-10 * ofUnit(r.unit);  // there the model follows no curve, only round-off
+  const tops = model.results.map((r, c) => (noise(r, c) ? Infinity : unbounded[c] ? 0 : heights[c]));
+  const result = [], open = points.reverse();  // a stack: its last two are the interval looked at
+  while (open.length > 1) {
+    const a = open.pop(), b = open.at(-1);
+    const inner = [0.25, 0.5, 0.75].map(part => ({part, w: a.w + part * (b.w - a.w)})).map(m => ({...m, v: modelAt(model, m.w)}));
+    const wide = b.w - a.w > 1e-9 * b.w && result.length + open.length < 20000;
+    if (wide && inner.some(m => bends(a.v, m.v, b.v, m.part, tops))) open.push({w: inner[1].w, v: inner[1].v}, a);
+    else result.push(a);
+  }
+  return [...result, ...open];
+}
+
+/// Curves of a model as those of a table: with exact heights at the maxima.
+function tabled(c) {
+  const packed = p => ({...p, weights: Float64Array.from(p.weights), values: p.values.map(row => Float64Array.from(row))});
+  const model = {...c.response, pieces: c.response.pieces.map(packed)}, has = (list, mark) => model.results.map(r => (list ?? []).some(s => s.name === r.name && s.unit === r.unit && s[mark]));
+  if (!model.pieces.length) return {angular_frequency: [], results: model.results.map(r => ({...r, complex: [], phase: []}))};
+  const points = drawn(model, has(c.peaks?.curves, 'vanishes'), has(c.peaks?.peaks, 'unbounded'));
+  const results = model.results.map((r, curve) => {
+    const exact = new Map(r.extrema);
+    let last = r.first_phase;
+    const complex = points.map(({w, v}) => {
+      const [re, im] = [v[2 * curve], v[2 * curve + 1]], size = Math.hypot(re, im), factor = size > 0 ? (exact.get(w) ?? size) / size : 1;
+      return Number.isFinite(size) ? [re * factor, im * factor] : null;
+    });
+    const phase = complex.map(z => {
+      if (!z) return null;
+      const angle = z[1] === 0 ? (z[0] < 0 ? Math.PI : 0) : Math.atan2(z[1], z[0]);
+      return last = model.continuous_phase && last !== null ? angle + TURN * Math.round((last - angle) / TURN) : angle;
+    });
+    return {...r, complex, phase};
+  });
+  return {angular_frequency: points.map(p => p.w), results};
+}
+
 /// Curves of a case in ascending ω: amplitude in SI, phase in degrees; NaN where the answer is not defined.
 function readCurves(c) {
-  const all = c.response.angular_frequency;
+  const response = c.response.pieces ? tabled(c) : c.response, all = response.angular_frequency;
   const order = all.map((_, i) => i).sort((a, b) => all[a] - all[b]);
   const omega = order.map(i => all[i]);
-  return c.response.results.map(r => {
+  return response.results.map(r => {
     const amplitude = order.map(i => (r.complex[i] ? Math.hypot(...r.complex[i]) : NaN));
     const mine = item => item.name === r.name && item.unit === r.unit;
     return {
@@ -374,7 +458,7 @@ function drawPicture(picture) {
 
 const allPictures = () => (comparison ? [...pictures, comparison] : pictures);
 
-/// Index of the computed frequency nearest to ω.
+/// Index of the drawn frequency nearest to ω.
 function nearestIndex(omega, w) {
   let low = 0, high = omega.length - 1;
   while (high - low > 1) omega[(low + high) >> 1] < w ? low = (low + high) >> 1 : high = (low + high) >> 1;
@@ -417,7 +501,7 @@ function setCursor(w) {
   for (const legend of new Set(allPictures().map(p => p.legend))) readOut(legend);
 }
 
-/// ω at a pointer event, clamped to the axis; inside the pictures of one case the nearest computed one.
+/// ω at a pointer event, clamped to the axis; inside the pictures of one case the nearest drawn one.
 function frequencyAt(picture, event, snap) {
   const {x, box, width} = picture.frame, rectangle = picture.holder.getBoundingClientRect();
   const pixel = Math.max(box.left, Math.min(box.right, (event.clientX - rectangle.left) * width / rectangle.width));
@@ -523,7 +607,7 @@ function characteristics(c) {
   if (points < 2) return section('characteristics', 'Response', responseTable(curves));
   const pair = group => html('div', {}, html('h3', {}, group.name), group.rows.filter(row => row.length).map(row => characteristicsRow(c, row.map(styled))));
   return section('characteristics', 'Amplitude and phase characteristics',
-    hint('Move over a picture to read values at the computed frequencies (or focus it and use ← →, with Shift by tens). ',
+    hint('Move over a picture to read values at the drawn frequencies (or focus it and use ← →, with Shift by tens). ',
       'Drag to zoom all pictures in frequency, double-click for the whole band. Legend entries switch curves. ',
       'Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.'),
     grouped(curves).map(pair), points <= FEW_POINTS ? folded('The same as a table', responseTable(curves)) : null);
@@ -554,7 +638,7 @@ function buildComparison() {
   const options = names.map(name => html('option', {value: name, selected: name === view.compare ? '' : null}, name));
   put('comparison', html('h2', {}, 'Comparison of cases'), html('p', {}, html('label', {}, 'Curve ', html('select', {id: 'compare', onchange: choose}, options))),
     legend.node, comparison.holder,
-    hint('Zoom and axes are those of the pictures above. Values under the cursor are interpolated between the frequencies computed in each case.'));
+    hint('Zoom and axes are those of the pictures above. Values under the cursor are interpolated between the frequencies drawn in each case.'));
   byId('comparison').hidden = false;
 }
 
@@ -666,6 +750,9 @@ function solutionRows({worst_backward_error, at_angular_frequency, pivoted_fallb
 function checksSection(c) {
   const rows = c.checks.map(k => ({mark: k.passed ? null : 'failed', cells: [k.subject, k.what, k.value, verdict(k.passed)]}));
   if (c.response) rows.push(...solutionRows(c.response.checks));
+  if (c.response?.pieces)
+    rows.push(['response', 'curves of this page against solves and extrema they were not made from', `drawn from ${count(c.response.solves, 'solve')}; ` +
+      `largest difference ${number(100 * c.response.worst_error, 2)} % at ω = ${number(c.response.worst_error_at, 5)} rad/s, ${c.response.tests} compared`, verdict(c.response.worst_error <= 1e-3)]);
   const failed = failures(c).length;
   return section('checks', 'Checks', html('p', {class: failed ? 'bad' : 'good'}, failed ? `✗ ${failed} failed.` : '✓ All passed.'),
     table(['subject', 'check', 'value', 'verdict'], rows, {tall: true}));

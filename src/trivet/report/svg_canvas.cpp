@@ -16,6 +16,14 @@ void SvgCanvas::polyline(const std::vector<PixelPoint>& points, std::string_view
   body_ += fmt::format("<polyline fill=\"none\" points=\"{}\" {}/>\n", list, style);
 }
 
+void SvgCanvas::area(const std::vector<std::vector<PixelPoint>>& rings, std::string_view style) {
+  std::string path;
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      path += fmt::format("{}{:.2f} {:.2f}{}", i == 0 ? "M" : "L", ring[i].x, ring[i].y, i + 1 == ring.size() ? "Z" : "");
+  if (!path.empty()) body_ += fmt::format("<path fill-rule=\"evenodd\" d=\"{}\" {}/>\n", path, style);
+}
+
 void SvgCanvas::circle(PixelPoint centre, double radius, std::string_view style) {
   body_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" {}/>\n", centre.x, centre.y, radius, style);
 }

@@ -19,6 +19,8 @@ class SvgCanvas {
 
   void line(PixelPoint a, PixelPoint b, std::string_view style);
   void polyline(const std::vector<PixelPoint>& points, std::string_view style);
+  /// Closed outlines, filled between each other (even–odd).
+  void area(const std::vector<std::vector<PixelPoint>>& rings, std::string_view style);
   void circle(PixelPoint centre, double radius, std::string_view style);
   void rectangle(PixelPoint corner, double width, double height, std::string_view style);
   /// `attributes` may hold anchor, size, weight, transform.

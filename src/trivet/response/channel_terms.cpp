@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "trivet/numerics/frequency_sweep.h"
 #include "trivet/response/exact_response.h"
+#include "trivet/response/steady_solution.h"
 
 namespace trivet::response {
 namespace {
@@ -34,11 +34,11 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
                             const assembly::Loading& loading, const std::vector<double>& omega) {
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
-  const ExactResponse exact(assembled, channels, loading);
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   for (Eigen::Index i = 0; i < points; ++i) {
-    const ExactSample sample = exact.at(omega[static_cast<std::size_t>(i)]);
-    result.value.col(i) = sample.values;
-    result.possible.col(i) = sample.possible;
+    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]);
+    result.value.col(i) = exact.values;
+    result.possible.col(i) = exact.possible;
   }
   return result;
 }
@@ -58,7 +58,7 @@ AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::ve
   if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
   AnswerSamples result{Eigen::MatrixXcd::Zero(count, points), Eigen::MatrixXd::Zero(count, points)};
-  const Eigen::MatrixXcd q = numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading), omega).response;
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   const std::vector<ChannelTerms> terms = channel_terms(channels);
   for (Eigen::Index i = 0; i < points; ++i) {
     const double w = omega[static_cast<std::size_t>(i)];

@@ -7,9 +7,8 @@
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
-#include "trivet/numerics/frequency_sweep.h"
 #include "trivet/numerics/refined_solution.h"
-#include "trivet/response/exact_response.h"
+#include "trivet/response/steady_solution.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {
@@ -58,15 +57,6 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
     first += 6;
   }
   return t;
-}
-
-Eigen::MatrixXcd fast_solutions(const assembly::Assembled& assembled, const assembly::Loading& loading, const std::vector<double>& omega) {
-  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading), omega).response;
-  const std::vector<assembly::Channel> none;
-  const ExactResponse exact(assembled, none, loading);
-  Eigen::MatrixXcd solutions(assembled.constant.size(), static_cast<Eigen::Index>(omega.size()));
-  for (std::size_t i = 0; i < omega.size(); ++i) solutions.col(static_cast<Eigen::Index>(i)) = exact.at(omega[i]).coordinates;
-  return solutions;
 }
 
 }  // namespace
@@ -126,7 +116,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
         if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
   }
   stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<Complex>();
-  const Eigen::MatrixXcd fast = fast_solutions(assembled, loading, angular_frequency);
+  const Eigen::MatrixXcd fast = steady_solution(assembled, loading, angular_frequency).response;
   const ExtendedMatrix scale = d.cast<Complex>().asDiagonal();
 
   DeepCheck check;

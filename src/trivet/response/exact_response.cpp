@@ -50,6 +50,16 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
 
 }  // namespace
 
+ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                         const Eigen::VectorXcd& coordinates, Complex omega, double near) {
+  const auto count = static_cast<Eigen::Index>(channels.size());
+  const Eigen::VectorXcd ground = loading.motion.vanishes() ? Eigen::VectorXcd() : loading.motion.at(omega);
+  ExactValues result{Eigen::VectorXcd(count), Eigen::VectorXd(count)};
+  for (Eigen::Index c = 0; c < count; ++c)
+    std::tie(result.values(c), result.possible(c)) = value(assembled, channels[static_cast<std::size_t>(c)], coordinates, ground, omega, near);
+  return result;
+}
+
 ExactResponse::ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading)
     : assembled_(assembled), channels_(channels), scale_(numerics::unit_scale(assembled.constant)), loading_(loading) {}
 
@@ -57,14 +67,14 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXcd z = scale_.asDiagonal() * assembled_.dynamic_stiffness(omega, near) * scale_.asDiagonal();
   const Eigen::VectorXcd load = scale_.asDiagonal() * assembly::exact_right_side(assembled_, loading_, omega, near);
-  const Eigen::VectorXcd ground = loading_.motion.vanishes() ? Eigen::VectorXcd() : loading_.motion.at(omega);
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
   Eigen::VectorXcd q = lu.solve(load);
   q += lu.solve(load - z * q);
   const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
   const double negligible = 4 * static_cast<double>(z.rows()) * std::numeric_limits<double>::epsilon();
-  ExactSample sample{q, Eigen::VectorXcd::Constant(static_cast<Eigen::Index>(channels_.size()), Complex(nan, nan)),
-                     Eigen::VectorXd::Constant(static_cast<Eigen::Index>(channels_.size()), nan), std::numeric_limits<double>::infinity(), nan};
+  const auto count = static_cast<Eigen::Index>(channels_.size());
+  ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)}, q,
+                     std::numeric_limits<double>::infinity(), nan};
   if (!q.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= negligible * norm) {
     sample.coordinates.setConstant(nan);
     return sample;
@@ -73,8 +83,7 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   sample.backward_error = size > 0 ? (load - z * q).cwiseAbs().maxCoeff() / size : 0;
   sample.condition = 1 / lu.rcond();
   sample.coordinates = scale_.asDiagonal() * q;
-  for (std::size_t c = 0; c < channels_.size(); ++c)
-    std::tie(sample.values(static_cast<Eigen::Index>(c)), sample.possible(static_cast<Eigen::Index>(c))) = value(assembled_, channels_[c], sample.coordinates, ground, omega, near);
+  static_cast<ExactValues&>(sample) = exact_values(assembled_, channels_, loading_, sample.coordinates, omega, near);
   return sample;
 }
 

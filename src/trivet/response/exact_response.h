@@ -10,11 +10,23 @@
 
 namespace trivet::response {
 
-/// All answers at one ω, from the exact Z(ω).
-struct ExactSample {
-  Eigen::VectorXcd coordinates;   ///< first rows of the layout
+/// What channels tell of coordinates at one ω, elements by their exact laws.
+struct ExactValues {
   Eigen::VectorXcd values;        ///< one per channel
   Eigen::VectorXd possible;       ///< the same if all terms worked together: what is far below is round-off
+};
+
+/// @param coordinates  first rows of the layout
+[[nodiscard]] ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                       const assembly::Loading& loading, const Eigen::VectorXcd& coordinates, std::complex<double> omega, double near);
+[[nodiscard]] inline ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                              const assembly::Loading& loading, const Eigen::VectorXcd& coordinates, double omega) {
+  return exact_values(assembled, channels, loading, coordinates, omega, omega);
+}
+
+/// All answers at one ω, from the exact Z(ω).
+struct ExactSample : ExactValues {
+  Eigen::VectorXcd coordinates;   ///< first rows of the layout
   double condition = 0;           ///< of the scaled Z, estimated
   double backward_error = 0;      ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
 };

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/numerics/frequency_sweep.h"
 #include "trivet/response/exact_response.h"
+#include "trivet/response/steady_solution.h"
 
 namespace trivet::response {
 namespace {
@@ -45,37 +45,37 @@ void note_error(double error, double omega, SolutionCheck& check) {
   }
 }
 
-FrequencyResponse exact_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                 const assembly::Loading& loading, const std::vector<double>& omega) {
-  FrequencyResponse result;
-  result.angular_frequency = omega;
-  for (const assembly::Channel& channel : channels)
-    result.curves.push_back({channel.name, channel.unit, Eigen::VectorXcd(static_cast<Eigen::Index>(omega.size()))});
-  const ExactResponse exact(assembled, channels, loading);
-  for (std::size_t i = 0; i < omega.size(); ++i) {
-    const ExactSample sample = exact.at(omega[i]);
-    for (std::size_t c = 0; c < channels.size(); ++c) result.curves[c].value(static_cast<Eigen::Index>(i)) = sample.values(static_cast<Eigen::Index>(c));
-    note_error(sample.backward_error, omega[i], result.check);
-  }
-  return result;
+/// Of elements that depend on frequency in their own way, one column of values per ω.
+Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                              const Eigen::MatrixXcd& q, const std::vector<double>& omega) {
+  Eigen::MatrixXcd values(static_cast<Eigen::Index>(channels.size()), q.cols());
+  for (Eigen::Index i = 0; i < q.cols(); ++i)
+    values.col(i) = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]).values;
+  return values;
 }
 
 }  // namespace
 
 FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                      const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
-  if (assembled.frequency_dependent()) return exact_response(assembled, channels, loading, angular_frequency);
-  const numerics::SweepResult solved = numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading), angular_frequency);
+  const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);
   const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
-  Eigen::MatrixXcd ground;
-  if (!loading.motion.vanishes()) {
+  Eigen::MatrixXcd ground, exact;
+  if (assembled.frequency_dependent()) exact = exact_curves(assembled, channels, loading, solved.response, angular_frequency);
+  else if (!loading.motion.vanishes()) {
     ground.resize(loading.motion.size(), omega.size());
     for (Eigen::Index i = 0; i < omega.size(); ++i) ground.col(i) = loading.motion.at(omega(i));
   }
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
-  for (const assembly::Channel& channel : channels)
-    result.curves.push_back({channel.name, channel.unit, curve_values(channel, solved.response, ground, omega)});
+  result.solves = static_cast<int>(angular_frequency.size());
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const assembly::Channel& channel = channels[c];
+    Eigen::VectorXcd values;
+    if (assembled.frequency_dependent()) values = exact.row(static_cast<Eigen::Index>(c)).transpose();
+    else values = curve_values(channel, solved.response, ground, omega);
+    result.curves.push_back({channel.name, channel.unit, std::move(values)});
+  }
   result.check.fallbacks = solved.fallbacks;
   for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
     note_error(solved.backward_error(i), angular_frequency[static_cast<std::size_t>(i)], result.check);

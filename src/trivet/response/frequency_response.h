@@ -28,6 +28,8 @@ struct FrequencyResponse {
   std::vector<double> angular_frequency;  ///< [rad/s]
   std::vector<Curve> curves;
   SolutionCheck check;
+  int solves = 0;                  ///< frequencies at which the dynamic stiffness was solved
+  double interpolation_error = 0;  ///< largest found, relative, of values between those; 0: every value is solved
 };
 
 /// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined where a motion is given by its velocity or acceleration.

@@ -68,6 +68,11 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
 
 }  // namespace
 
+double relative_prominence(const Peak& peak) {
+  const double minimum = peak.amplitude - peak.prominence;
+  return std::isinf(peak.amplitude) || !(minimum > 0) ? infinity : peak.prominence / minimum;
+}
+
 Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
             const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
   const numerics::DynamicMatrices& m = assembled.matrices;

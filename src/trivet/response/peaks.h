@@ -28,6 +28,9 @@ struct Peak {
   bool refined = true;                      ///< false: Newton did not settle (a very flat maximum); values are those of the series
 };
 
+/// Prominence over the higher neighbouring minimum, as a share of that minimum (infinite over 0): the design rule's measure.
+[[nodiscard]] double relative_prominence(const Peak& peak);
+
 /// What is known of a whole curve on 0 ≤ ω < ∞.
 struct CurveSummary {
   std::string name;

@@ -4,31 +4,14 @@
 #include <fmt/format.h>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/response/exact_response.h"
+#include "trivet/response/steady_solution.h"
 
 namespace trivet::response {
-namespace {
-
-/// Free coordinates, one column per ω; NaN where Z(ω) is singular.
-Eigen::MatrixXcd free_coordinates(const assembly::Assembled& assembled, const assembly::Loading& loading,
-                                  const std::vector<double>& omega) {
-  if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, assembly::right_side(assembled, loading),
-                                                               omega).response;
-  const std::vector<assembly::Channel> no_channels;
-  const ExactResponse exact(assembled, no_channels, loading);
-  Eigen::MatrixXcd result(assembled.layout.before_last(), static_cast<Eigen::Index>(omega.size()));
-  for (std::size_t i = 0; i < omega.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = exact.at(omega[i]).coordinates;
-  return result;
-}
-
-}  // namespace
-
 std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, const assembly::Loading& loading,
                                          const std::vector<double>& angular_frequency) {
   for (const double omega : angular_frequency)
     if (!(omega > 0)) throw foundation::InvalidInput(fmt::format("steady motion: {:g} rad/s; the angular frequency must be > 0", omega));
-  const Eigen::MatrixXcd q = free_coordinates(assembled, loading, angular_frequency);
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, angular_frequency).response;
   std::vector<SteadyMotion> result;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     SteadyMotion motion{angular_frequency[i], q.col(static_cast<Eigen::Index>(i)), Eigen::VectorXcd::Zero(assembled.ground.size())};

@@ -94,6 +94,15 @@ double root_mean_square(const TimeCurve& curve) {
   return scale * std::sqrt(std::max(mean(1 / scale), 0.0));
 }
 
+/// What is kept grows with points × answers, and a file of it is three times as long again.
+void require_room(const TimeGrid& grid, std::size_t answers) {
+  constexpr double most_bytes = 2e9;
+  const double bytes = static_cast<double>(grid.points) * static_cast<double>(answers + 1) * sizeof(double);
+  if (bytes > most_bytes)
+    throw foundation::NotComputable(fmt::format("transient: {} points × {} answers and the time ask for {:.3g} GB; at most {:.3g} GB are kept: take a longer step, a shorter time or fewer answers",
+                                                grid.points, answers, bytes / 1e9, most_bytes / 1e9));
+}
+
 TransientResponse response_of(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const std::vector<TimeInput>& given,
                               const TransientOptions& options, const foundation::Progress& progress) {
   Inputs inputs;
@@ -103,6 +112,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   WalkState state = first_state(space, inputs, options);
   const std::vector<ExcitedMode> modes = excited_modes(space, inputs.courses, state.x);
   const TimeGrid grid = time_grid(options, modes, inputs.courses, inputs.names, result.warnings);
+  require_room(grid, channels.size());
   const double end = grid.time(grid.points - 1);
   warn_of_growth(space, end - grid.start, result.warnings);
   const LinearRows rows = answer_rows(space, channels, inputs.drives);

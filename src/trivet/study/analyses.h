@@ -105,6 +105,42 @@ struct LimitLineRequest {
   response::LimitLine line;
 };
 
+/// Designs that one map may hold.
+inline constexpr double most_designs = 1e7;
+
+/// One axis of a map: a number of the project file that a design may choose.
+struct MapAxis {
+  std::string parameter;      ///< dotted path, as in --set
+  std::string name;           ///< what tables and pictures call it; the path by default
+  double from = 0, to = 1;    ///< in `unit`
+  std::string unit;           ///< as written beside from and to; empty: the number as the file takes it, SI
+  bool logarithmic = false;
+  int points = 101;
+
+  [[nodiscard]] double at(double share) const;          ///< the value at 0 … 1 of the axis, ends exact
+  [[nodiscard]] double share(double value) const;       ///< its inverse, also beyond
+};
+
+/// Largest allowed amplitude of one answer, SI.
+struct MapLimit {
+  std::string name;
+  assembly::Quantity quantity = assembly::Quantity::displacement;
+  double amplitude = 0;
+};
+
+/// Two numbers of the project and the rules that a design keeps or breaks.
+struct MapRequest {
+  MapAxis x, y;
+  std::optional<response::Band> band;         ///< of the amplitudes; none: 0 ≤ ω < ∞
+  std::vector<MapLimit> limits;
+  bool limits_of_file = true;                 ///< the map names none: those of the file
+  std::vector<std::string> no_peak;           ///< answers that shall have no resonance peak, wherever it lies
+  assembly::Quantity quantity = assembly::Quantity::displacement;  ///< of these
+  double min_prominence = 1e-6, peak_tolerance = 0.01;             ///< as of `peaks`
+  std::vector<std::string> excitations;       ///< empty: all
+  std::optional<std::vector<std::string>> cases;  ///< marked on the map; none: all that have both numbers
+};
+
 struct Analyses {
   bool modes = false;
   bool roots = false;
@@ -120,6 +156,7 @@ struct Analyses {
   std::optional<ShapesRequest> shapes;
   std::optional<ShockSpectrumRequest> shock_spectrum;
   std::optional<EarthquakeRequest> earthquake;
+  std::optional<MapRequest> map;
   std::vector<LimitLineRequest> limit_lines;
   std::vector<Limit> limits;
 };

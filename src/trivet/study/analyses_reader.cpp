@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "trivet/study/wanted_reader.h"
+#include "trivet/study/map_reader.h"
 
 namespace trivet::study {
 namespace {
@@ -59,11 +59,11 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentio
   return request;
 }
 
-std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, const std::optional<ResponseRequest>& response, bool quantity_is_clear) {
+std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool mapped) {
   std::vector<Limit> limits;
   const Node* table = root.table("limits");
   if (!table) return limits;
-  if (!response) root.error("limits", "no response to compare with", "limits hold over the band of analyses.response", "add response = {…} to [analyses]");
+  if (!response && !mapped) root.error("limits", "no response to compare with", "limits hold over the band of analyses.response", "add response = {…} to [analyses]");
   TableReader reader(*table, "limits", root.problems());
   for (const std::string& name : table->keys) {
     const auto measured = names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
@@ -119,10 +119,12 @@ Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
       analyses.load_sharing = root.has("gravity");
     }
     read_further_analyses(reader, names, mentioned, analyses);
+    read_map(root, reader, names, mentioned, analyses);
     reader.finish();
   }
   read_limit_lines(root, names, analyses);
-  analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear);
+  analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear, analyses.map.has_value());
+  take_limits_of_file(analyses);
   return analyses;
 }
 

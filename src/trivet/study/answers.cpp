@@ -12,6 +12,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/response/design_rules.h"
 #include "trivet/study/further_answers.h"
 
 namespace trivet::study {
@@ -49,19 +50,24 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
     for (const response::Curve& curve : response.curves) result.push_back(curve.value.unaryExpr([](const std::complex<double>& z) { return response::phase(z); }).real());
     return result;
   }
-  // Counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
+  // Whole turns are counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
-  std::vector<double> grid = response::automatic_grid(assembled, asked.channels, asked.load, roots.poles, peaks, {lowest_defined(assembled), top});
+  const response::CurveModel model = response::curve_model(assembled, asked.channels, asked.load, roots.poles, peaks, {lowest_defined(assembled), top});
+  std::vector<double> grid = response::drawing_grid(model, peaks);
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
-  const response::FrequencyResponse dense = response::frequency_response(assembled, asked.channels, asked.load, grid);
-  for (const response::Curve& curve : dense.curves) {
-    const Eigen::VectorXd along = response::continuous_phase(curve.value);
+  const Eigen::MatrixXcd dense = model.at(grid);
+  for (std::size_t c = 0; c < response.curves.size(); ++c) {
+    const Eigen::VectorXd along = response::continuous_phase(dense.row(static_cast<Eigen::Index>(c)).transpose());
     Eigen::VectorXd at(static_cast<Eigen::Index>(asked_at.size()));
-    for (std::size_t i = 0; i < asked_at.size(); ++i)
-      at(static_cast<Eigen::Index>(i)) = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
+    for (std::size_t i = 0; i < asked_at.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const double own = response::phase(response.curves[c].value(row));
+      const double followed = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
+      at(row) = std::isfinite(followed) ? own + 2 * std::numbers::pi * std::round((followed - own) / (2 * std::numbers::pi)) : own;
+    }
     result.push_back(at);
   }
   return result;
@@ -238,8 +244,11 @@ class CaseStudy {
       if (!(result.band.from < result.band.to))
         throw foundation::NotComputable("response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
-      else if (request.spacing == response::Spacing::automatic)
-        grid = response::automatic_grid(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, progress_);
+      else if (request.spacing == response::Spacing::automatic) {
+        result.model = response::curve_model(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, {}, progress_);
+        result.extrema = response::extrema(peaks, result.band);
+        grid = response::drawing_grid(*result.model, peaks);
+      }
       else {
         if (!(result.band.from > 0)) throw foundation::NotComputable("response: a logarithmic grid needs a band that starts above 0");
         grid = response::logarithmic_grid(result.band, request.points);
@@ -248,7 +257,10 @@ class CaseStudy {
       result.band = {*std::min_element(grid.begin(), grid.end()), *std::max_element(grid.begin(), grid.end())};
     }
     foundation::report_progress(progress_, "response", 0.5);
-    result.curves = response::frequency_response(assembled_, asked.channels, asked.load, grid);
+    // Solving constant matrices costs less than evaluating a model of the curves; an exact spring or a table is another matter.
+    result.curves = result.model && assembled_.frequency_dependent() ? response::interpolated(*result.model, asked.channels, peaks, grid)
+                                                                     : response::frequency_response(assembled_, asked.channels, asked.load, grid);
+    result.continuous_phase = request.continuous_phase;
     result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
     const std::vector<double> samples = request.at.empty()
@@ -277,28 +289,15 @@ class CaseStudy {
     const auto curve = static_cast<std::size_t>(
         std::find_if(found.curves.begin(), found.curves.end(), [&](const response::CurveSummary& c) { return c.name == limit.name; }) - found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest, true};
-    const Loaded asked = loaded(system_, assembled_, {{limit.name}, wanted.quantity, wanted.excitations});
-    // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
-    const double start = std::max(band.from, found.searched_from);
-    const bool starts_late = start > band.from;
-    const std::vector<double> ends = {start, band.to, starts_late ? std::min(10 * start, found.searched_to) : start};
-    const auto at_ends = response::frequency_response(assembled_, asked.channels, asked.load, ends);
-    std::vector<std::pair<double, double>> candidates;
-    const auto amplitude_at = [&](Eigen::Index i) { return std::abs(at_ends.curves[0].value(i)); };
-    const bool diverges = starts_late && amplitude_at(0) > 5 * amplitude_at(2);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    candidates.emplace_back(diverges || std::isnan(amplitude_at(0)) ? infinity : amplitude_at(0), band.from);
-    candidates.emplace_back(std::isnan(amplitude_at(1)) ? infinity : amplitude_at(1), band.to);
+    const Loaded asked = loaded(system_, assembled_, wanted);
+    const response::LargestAmplitude largest = response::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
+    answer.in_band = largest.amplitude;
+    answer.in_band_at = largest.angular_frequency;
     if (response_ && response_->band.from == band.from && response_->band.to == band.to)
       for (const response::Curve& drawn : response_->curves.curves)
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
-          if (std::isfinite(std::abs(drawn.value(i)))) candidates.emplace_back(std::abs(drawn.value(i)), response_->curves.angular_frequency[static_cast<std::size_t>(i)]);
-    for (const response::Turning& t : found.turnings[curve])
-      if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) candidates.emplace_back(t.amplitude, t.angular_frequency);
-    for (const response::Peak& peak : found.list)
-      if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to) candidates.emplace_back(peak.amplitude, peak.angular_frequency);
-    for (const auto& [amplitude, omega] : candidates)
-      if (amplitude > answer.in_band) answer.in_band = amplitude, answer.in_band_at = omega;
+          if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
+            answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[static_cast<std::size_t>(i)];
     answer.kept = answer.in_band <= answer.limit;
     return answer;
   }
@@ -339,11 +338,6 @@ response::DeepCheck deep_check(const Case& variant) {
     load = assembly::Loading(everywhere);
   }
   return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));
-}
-
-double relative_prominence(const response::Peak& peak) {
-  const double minimum = peak.amplitude - peak.prominence;
-  return std::isinf(peak.amplitude) || !(minimum > 0) ? std::numeric_limits<double>::infinity() : peak.prominence / minimum;
 }
 
 }  // namespace trivet::study

@@ -10,6 +10,7 @@
 #include "trivet/modal/roots.h"
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/response/campbell.h"
+#include "trivet/response/curve_model.h"
 #include "trivet/response/deep_check.h"
 #include "trivet/response/deflection_shape.h"
 #include "trivet/response/earthquake.h"
@@ -21,6 +22,7 @@
 #include "trivet/response/run_up.h"
 #include "trivet/response/static_response.h"
 #include "trivet/response/transient.h"
+#include "trivet/study/design_map.h"
 #include "trivet/study/project.h"
 
 /// Answers to what a project asks, case by case.
@@ -32,6 +34,10 @@ struct ResponseAnswer {
   response::DeepCheck deep;
   response::Band band;
   assembly::Quantity quantity = assembly::Quantity::displacement;
+  /// Where no frequencies were asked for: the curves between those of the table, their extrema, and whether phases are continuous.
+  std::optional<response::CurveModel> model;
+  std::vector<std::vector<response::Extremum>> extrema;
+  bool continuous_phase = false;
 };
 
 struct PeaksAnswer {
@@ -114,6 +120,7 @@ struct Answers {
   std::optional<response::EarthquakeResponse> earthquake;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
+  std::optional<DesignMap> map;        ///< of the base model, where a run computes it
   std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
 };
 
@@ -124,8 +131,5 @@ struct Answers {
 /// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or under a
 /// force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const Case& variant);
-
-/// Prominence over the higher neighbouring minimum, as a share of that minimum (infinite over 0): the design rule's measure.
-[[nodiscard]] double relative_prominence(const response::Peak& peak);
 
 }  // namespace trivet::study

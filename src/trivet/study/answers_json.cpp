@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/answers_json.h"
 
+#include <algorithm>
+
 #include "trivet/study/json_parts.h"
 
 namespace trivet::study {
@@ -50,12 +52,25 @@ Json mode(const modal::Mode& m) {
           {"name", m.name}};
 }
 
+/// Real and imaginary parts in turn: half as many brackets as pairs.
+template <typename Vector>
+Json complex_list(const Vector& values) {
+  Json result = Json::array();
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    result.push_back(values(i).real());
+    result.push_back(values(i).imag());
+  }
+  return result;
+}
+
 Json solution_checks(const ResponseAnswer& answer) {
   const auto& check = answer.curves.check;
   const auto& deep = answer.deep;
   return {{"worst_backward_error", check.worst_backward_error},
           {"at_angular_frequency", check.at_angular_frequency},
           {"pivoted_fallbacks", check.fallbacks},
+          {"solves", answer.curves.solves},
+          {"interpolation_error", answer.curves.interpolation_error},
           {"undefined_at", check.undefined_at},
           {"second_solver",
            {{"frequencies", deep.frequencies}, {"too_near_a_resonance", deep.incomparable}, {"worst_difference", number(deep.worst_difference)}, {"allowed", number(deep.allowed)},
@@ -102,6 +117,29 @@ Json response(const Answers& answers) {
     Json values = Json::array();
     for (Eigen::Index i = 0; i < curve.value.size(); ++i) values.push_back(complex_number(curve.value(i)));
     result["results"].push_back({{"name", curve.name}, {"unit", curve.unit}, {"complex", std::move(values)}, {"phase", list(answer.phase[c])}});
+  }
+  return result;
+}
+
+Json drawn_response(const Answers& answers) {
+  const ResponseAnswer& answer = *answers.response;
+  if (!answer.model) return response(answers);
+  const response::CurveModel& model = *answer.model;
+  Json result{{"band", {model.band.from, model.band.to}}, {"delays", model.delays}, {"pieces", Json::array()}, {"solves", model.solves}, {"tests", model.tests},
+              {"worst_error", model.worst_error}, {"worst_error_at", model.worst_error_at}, {"continuous_phase", answer.continuous_phase},
+              {"results", Json::array()}, {"checks", solution_checks(answer)}};
+  for (const response::ModelPiece& piece : model.pieces) {
+    Json values = Json::array();
+    for (Eigen::Index row = 0; row < piece.fit.values.rows(); ++row) values.push_back(complex_list(piece.fit.values.row(row)));
+    result["pieces"].push_back({{"band", {piece.band.from, piece.band.to}}, {"nodes", list(piece.fit.nodes)}, {"weights", complex_list(piece.fit.weights)}, {"values", std::move(values)}});
+  }
+  for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
+    Json extrema = Json::array();
+    for (const response::Extremum& extremum : answer.extrema[c]) extrema.push_back({extremum.angular_frequency, extremum.maximum ? Json(extremum.amplitude) : Json(nullptr)});
+    const Eigen::VectorXd& phase = answer.phase[c];
+    const auto first = std::find_if(phase.begin(), phase.end(), [](double angle) { return std::isfinite(angle); });
+    result["results"].push_back({{"name", answer.curves.curves[c].name}, {"unit", answer.curves.curves[c].unit}, {"extrema", std::move(extrema)},
+                                 {"first_phase", first == phase.end() ? Json(nullptr) : Json(*first)}});
   }
   return result;
 }

@@ -168,6 +168,7 @@ void add_further(const Answers& answers, Json& result) {
   if (!answers.shock_spectra.empty()) result["shock_spectrum"] = shock_spectrum(answers);
   if (answers.earthquake) result["earthquake"] = earthquake(answers);
   if (!answers.limit_lines.empty()) result["limit_lines"] = limit_lines(answers);
+  if (answers.map) result["map"] = design_map(*answers.map);
   if (answers.load_sharing) result["load_sharing"] = load_sharing(answers);
 }
 

@@ -42,9 +42,13 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json modes(const Case& variant, const Answers& answers);
 [[nodiscard]] Json roots(const Case& variant, const Answers& answers);
 [[nodiscard]] Json response(const Answers& answers);
+/// What a page needs to draw the response: the model of the curves where there is one, instead of a long table.
+[[nodiscard]] Json drawn_response(const Answers& answers);
 [[nodiscard]] Json peaks(const Answers& answers);
 [[nodiscard]] Json statics(const Answers& answers);
+[[nodiscard]] Json limit_lines(const Answers& answers);
 /// Random, transient, orders … of those answers that there are, by their names.
 void add_further(const Answers& answers, Json& result);
+[[nodiscard]] Json design_map(const DesignMap& map);
 
 }  // namespace trivet::study::json

@@ -77,7 +77,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   all.sort_by_origin();
   problems.add(all);
   if (!good || !system) return std::nullopt;
-  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all)};
+  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), document};
 }
 
 /// Adds what a case brings beyond the base model, under the name of the case.
@@ -109,6 +109,21 @@ void list_changes(const Node& node, const std::string& path, std::vector<std::st
 const Case* Project::find(const std::string& name) const {
   const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; });
   return found == cases.end() ? nullptr : &*found;
+}
+
+foundation::Expected<model::System> changed_system(const Case& variant, const Node& changes) {
+  Node document = variant.document;
+  for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
+    if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
+      document.items.erase(document.items.begin() + (at - document.keys.begin()));
+      document.keys.erase(at);
+    }
+  foundation::Problems problems;
+  apply_changes(document, changes, "", problems);
+  std::string title;
+  auto changed = read_case(document, variant.name, title, problems);
+  if (changed && !problems.has_errors()) return std::move(changed->system);
+  return tl::make_unexpected(std::move(problems));
 }
 
 foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source, const std::vector<std::string>& settings) {

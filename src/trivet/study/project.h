@@ -8,6 +8,7 @@
 #include "trivet/foundation/problems.h"
 #include "trivet/model/system.h"
 #include "trivet/study/analyses.h"
+#include "trivet/study/document.h"
 
 namespace trivet::study {
 
@@ -18,6 +19,7 @@ struct Case {
   model::System system;
   Analyses analyses;
   foundation::Problems warnings;     ///< of reading and checking, with their places
+  Node document;                     ///< what it was read from, changes applied
 };
 
 /// A project file that passed every check, in all its cases.
@@ -30,6 +32,9 @@ struct Project {
   [[nodiscard]] const Case& base() const { return cases.front(); }
   [[nodiscard]] const Case* find(const std::string& name) const;
 };
+
+/// The model of a case with further changes laid over it; it answers no questions of its own. All problems at once.
+[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const Node& changes);
 
 /// Reads and checks a project file with the given `--set` changes; all problems of all cases at once.
 [[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path, const std::vector<std::string>& settings = {});

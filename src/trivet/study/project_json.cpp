@@ -110,7 +110,9 @@ Json model_json(const Case& variant) {
   return result;
 }
 
-Json case_json(const Case& variant, const Answers& answers) {
+enum class Reader { file, page };
+
+Json case_json(const Case& variant, const Answers& answers, Reader reader) {
   Json checks = Json::array();
   for (const CheckLine& line : check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
   Json limits = Json::array();
@@ -123,11 +125,12 @@ Json case_json(const Case& variant, const Answers& answers) {
   if (variant.analyses.roots) result["roots"] = json::roots(variant, answers);
   if (answers.response) {
     result["band"] = {answers.response->band.from, answers.response->band.to};
-    result["response"] = json::response(answers);
+    result["response"] = reader == Reader::page ? json::drawn_response(answers) : json::response(answers);
   }
   if (answers.peaks) result["peaks"] = json::peaks(answers);
   if (answers.statics) result["static"] = json::statics(answers);
-  json::add_further(answers, result);
+  if (reader == Reader::file) json::add_further(answers, result);
+  else if (!answers.limit_lines.empty()) result["limit_lines"] = json::limit_lines(answers);
   return result;
 }
 
@@ -156,13 +159,21 @@ std::vector<CheckLine> check_lines(const Case& variant) {
   return lines;
 }
 
-std::string results_json(const Project& project, const std::vector<Answers>& answers) {
+namespace {
+
+std::string all_results(const Project& project, const std::vector<Answers>& answers, Reader reader) {
   Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", version()}}},
               {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
               {"title", project.title}, {"cases", Json::array()}};
-  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i]));
+  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
   return result.dump() + "\n";
 }
+
+}  // namespace
+
+std::string results_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::file); }
+
+std::string page_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::page); }
 
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions) {
   Json list = Json::array();

@@ -23,6 +23,9 @@ struct CheckLine {
 /// The whole result file of `trivet run`: program, input, model, checks, and all answers of all cases (docs/json.md).
 [[nodiscard]] std::string results_json(const Project& project, const std::vector<Answers>& answers);
 
+/// What the report page needs of it: models instead of long tables of curves, and nothing of the answers that stand in the page as static figures.
+[[nodiscard]] std::string page_json(const Project& project, const std::vector<Answers>& answers);
+
 /// {"ok", "problems": [...]}: the verdict of `trivet check --json`.
 [[nodiscard]] std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions);
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/map_text.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/report/map_figure.h"
+#include "trivet/study/map_json.h"
+
+namespace trivet::cli {
+namespace {
+
+/// "1000x1000", or one number for both axes.
+study::MapOptions sizes(const std::string& text) {
+  study::MapOptions options;
+  if (text.empty()) return options;
+  const auto whole = [&](const std::string& part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || value < 2) throw BadArgument(fmt::format("--points {}: give the points of both axes, each 2 or more, as in 200x150", text));
+    return value;
+  };
+  const std::size_t cross = text.find('x');
+  options.nx = whole(text.substr(0, cross));
+  options.ny = cross == std::string::npos ? options.nx : whole(text.substr(cross + 1));
+  if (static_cast<double>(options.nx) * options.ny > study::most_designs)
+    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map holds at most {:.0e}", text, static_cast<double>(options.nx) * options.ny, study::most_designs));
+  return options;
+}
+
+}  // namespace
+
+int map_command(const Options& options) {
+  const auto project = read_or_complain(options);
+  if (!project) return wrong_input;
+  try {
+    const study::Case& variant = chosen_case(*project, options.case_name);
+    if (!variant.analyses.map)
+      throw BadArgument("map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, no_peak = \"coordinates\"} to [analyses]");
+    const study::MapOptions wanted = sizes(options.points);
+    catch_interrupts();
+    const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
+    if (!options.json) write_problems(variant.warnings);
+    if (!options.picture.empty()) write_picture(options.picture, report::map_figure(map, project->title).svg);
+    write_output(options.json ? study::map_json(*project, map) : options.csv ? study::map_csv(map) : map_text(map));
+    return done;
+  } catch (const BadArgument& bad) {
+    fmt::print(stderr, "error: {}\n", bad.what());
+    return wrong_input;
+  }
+}
+
+}  // namespace trivet::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/map_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cli/text_table.h"
+
+namespace trivet::cli {
+namespace {
+
+std::string with_unit(double value, const study::MapAxis& axis) { return fmt::format("{:.5g}{}", value, axis.unit.empty() ? "" : " " + axis.unit); }
+
+std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
+
+std::string point_words(const study::DesignMap& map, const study::DesignPoint& p) {
+  return fmt::format("{} = {}, {} = {}", map.request.x.name, with_unit(p.x, map.request.x), map.request.y.name, with_unit(p.y, map.request.y));
+}
+
+std::string axis_words(const study::MapAxis& axis) {
+  const std::string path = axis.name == axis.parameter ? "" : " (" + axis.parameter + ")";
+  return fmt::format("{}{} {:g} … {}, {} points{}", axis.name, path, axis.from, with_unit(axis.to, axis), axis.points, axis.logarithmic ? ", logarithmic" : "");
+}
+
+std::string shares_text(const study::DesignMap& map) {
+  std::vector<std::size_t> order(map.rules.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return map.shares[a].broken + map.shares[a].kept > map.shares[b].broken + map.shares[b].kept; });
+  TextTable table({"rule", "governs, broken", "governs, kept"});
+  const auto percent = [&](std::size_t designs) { return fmt::format("{:.1f} %", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
+  int silent = 0;
+  for (const std::size_t r : order) {
+    if (map.shares[r].broken + map.shares[r].kept == 0) ++silent;
+    else table.add({map.rules[r].words, percent(map.shares[r].broken), percent(map.shares[r].kept)});
+  }
+  std::size_t limited = 0;
+  for (const study::RuleShare& share : map.shares) limited += share.kept;
+  if (map.kept > limited) table.add({"no rule limits them: no peak", "", percent(map.kept - limited)});
+  return table.text() + (silent > 0 ? fmt::format("  {} of {} rules govern nowhere\n", silent, map.rules.size()) : "");
+}
+
+std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
+  const auto place = [&](const std::optional<double>& value, const study::MapAxis& axis) { return value ? with_unit(*value, axis) : std::string("not in the file"); };
+  std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name, place(mark.x, map.request.x), place(mark.y, map.request.y),
+                                 !mark.judged ? "NOT COMPUTED" : mark.judged->governing.kept() ? "keeps every rule" : "BREAKS the rules");
+  if (!mark.of_this_model) text += ", a model of its own beside the two numbers";
+  text += "\n";
+  for (const std::string& words : study::verdict_words(map, mark)) text += "      " + words + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string map_text(const study::DesignMap& map) {
+  std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
+  text += map.request.band ? fmt::format("  amplitudes over {:g} … {:g} rad/s; resonance peaks wherever they lie, from {:g} % above the minimum beside them\n", map.request.band->from, map.request.band->to, 100 * map.request.peak_tolerance)
+                           : fmt::format("  amplitudes over all frequencies; resonance peaks from {:g} % above the minimum beside them\n", 100 * map.request.peak_tolerance);
+  text += fmt::format("Feasible: {:.2f} % of the map\n", 100 * map.feasible.area);
+  if (map.best) {
+    const study::DesignOutcome& best = map.outcomes[*map.best];
+    text += fmt::format("{}: {}; margin {} ({})\n", best.kept() ? "Best design" : "No design keeps every rule; the nearest", point_words(map, map.point(*map.best)), margin_words(best.margin),
+                        std::isinf(best.margin) ? "no rule limits it" : map.rules[best.governing].words);
+  }
+  text += shares_text(map);
+  for (const study::MissingReason& reason : map.report.missing)
+    text += fmt::format("  {} design{} without an answer: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.words);
+  if (!map.marks.empty()) text += "Cases\n";
+  for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
+  return text + "  " + map.report.words() + "\n";
+}
+
+}  // namespace trivet::cli

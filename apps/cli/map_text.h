@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/design_map.h"
+
+namespace trivet::cli {
+
+/// A map for reading: where designs keep the rules, what governs, the best, and every marked case.
+[[nodiscard]] std::string map_text(const study::DesignMap& map);
+
+}  // namespace trivet::cli

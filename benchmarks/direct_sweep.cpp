@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long is a sweep of one six-coordinate machine with general damping, every frequency solved? Beside the paper's loop and the best
+// vectorised form in Octave, NumPy, SciPy, Eigen's fixed-size LU and LAPACK.
+#include "rivals/fixed_lu.h"
+#include "rivals/lapack.h"
+#include "sweep_problem.h"
+#include "trivet/numerics/frequency_sweep.h"
+
+int main() {
+  using namespace trivet;
+  using namespace trivet::benchmarks;
+  const OneCore one_core;
+  openblas_set_num_threads(1);
+  constexpr std::size_t count = 10000;
+  constexpr double solve_flops = 719;  // Z 84, LDLᵀ 406, right side 148, growth of the factors 81: additions and multiplications, a division as one
+  SweepProblem problem(count);
+  const numerics::DynamicMatrices matrices{problem.machine.A, problem.machine.B, problem.machine.K, {}, true};
+  const Vector6 h = problem.machine.load;
+  numerics::SweepOptions options, with_errors;
+  options.threads = with_errors.threads = 1;
+  options.every_backward_error = false;
+  numerics::SweepPlanes planes;
+  const auto ours = [&] { numerics::sweep(matrices, h, problem.omega, planes, options); };
+
+  Eigen::MatrixXcd q(6, count);
+  const auto by = [&](SixCoordinateSolver solver) { return [&, solver] { solver(problem.system(), problem.omega.data(), count, q.data()); }; };
+  Rival octave("sweep.m", problem.folder()), python("sweep.py", problem.folder());
+  ours();
+  Eigen::MatrixXcd answers(6, count);
+  answers.real() = planes.re.transpose();
+  answers.imag() = planes.im.transpose();
+  const double error = problem.check("Trivet", answers);
+  std::printf("  redone with pivoting: %d\n", planes.fallbacks);
+  for (const auto& [name, solver] : {std::pair{"Eigen", &eigen_fixed_lu}, std::pair{"zgesv", &lapack_zgesv}, std::pair{"zsysv", &lapack_zsysv}}) {
+    by(solver)();
+    problem.check(name, q);
+  }
+  for (const char* name : {"loop", "ldlt"}) problem.check(octave, name);
+  for (const char* name : {"batched", "ldlt", "scipy", "scipy_zgesv"}) problem.check(python, name);
+
+  std::vector<Way> ways{
+      here("Trivet, every solution checked", count, ours, solve_flops),
+      here("Trivet, with every backward error told", count, [&] { numerics::sweep(matrices, h, problem.omega, planes, with_errors); }, solve_flops),
+      here("Trivet, complex columns in fresh memory", count, [&] { (void)numerics::sweep(matrices, h, problem.omega, options); }, solve_flops),
+      octave.way("loop", "Octave, the paper's loop with `\\`", count, 800),
+      octave.way("ldlt", "Octave, LDLᵀ vectorised by hand", count),
+      python.way("batched", "NumPy, batched solve", count, 95),
+      python.way("ldlt", "NumPy, LDLᵀ vectorised by hand", count),
+      python.way("scipy", "SciPy, loop of linalg.solve", count),
+      python.way("scipy_zgesv", "SciPy, loop of zgesv", count),
+      here("Eigen, fixed 6×6 pivoted LU", count, by(&eigen_fixed_lu), 0, 42),
+      here("LAPACK zgesv", count, by(&lapack_zgesv)),
+      here("LAPACK zsysv", count, by(&lapack_zsysv)),
+  };
+  if (python.has("pyyeti")) {
+    problem.check(python, "pyyeti");
+    ways.push_back(python.way("pyyeti", "pyYeti, SolveUnc.fsolve", count));
+  } else {
+    std::puts("pyYeti is absent");
+  }
+  measure({"direct sweep of six coordinates", "10,000 frequencies", "frequency", error}, ways);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What does each instruction set give? One binary, told to use one after the other; the answers are compared first.
+#include "trivet/numerics/instruction_set.h"
+
+#include "chain.h"
+#include "measure.h"
+#include "random_designs.h"
+#include "trivet/numerics/design_modes.h"
+#include "trivet/numerics/frequency_sweep.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::benchmarks;
+
+/// `answers` under each instruction set, the best first; they may differ by `limit`.
+template <typename Answers>
+void under_each(const Question& question, double items, double limit, double flops, const Answers& answers) {
+  std::vector<Way> ways;
+  const std::vector<std::string> sets = numerics::instruction_sets();
+  const auto best = answers().eval();
+  double worst = 0;
+  for (const std::string& set : sets) {
+    numerics::use_instruction_set(set);
+    const double difference = (answers() - best).abs().maxCoeff() / best.abs().maxCoeff();
+    worst = difference <= worst ? worst : difference;
+    Way way = here(set, items, [&] { (void)answers(); });
+    way.seconds = [set, run = way.seconds] {
+      numerics::use_instruction_set(set);
+      return run();
+    };
+    ways.push_back(way);
+  }
+  compared(question.name, worst, limit);
+  Question told = question;
+  told.largest_error = worst;
+  const std::vector<double> seconds = measure(told, ways, 11);
+  for (std::size_t s = 0; s < sets.size() && flops > 0; ++s) {
+    numerics::use_instruction_set(sets[s]);
+    double peak = 0;
+    for (int i = 0; i < 5; ++i) peak = std::max(peak, peak_flops());
+    record(question.name, sets[s] + ": part of its own peak of multiply-adds", 100 * flops / seconds[s] / peak, "%", "", true);
+  }
+  numerics::use_instruction_set("");
+}
+
+}  // namespace
+
+int main() {
+  const OneCore one_core;
+  const PaperMachine m = paper_machine();
+  const numerics::DynamicMatrices matrices{m.A, m.B, m.K, {}, true};
+  const std::vector<double> omega = even_frequencies(10000);
+  numerics::SweepOptions one_thread;
+  one_thread.threads = 1;
+  one_thread.every_backward_error = false;
+  numerics::SweepPlanes planes;
+  under_each({"instruction sets, direct sweep", "10,000 frequencies", "frequency"}, 10000, 1e-11, 719,
+             [&]() -> const Eigen::ArrayXXd& {
+               numerics::sweep(matrices, m.load, omega, planes, one_thread);
+               return planes.re;
+             });
+  const numerics::Designs designs = random_designs(2048);
+  numerics::DesignModesOptions options;
+  options.threads = 1;
+  under_each({"instruction sets, modes over designs", "2,048 designs", "design"}, 2048, 1e-11, 0,
+             [&]() -> Eigen::ArrayXXd { return numerics::design_modes(designs, options).lambda; });
+  const numerics::DynamicMatrices chain = chain_of(50);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(chain.size());
+  load.tail(6) = m.load;
+  const std::vector<double> some = even_frequencies(2000, 60);
+  under_each({"instruction sets, chain of bodies", "50 bodies", "frequency"}, 2000, 1e-9, 0,
+             [&]() -> Eigen::ArrayXXcd { return numerics::sweep(chain, load, some, one_thread).response.array(); });
+}

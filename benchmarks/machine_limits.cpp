@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the machine can do at most, measured beside what is done.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "machine_limits.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::benchmarks::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<double, 8>;
+
+/// Twelve chains of multiply-adds that do not wait for each other; named one by one, so that none leaves its register.
+double multiply_adds(int rounds, double start) {
+  const Lanes d;
+  const auto a = hn::Set(d, 0.999), b = hn::Set(d, 1e-3);
+  auto x0 = hn::Set(d, start), x1 = x0, x2 = x0, x3 = x0, x4 = x0, x5 = x0, x6 = x0, x7 = x0, x8 = x0, x9 = x0, x10 = x0, x11 = x0;
+  for (int i = 0; i < rounds; ++i) {
+    x0 = hn::MulAdd(x0, a, b), x1 = hn::MulAdd(x1, a, b), x2 = hn::MulAdd(x2, a, b), x3 = hn::MulAdd(x3, a, b);
+    x4 = hn::MulAdd(x4, a, b), x5 = hn::MulAdd(x5, a, b), x6 = hn::MulAdd(x6, a, b), x7 = hn::MulAdd(x7, a, b);
+    x8 = hn::MulAdd(x8, a, b), x9 = hn::MulAdd(x9, a, b), x10 = hn::MulAdd(x10, a, b), x11 = hn::MulAdd(x11, a, b);
+  }
+  const auto sum = hn::Add(hn::Add(hn::Add(x0, x1), hn::Add(x2, x3)), hn::Add(hn::Add(x4, x5), hn::Add(x6, x7)));
+  return hn::GetLane(hn::Add(sum, hn::Add(hn::Add(x8, x9), hn::Add(x10, x11))));
+}
+
+double multiply_adds_per_round() { return 12.0 * static_cast<double>(hn::Lanes(Lanes())); }
+
+void stream(double value, double* target, size_t count) {
+  const Lanes d;
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) hn::Stream(hn::Set(d, value), d, target + i);
+  hwy::FlushStream();
+}
+
+}  // namespace trivet::benchmarks::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <algorithm>
+#include <cstdlib>
+
+#include "measure.h"
+#include "trivet/numerics/dispatch.h"
+
+namespace trivet::benchmarks {
+
+using numerics::chosen_variant;
+TRIVET_VARIANTS(multiply_adds);
+TRIVET_VARIANTS(multiply_adds_per_round);
+TRIVET_VARIANTS(stream);
+
+double peak_flops() {
+  constexpr int rounds = 40000;
+  static volatile double start = 0.5;
+  const double from = thread_seconds();
+  start = TRIVET_DISPATCH(multiply_adds)(rounds, start) * 0.05;
+  return 2.0 * rounds * TRIVET_DISPATCH(multiply_adds_per_round)() / (thread_seconds() - from);
+}
+
+double streaming_store_bandwidth() {
+  constexpr size_t count = size_t{1} << 24;
+  static double* const buffer = [] {  // for as long as the process lives
+    auto* const warmed = static_cast<double*>(std::aligned_alloc(64, count * sizeof(double)));
+    std::fill_n(warmed, count, 1.0);
+    return warmed;
+  }();
+  const double from = thread_seconds();
+  TRIVET_DISPATCH(stream)(2.0, buffer, count);
+  return sizeof(double) * count / (thread_seconds() - from);
+}
+
+}  // namespace trivet::benchmarks
+#endif

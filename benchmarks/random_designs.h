@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Machines around the paper's, drawn from a fixed seed: mass, stiffness and damping each turned and scaled a little, damping by a power of ten.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "paper_machine.h"
+#include "trivet/numerics/designs.h"
+
+namespace trivet::benchmarks {
+
+/// The same numbers on every machine: xorshift64*, uniform on [−1, 1).
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : state_(seed * 2685821657736338717ULL + 1) {}
+  double operator()() {
+    state_ ^= state_ >> 12, state_ ^= state_ << 25, state_ ^= state_ >> 27;
+    return static_cast<double>((state_ * 2685821657736338717ULL) >> 11) * 0x1p-52 - 1;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Damping times 10^least … 10^most.
+inline numerics::Designs random_designs(Eigen::Index count, double least = -1.5, double most = 0.5) {
+  const PaperMachine m = paper_machine();
+  Draws draw(20);
+  numerics::Designs designs{Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21), m.load.transpose().array()};
+  const Vector6 unit = m.A.diagonal().cwiseSqrt();  // metres and radians are turned into each other as they weigh in A
+  const auto varied = [&](const Matrix6& x, double scale) -> Matrix6 {
+    Matrix6 turn = Matrix6::Identity();
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) turn(i, j) += 0.1 * draw() * unit[j] / unit[i];
+    return scale * (turn.transpose() * x * turn);
+  };
+  const auto put = [](Eigen::ArrayXXd& packed, Eigen::Index row, const Matrix6& x) {
+    for (int i = 0, k = 0; i < 6; ++i)
+      for (int j = 0; j <= i; ++j, ++k) packed(row, k) = (x(i, j) + x(j, i)) / 2;
+  };
+  for (Eigen::Index d = 0; d < count; ++d) {
+    put(designs.A, d, varied(m.A, std::exp(0.3 * draw())));
+    put(designs.B, d, varied(m.B, std::pow(10, (least + most) / 2 + (most - least) / 2 * draw())));
+    put(designs.K, d, varied(m.K, std::exp(draw())));
+  }
+  return designs;
+}
+
+inline Matrix6 unpacked(const Eigen::ArrayXXd& packed, Eigen::Index row) {
+  Matrix6 x;
+  for (int i = 0, k = 0; i < 6; ++i)
+    for (int j = 0; j <= i; ++j, ++k) x(i, j) = x(j, i) = packed(row, k);
+  return x;
+}
+
+inline PaperMachine machine_of(const numerics::Designs& designs, Eigen::Index d) {
+  return {unpacked(designs.A, d), unpacked(designs.B, d), unpacked(designs.K, d), designs.load.row(0).transpose().matrix()};
+}
+
+/// The first designs as full matrices one behind the other, for rivals.
+inline std::vector<double> full_matrices(const Eigen::ArrayXXd& packed, Eigen::Index count) {
+  std::vector<double> all;
+  for (Eigen::Index d = 0; d < count; ++d) {
+    const Matrix6 x = unpacked(packed, d);
+    all.insert(all.end(), x.data(), x.data() + 36);
+  }
+  return all;
+}
+
+}  // namespace trivet::benchmarks

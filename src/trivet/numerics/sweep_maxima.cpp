@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/sweep_maxima.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/pieces.h"
+#include "trivet/numerics/sweep_plan.h"
+
+namespace trivet::numerics {
+namespace {
+
+constexpr std::size_t designs_together = 64;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+DynamicMatrices matrices_of(const Designs& designs, Eigen::Index design) {
+  const Eigen::Index n = designs.coordinates();
+  DynamicMatrices m{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), {}, true};
+  for (Eigen::Index i = 0, at = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j, ++at) {
+      m.A(i, j) = m.A(j, i) = designs.A(design, at);
+      m.B(i, j) = m.B(j, i) = designs.B(design, at);
+      m.K(i, j) = m.K(j, i) = designs.K(design, at);
+    }
+  return m;
+}
+
+/// One row of the result.
+void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, SweepMaxima& result,
+                 Eigen::Index row) {
+  const int n = plan.size();
+  std::vector<double> square(static_cast<std::size_t>(n), -1.0), where(static_cast<std::size_t>(n));
+  workspace.take(plan);
+  for (std::size_t at = 0; at < omega.size(); at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
+    const auto count = static_cast<long>(std::min(omega.size() - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
+    const int singular = workspace.counts().singular;
+    const sweep_kernels::Planes q = workspace.solve(&omega[at], count, options.every_backward_error);
+    workspace.raise_maxima(q, square.data(), where.data());
+    for (long f = 0; f < count && workspace.counts().singular > singular; ++f)
+      if (std::isnan(q.re[f]) && square[0] < infinity) {
+        std::fill(square.begin(), square.end(), infinity);
+        std::fill(where.begin(), where.end(), omega[at + static_cast<std::size_t>(f)]);
+      }
+  }
+  for (int j = 0; j < n; ++j) {
+    result.amplitude(row, j) = std::sqrt(square[static_cast<std::size_t>(j)]);
+    result.angular_frequency(row, j) = where[static_cast<std::size_t>(j)];
+  }
+}
+
+SweepMaxima no_maxima(Eigen::Index designs, Eigen::Index n) { return {{}, Eigen::ArrayXXd::Zero(designs, n), Eigen::ArrayXXd::Zero(designs, n)}; }
+
+void require_frequencies(const std::vector<double>& omega) {
+  if (omega.empty()) throw foundation::InvalidInput("largest amplitudes: no frequency is given; at least one is needed");
+}
+
+}  // namespace
+
+SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, const SweepOptions& options) {
+  require_frequencies(omega);
+  SweepMaxima result = no_maxima(1, matrices.size());
+  result.angular_frequency.setConstant(omega.front());
+  if (load.vanishes()) return result;
+  SweepWorkspace workspace;
+  find_maxima(workspace, SweepPlan(matrices, load), omega, options, result, 0);
+  static_cast<SweepCounts&>(result) = workspace.counts();
+  return result;
+}
+
+SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omega, const SweepOptions& options) {
+  require_frequencies(omega);
+  const auto count = static_cast<std::size_t>(designs.count());
+  SweepMaxima result = no_maxima(designs.count(), designs.coordinates());
+  result.angular_frequency.setConstant(omega.front());
+  std::mutex adding;
+  const int threads = sweep_threads(count * omega.size(), options.threads);
+  foundation::for_each_piece(count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
+    SweepWorkspace workspace;
+    for (auto design = static_cast<Eigen::Index>(first); design < static_cast<Eigen::Index>(last); ++design) {
+      const Eigen::VectorXcd load = designs.load.row(designs.load.rows() > 1 ? design : 0).matrix().transpose().cast<Complex>();
+      if (load.isZero(0)) continue;
+      find_maxima(workspace, SweepPlan(matrices_of(designs, design), load), omega, options, result, design);
+    }
+    const std::lock_guard lock(adding);
+    result.add(workspace.counts());
+  });
+  return result;
+}
+
+}  // namespace trivet::numerics

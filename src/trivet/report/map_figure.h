@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/report/figures.h"
+#include "trivet/study/design_map.h"
+
+namespace trivet::report {
+
+/// Regions by the rule that governs, the feasible region light with its boundary and lines of equal margin, cases as labelled points.
+[[nodiscard]] Figure map_figure(const study::DesignMap& map, const std::string& title);
+
+}  // namespace trivet::report

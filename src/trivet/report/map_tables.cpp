@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/report/answer_tables.h"
+#include "trivet/report/html_table.h"
+#include "trivet/report/svg_canvas.h"
+
+namespace trivet::report {
+namespace {
+
+std::string value_words(const std::optional<double>& value, const study::MapAxis& axis) {
+  return value ? fmt::format("{:.5g}{}", *value, axis.unit.empty() ? "" : " " + axis.unit) : "–";
+}
+
+std::string rules_table(const study::DesignMap& map) {
+  std::vector<std::vector<Cell>> rows;
+  const auto share = [&](std::size_t designs) { return percent_cell(static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
+  for (std::size_t r = 0; r < map.rules.size(); ++r)
+    if (map.shares[r].kept + map.shares[r].broken > 0) rows.push_back({{map.rules[r].words}, share(map.shares[r].broken), share(map.shares[r].kept)});
+  std::size_t limited = 0;
+  for (const study::RuleShare& s : map.shares) limited += s.kept;
+  if (map.kept > limited) rows.push_back({{"no rule limits them: no peak"}, right(""), share(map.kept - limited)});
+  return html_table({{"rule"}, right("governs, broken"), right("governs, kept")}, rows);
+}
+
+std::string marks_table(const study::DesignMap& map) {
+  std::vector<std::vector<Cell>> rows;
+  for (const study::MapMark& mark : map.marks) {
+    std::string words;
+    for (const std::string& sentence : study::verdict_words(map, mark)) words += (words.empty() ? "" : "; ") + sentence;
+    const bool kept = mark.judged && mark.judged->governing.kept();
+    rows.push_back({{mark.name.empty() ? "base model" : mark.name}, right(value_words(mark.x, map.request.x)), right(value_words(mark.y, map.request.y)),
+                    {kept ? "keeps every rule" : "breaks a rule", false, !kept}, {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
+  }
+  return rows.empty() ? "" : html_table({{"case"}, right(map.request.x.name), right(map.request.y.name), {"verdict"}, {"found"}}, rows);
+}
+
+}  // namespace
+
+std::string map_tables(const study::Answers& answers) {
+  if (!answers.map) return "";
+  const study::DesignMap& map = *answers.map;
+  std::string text = fmt::format("Feasible: {:.2f} % of the map.", 100 * map.feasible.area);
+  if (map.best) {
+    const study::DesignPoint p = map.point(*map.best);
+    text += fmt::format(" {}: {} = {}, {} = {}.", map.outcomes[*map.best].kept() ? "Largest margin" : "No design keeps every rule; the nearest", map.request.x.name,
+                        value_words(p.x, map.request.x), map.request.y.name, value_words(p.y, map.request.y));
+  }
+  return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/design_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/response/frequency_response.h"
+
+namespace trivet::response {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                 const Peaks& found, std::size_t curve, const Band& band) {
+  LargestAmplitude largest{0, band.from};
+  const auto consider = [&](double amplitude, double omega) {
+    if (amplitude > largest.amplitude) largest = {amplitude, omega};
+  };
+  // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
+  const double start = std::max(band.from, found.searched_from), end = std::isinf(band.to) ? start : band.to;
+  const bool starts_late = start > band.from;
+  const auto at = frequency_response(assembled, {channels[curve]}, loading, {start, end, starts_late ? std::min(10 * start, found.searched_to) : start});
+  const auto amplitude_at = [&](Eigen::Index i) {
+    const double size = std::abs(at.curves[0].value(i));
+    return std::isnan(size) ? infinity : size;
+  };
+  const bool diverges = starts_late && amplitude_at(0) > 5 * amplitude_at(2);
+  consider(diverges ? infinity : amplitude_at(0), band.from);
+  consider(amplitude_at(1), end);
+  for (const Turning& t : found.turnings[curve])
+    if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) consider(t.amplitude, t.angular_frequency);
+  for (const Peak& peak : found.list)
+    if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to) consider(peak.amplitude, peak.angular_frequency);
+  const CurveSummary& whole = found.curves[curve];
+  if (std::isinf(band.to) && whole.highest_at >= found.searched_to) consider(whole.highest, whole.highest_at);  // an acceleration that grows to its end
+  return largest;
+}
+
+double margin(const DesignRule& rule, double value) {
+  if (std::isnan(value)) return 0;  // nothing unknown is ever kept
+  if (rule.kind == DesignRule::Kind::no_peak && value > rule.allowed) return (1 + rule.allowed) / (1 + value);
+  return value > 0 ? rule.allowed / value : infinity;
+}
+
+std::vector<double> rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                const Peaks& found, const RuleSet& set) {
+  std::vector<double> values;
+  for (const DesignRule& rule : set.rules) {
+    double value = 0;
+    if (rule.kind == DesignRule::Kind::amplitude) {
+      value = largest_in_band(assembled, channels, loading, found, rule.channel, set.band).amplitude;
+    } else {
+      for (const Peak& peak : found.list)
+        if (peak.curve == rule.channel) value = std::max(value, relative_prominence(peak));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+Governing governing(const RuleSet& set, const std::vector<double>& values) {
+  Governing least{0, infinity};
+  for (std::size_t r = 0; r < set.rules.size(); ++r)
+    if (const double m = margin(set.rules[r], values[r]); m < least.margin) least = {r, m};
+  return least;
+}
+
+}  // namespace trivet::response

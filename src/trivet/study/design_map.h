@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/study/design_outcome.h"
+#include "trivet/study/map_contours.h"
+#include "trivet/study/project.h"
+
+namespace trivet::study {
+
+/// A case on the map, judged by itself.
+struct MapMark {
+  std::string name;                     ///< empty: the base model
+  std::optional<double> x, y;           ///< in the units of the axes; none: the number stands nowhere in the file
+  bool of_this_model = true;            ///< false: it differs from the model of the map in more than the two numbers
+  std::optional<JudgedDesign> judged;   ///< none if it could not be computed
+  std::string failure;
+
+  [[nodiscard]] bool placed() const { return x && y; }
+};
+
+/// One rule over the whole map.
+struct RuleShare {
+  std::size_t kept = 0;       ///< kept designs whose least margin is that of this rule
+  std::size_t broken = 0;     ///< likewise among designs that break a rule
+};
+
+/// A line of equal margin.
+struct MarginLine {
+  double margin = 1;
+  std::vector<MapLine> lines;
+};
+
+struct DesignMap {
+  std::string case_name;      ///< whose model it is
+  MapRequest request;
+  MapGrid grid;
+  std::vector<MapRule> rules;
+  std::vector<DesignOutcome> outcomes;      ///< of the nodes, row after row
+  std::vector<RuleShare> shares;            ///< of the rules
+  std::size_t kept = 0, unknown = 0;        ///< designs
+  MapContours feasible;                     ///< margin ≥ 1, crossings searched on the exact peaks
+  double boundary_tolerance = 0;            ///< of the crossings, as a share of each axis
+  std::vector<MarginLine> margin_lines;     ///< straight between nodes: for pictures
+  std::optional<std::size_t> best;          ///< the design with the largest margin, the first of equals
+  std::vector<MapMark> marks;
+  EvaluationReport report;
+
+  [[nodiscard]] DesignPoint point(std::size_t design) const;
+};
+
+struct MapOptions {
+  int nx = 0, ny = 0;         ///< instead of those of the request
+  EvaluationOptions evaluation;
+};
+
+/// Judges every design of the grid, refines the boundary of the feasible region between neighbours, and judges the cases.
+/// @throws foundation::NotComputable if no design at all has a model, with the reason
+[[nodiscard]] DesignMap design_map(const Project& project, const Case& variant, const MapRequest& request, const MapOptions& options = {},
+                                   const foundation::Progress& progress = {});
+
+/// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
+[[nodiscard]] std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark);
+
+}  // namespace trivet::study

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "trivet/response/design_rules.h"
+
+namespace trivet::study {
+
+/// One rule of a map in words.
+struct MapRule {
+  response::DesignRule::Kind kind = response::DesignRule::Kind::amplitude;
+  std::string answer;    ///< "aggregate.rz"
+  std::string unit;      ///< of the answer, SI
+  double allowed = 0;    ///< amplitude [SI], or relative prominence
+  std::string words;     ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
+};
+
+/// Values of the two parameters, in the units of the axes.
+struct DesignPoint {
+  double x = 0, y = 0;
+};
+
+/// All that a map keeps of a design.
+struct DesignOutcome {
+  static constexpr std::uint8_t no_model = 255, not_computed = 254;
+  static constexpr std::size_t most_rules = 250;
+  float margin = 0;             ///< of the governing rule, 1 on its limit; 0 without a model
+  std::uint8_t governing = 0;   ///< the rule with the least margin, or one of the two above
+
+  [[nodiscard]] bool known() const { return governing < not_computed; }
+  [[nodiscard]] bool kept() const { return known() && margin >= 1; }
+};
+
+/// Why some designs have no outcome, as often as it was met.
+struct MissingReason {
+  std::uint8_t outcome = DesignOutcome::no_model;
+  std::string words;            ///< with the figures of the first such design
+  std::size_t designs = 0;
+  std::size_t first = 0;        ///< index of that design
+};
+
+/// One design with everything that was found.
+struct JudgedDesign {
+  std::vector<double> values;   ///< of the rules, see response::rule_values
+  response::Governing governing;
+  response::Peaks peaks;        ///< of the answers that have rules
+};
+
+/// How designs were evaluated, for the reader.
+struct EvaluationReport {
+  std::size_t in_lanes = 0;     ///< designs judged by poles and residues, many at once
+  std::size_t one_by_one = 0;   ///< designs assembled from the changed project and searched by themselves
+  std::string family;           ///< how the matrices of the first were found, or why there are none
+  std::vector<MissingReason> missing;
+
+  [[nodiscard]] std::string words() const;
+};
+
+struct EvaluationOptions {
+  int threads = 0;              ///< 0: as many as the machine has
+  bool fast = true;             ///< false: every design assembled and searched by itself
+};
+
+}  // namespace trivet::study

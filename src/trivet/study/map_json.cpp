@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/map_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "trivet/study/csv_field.h"
+#include "trivet/study/json_parts.h"
+
+namespace trivet::study {
+namespace {
+
+using json::Json;
+
+Json axis(const MapAxis& a) {
+  return {{"parameter", a.parameter}, {"name", a.name}, {"from", a.from}, {"to", a.to}, {"unit", a.unit}, {"spacing", a.logarithmic ? "logarithmic" : "linear"}, {"points", a.points}};
+}
+
+const char* kind(response::DesignRule::Kind kind) { return kind == response::DesignRule::Kind::amplitude ? "amplitude" : "no_peak"; }
+
+Json rules(const DesignMap& map) {
+  Json list = Json::array();
+  for (std::size_t r = 0; r < map.rules.size(); ++r) {
+    const MapRule& rule = map.rules[r];
+    list.push_back({{"kind", kind(rule.kind)}, {"name", rule.answer}, {"unit", rule.unit}, {"allowed", rule.allowed}, {"words", rule.words},
+                    {"governs_kept", map.shares[r].kept}, {"governs_broken", map.shares[r].broken}});
+  }
+  return list;
+}
+
+Json lines(const DesignMap& map, const std::vector<MapLine>& all) {
+  Json list = Json::array();
+  for (const MapLine& line : all) {
+    Json points = Json::array();
+    for (const MapPlace& p : line) points.push_back({map.request.x.at(p.x), map.request.y.at(p.y)});
+    list.push_back(std::move(points));
+  }
+  return list;
+}
+
+/// null where a design has no margin or no limit reaches it.
+Json designs(const DesignMap& map) {
+  Json margin = Json::array(), governing = Json::array();
+  for (const DesignOutcome& outcome : map.outcomes) {
+    margin.push_back(outcome.known() ? json::number(std::stod(fmt::format("{}", outcome.margin))) : Json(nullptr));
+    governing.push_back(std::isinf(outcome.margin) ? Json("none") : outcome.known() ? Json(outcome.governing) : outcome.governing == DesignOutcome::no_model ? Json("no model") : Json("not computed"));
+  }
+  return {{"order", "row after row of y, x running"}, {"margin", std::move(margin)}, {"governing", std::move(governing)}};
+}
+
+Json mark(const DesignMap& map, const MapMark& m) {
+  Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"words", verdict_words(map, m)}};
+  if (!m.judged) return result;
+  result["kept"] = m.judged->governing.kept();
+  result["margin"] = json::number(m.judged->governing.margin);
+  result["governing"] = m.judged->governing.rule;
+  result["rules"] = Json::array();
+  for (std::size_t r = 0; r < map.rules.size(); ++r) {
+    const MapRule& rule = map.rules[r];
+    const double margin = response::margin({rule.kind, 0, rule.allowed}, m.judged->values[r]);
+    result["rules"].push_back({{"words", rule.words}, {"value", json::number(m.judged->values[r])}, {"allowed", rule.allowed}, {"margin", json::number(margin)}, {"kept", margin >= 1}});
+  }
+  result["peaks"] = Json::array();
+  for (const response::Peak& peak : m.judged->peaks.list)
+    result["peaks"].push_back({{"name", m.judged->peaks.curves[peak.curve].name}, {"unit", m.judged->peaks.curves[peak.curve].unit}, {"angular_frequency", peak.angular_frequency},
+                               {"amplitude", json::number(peak.amplitude)}, {"relative_prominence", json::number(response::relative_prominence(peak))}});
+  return result;
+}
+
+}  // namespace
+
+namespace json {
+
+Json design_map(const DesignMap& map) {
+  Json result{{"case", map.case_name}, {"x", axis(map.request.x)}, {"y", axis(map.request.y)}};
+  result["band"] = map.request.band ? Json{map.request.band->from, map.request.band->to} : Json(nullptr);
+  result["rules"] = rules(map);
+  result["designs"] = map.outcomes.size();
+  result["kept"] = map.kept;
+  result["without_answer"] = map.unknown;
+  result["feasible"] = {{"share", map.feasible.area}, {"tolerance", map.boundary_tolerance}, {"boundary", lines(map, map.feasible.lines)}, {"rings", lines(map, map.feasible.rings)}};
+  result["best"] = nullptr;
+  if (map.best) {
+    const DesignPoint p = map.point(*map.best);
+    const DesignOutcome& outcome = map.outcomes[*map.best];
+    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", std::isinf(outcome.margin) ? Json("none") : Json(outcome.governing)}, {"kept", outcome.kept()}};
+  }
+  result["marks"] = Json::array();
+  for (const MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
+  result["way"] = map.report.words();
+  result["missing"] = Json::array();
+  for (const MissingReason& reason : map.report.missing) result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}});
+  result["grid"] = designs(map);
+  return result;
+}
+
+}  // namespace json
+
+std::string map_json(const Project& project, const DesignMap& map) {
+  Json result = json::design_map(map);
+  const Case* variant = project.find(map.case_name);
+  result["warnings"] = json::warnings(variant ? variant->warnings : foundation::Problems());
+  return result.dump() + "\n";
+}
+
+std::string map_csv(const DesignMap& map) {
+  const auto head = [](const MapAxis& a) { return csv_field(a.unit.empty() ? a.name : a.name + " [" + a.unit + "]"); };
+  std::string text = head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
+  std::vector<std::string> words;
+  for (const MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
+  for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
+    const DesignPoint p = map.point(k);
+    const DesignOutcome& o = map.outcomes[k];
+    fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
+    if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
+    else text += o.governing == DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
+  }
+  return text;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/map_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/study/design_parameter.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity, assembly::Quantity::acceleration};
+
+/// The path must lead to a number of the model, or to a key that is not written because its default holds.
+void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
+  const std::string shown = "\"" + path.substr(0, 80) + "\"";
+  const std::vector<std::string> keys = path_keys(path);
+  const std::vector<std::string> parts = {"bodies", "elements", "excitations", "damping", "foundations"};
+  if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
+    reader.error("parameter", shown, "a design changes one number of the model, named by its path as in --set", "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
+    return;
+  }
+  const Node* node = root.node(keys.front());
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    const Node* next = node && node->kind == Node::Kind::table ? node->find(keys[i]) : nullptr;
+    if (!next && node && node->kind == Node::Kind::table && i >= 2 && i + 1 == keys.size()) return;
+    if (!next) {
+      const std::string guess = node && node->kind == Node::Kind::table ? foundation::nearest_name(keys[i], node->keys) : "";
+      reader.error("parameter", shown, fmt::format("the file has no \"{}\" there", keys[i].substr(0, 60)),
+                   guess.empty() ? "check the path" : "did you mean \"" + guess + "\"?");
+      return;
+    }
+    node = next;
+  }
+  if (!written_number(*node))
+    reader.error("parameter", shown, fmt::format("{} stands there, not a number", words(node->kind)), "name one number; entries of an array have no path");
+}
+
+std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string& key) {
+  const Node* node = reader.node(key);
+  if (!node) {
+    reader.missing(key, "give the range: from = …, to = …");
+    return std::nullopt;
+  }
+  const auto number = written_number(*node);
+  const bool good = number && std::isfinite(number->value) && std::abs(number->value) <= largest_number;
+  if (!good) reader.error(key, words(node->kind), "an end of the range is a number, or a text with a unit", "for instance from = 0.5, or from = \"5 mm\"");
+  return good ? number : std::nullopt;
+}
+
+MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
+  MapAxis axis;
+  const Node* table = map.table(key);
+  if (!table) {
+    if (!map.has(key)) map.missing(key, key + " = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}");
+    return axis;
+  }
+  TableReader reader(*table, "analyses.map." + key, root.problems());
+  axis.parameter = reader.required_text("parameter");
+  if (!axis.parameter.empty()) check_parameter(root, reader, axis.parameter);
+  axis.name = reader.text("name").value_or(axis.parameter);
+  axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
+  const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
+  if (from && to && from->unit != to->unit)
+    reader.error("to", fmt::format("in \"{}\", from in \"{}\"", to->unit, from->unit), "both ends of a range have the same unit", "write them alike");
+  else if (from && to) {
+    axis.from = from->value;
+    axis.to = to->value;
+    axis.unit = from->unit;
+    if (!(axis.from < axis.to)) reader.error("to", fmt::format("from {:.6g} to {:.6g}", axis.from, axis.to), "a range goes from the smaller to the larger number", "exchange or change them");
+    else if (axis.logarithmic && !(axis.from > 0))
+      reader.error("from", fmt::format("{:.6g}", axis.from), "a logarithmic range starts above 0", "raise it, or take spacing = \"linear\"");
+  }
+  if (const auto points = reader.number("points", Quantity::pure)) {
+    if (*points >= 2 && *points <= most_designs && *points == std::floor(*points)) axis.points = static_cast<int>(*points);
+    else reader.error("points", fmt::format("{:.6g}", *points), fmt::format("a whole number from 2 to {:.0f} is wanted", most_designs), "change it");
+  }
+  reader.finish();
+  return axis;
+}
+
+/// A number, or a text with a unit that tells displacement, velocity and acceleration apart.
+void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names, assembly::Quantity usual, std::vector<MapLimit>& limits) {
+  if (value.kind == Node::Kind::text)
+    for (const assembly::Quantity quantity : derivatives) {
+      const auto si = to_si(value.text, *names.component(name, quantity));
+      if (!si) continue;
+      if (!(*si > 0)) reader.error(name, "\"" + value.text.substr(0, 60) + "\"", "a limit is > 0", "change it");
+      limits.push_back({name, quantity, *si});
+      return;
+    }
+  if (value.kind == Node::Kind::text && written_number(value)) {
+    std::string units;
+    for (const assembly::Quantity quantity : derivatives) {
+      const std::string unit = si_unit(*names.component(name, quantity));
+      if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : ", ") + unit;
+    }
+    reader.error(name, "\"" + value.text.substr(0, 60) + "\"", "its unit does not measure this answer", "a unit that converts to one of " + units);
+    return;
+  }
+  const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
+  if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g}", *amplitude), "a limit is > 0", "change it");
+  if (amplitude) limits.push_back({name, usual, *amplitude});
+}
+
+std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& names, assembly::Quantity usual) {
+  std::vector<MapLimit> limits;
+  const Node* table = map.table("limits");
+  if (!table) return limits;
+  TableReader reader(*table, "analyses.map.limits", map.problems());
+  for (std::size_t i = 0; i < table->keys.size(); ++i) {
+    const std::string& name = table->keys[i];
+    const Node& value = *reader.node(name);
+    if (!names.component(name, usual)) {
+      reader.error(name, "no such answer", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"", "check the name");
+    } else if (value.kind == Node::Kind::array) {
+      for (const Node& item : value.items) read_limit(reader, name, item, names, usual, limits);
+    } else {
+      read_limit(reader, name, value, names, usual, limits);
+    }
+  }
+  reader.finish();
+  return limits;
+}
+
+void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& request) {
+  const auto words = map.texts("no_peak");
+  if (!words) return;
+  for (const std::string& word : *words) {
+    if (names.is_group(word) || names.component(word, request.quantity)) continue;
+    const std::string guess = foundation::nearest_name(word, names.groups());
+    map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
+              guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+  }
+  request.no_peak = *words;
+}
+
+}  // namespace
+
+double MapAxis::at(double share) const {
+  if (share <= 0) return from;
+  if (share >= 1) return to;
+  return logarithmic ? from * std::exp(share * std::log(to / from)) : from + share * (to - from);
+}
+
+double MapAxis::share(double value) const { return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from); }
+
+void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result) {
+  const Node* table = analyses.table("map");
+  if (!table) return;
+  if (mentioned.harmonic_excitations.empty())
+    analyses.error("map", "no harmonic excitation in the model", "amplitudes need a force that drives them", "add [excitations.NAME] with type = \"harmonic\"");
+  TableReader reader(*table, "analyses.map", root.problems());
+  MapRequest request;
+  if (result.response) {
+    request.band = result.response->band;
+    request.quantity = result.response->wanted.quantity;
+    request.excitations = result.response->wanted.excitations;
+  }
+  if (result.peaks) {
+    request.min_prominence = result.peaks->min_prominence;
+    request.peak_tolerance = result.peaks->peak_tolerance;
+  }
+  request.x = read_axis(root, reader, "x");
+  request.y = read_axis(root, reader, "y");
+  if (!request.x.parameter.empty() && path_keys(request.x.parameter) == path_keys(request.y.parameter))
+    reader.error("y", "\"" + request.y.parameter + "\" on both axes", "a map has two different parameters", "name another number");
+  if (static_cast<double>(request.x.points) * request.y.points > most_designs)
+    reader.error("x", fmt::format("{} × {} designs", request.x.points, request.y.points), fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
+  if (reader.has("band")) request.band = read_band(reader, "band");
+  if (reader.has("excitations")) request.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
+  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  if (quantity) request.quantity = derivatives[*quantity == "velocity" ? 1 : *quantity == "acceleration" ? 2 : 0];
+  request.limits = read_limits_of_map(reader, names, request.quantity);
+  read_no_peak(reader, names, request);
+  for (const auto& [key, target] : {std::pair{"min_prominence", &request.min_prominence}, {"peak_tolerance", &request.peak_tolerance}})
+    if (const auto value = reader.number(key, Quantity::pure)) {
+      if (!(*value >= 0 && *value < 1)) reader.error(key, fmt::format("{:.6g}", *value), "it is a share of the amplitude, 0 … 1", "give a fraction");
+      *target = *value;
+    }
+  if (const auto cases = reader.texts("cases")) {
+    const Node* known = root.node("cases");
+    for (const std::string& name : *cases)
+      if (!known || !known->find(name)) {
+        const std::string guess = known ? foundation::nearest_name(name, known->keys) : "";
+        reader.error("cases", "\"" + name.substr(0, 60) + "\"", "no case has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+      }
+    request.cases = *cases;
+  }
+  const Node* limits = reader.table("limits");
+  if (request.no_peak.empty() && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
+    reader.error("", "neither limits nor no_peak", "a map shows where designs keep rules", "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
+  request.limits_of_file = !reader.has("limits");
+  reader.finish();
+  result.map = std::move(request);
+}
+
+void take_limits_of_file(Analyses& analyses) {
+  if (!analyses.map || !analyses.map->limits_of_file) return;
+  const assembly::Quantity quantity = analyses.response ? analyses.response->wanted.quantity : assembly::Quantity::displacement;
+  for (const Limit& limit : analyses.limits) analyses.map->limits.push_back({limit.name, quantity, limit.amplitude});
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// LDLᵀ by blocks in lanes against pivoted LU in extended precision, on graphs of bodies of every shape.
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "support/matchers.h"
+#include "trivet/foundation/pieces.h"
+#include "trivet/numerics/block_elimination.h"
+#include "trivet/numerics/block_sweep.h"
+#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/instruction_set.h"
+#include "trivet/numerics/refined_solution.h"
+
+namespace {
+
+using namespace trivet;
+using Eigen::Index;
+using numerics::DynamicMatrices;
+using Edges = std::vector<std::pair<Index, Index>>;
+using Sizes = std::vector<Index>;
+
+/// Backward stability leaves round-off times the condition, and a little for the sums over many rows.
+constexpr double condition_share = 64 * test::epsilon;
+
+class Assembly {
+ public:
+  explicit Assembly(unsigned seed) : generator_(seed) {}
+
+  /// Bodies with so many coordinates, elements between them of damping ratio near `damping`, the first on the ground.
+  DynamicMatrices bodies(const Sizes& sizes, const Edges& edges, double damping) {
+    std::vector<Index> first = {0};
+    for (const Index s : sizes) first.push_back(first.back() + s);
+    const Index n = first.back();
+    DynamicMatrices m{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true, {first.begin(), first.end() - 1}};
+    for (std::size_t b = 0; b < sizes.size(); ++b) m.A.block(first[b], first[b], sizes[b], sizes[b]) = positive(sizes[b], 1);
+    m.K.topLeftCorner(sizes[0], sizes[0]) = positive(sizes[0], 1000);
+    for (const auto& [i, j] : edges) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      const Index together = sizes[a] + sizes[b];
+      std::vector<Index> rows;
+      for (Index k = 0; k < sizes[a]; ++k) rows.push_back(first[a] + k);
+      for (Index k = 0; k < sizes[b]; ++k) rows.push_back(first[b] + k);
+      m.K(rows, rows) += positive(together, 1000);
+      m.B(rows, rows) += positive(together, 60 * damping);
+    }
+    return m;
+  }
+
+  Eigen::VectorXcd load(Index n, Index loaded) {
+    Eigen::VectorXcd h = Eigen::VectorXcd::Zero(n);
+    for (Index i = 0; i < loaded; ++i) h((i * 7) % n) = {normal_(generator_), normal_(generator_)};
+    return h;
+  }
+
+  Eigen::MatrixXd positive(Index n, double size) {
+    Eigen::MatrixXd x(n, n);
+    for (double& entry : x.reshaped()) entry = normal_(generator_);
+    return size * (x * x.transpose() / static_cast<double>(n) + 0.3 * Eigen::MatrixXd::Identity(n, n));
+  }
+
+ private:
+  std::mt19937 generator_;
+  std::normal_distribution<double> normal_;
+};
+
+Edges chain(Index bodies) {
+  Edges edges;
+  for (Index i = 0; i + 1 < bodies; ++i) edges.emplace_back(i, i + 1);
+  return edges;
+}
+Edges ring(Index bodies) {
+  Edges edges = chain(bodies);
+  edges.emplace_back(0, bodies - 1);
+  return edges;
+}
+Edges tree(Index bodies) {
+  Edges edges;
+  for (Index i = 1; i < bodies; ++i) edges.emplace_back((i - 1) / 3, i);
+  return edges;
+}
+Edges full(Index bodies) {
+  Edges edges;
+  for (Index i = 0; i < bodies; ++i)
+    for (Index j = 0; j < i; ++j) edges.emplace_back(j, i);
+  return edges;
+}
+
+std::vector<double> frequencies(Index count, double highest = 80) {
+  std::vector<double> omega;
+  for (Index i = 0; i < count; ++i) omega.push_back(highest * (static_cast<double>(i) + 0.3) / static_cast<double>(count));
+  return omega;
+}
+
+numerics::ExtendedMatrix extended(const DynamicMatrices& m, double omega) {
+  const std::complex<long double> iw(0, omega);
+  return m.complex_stiffness().cast<std::complex<long double>>() + iw * m.B.cast<std::complex<long double>>() + iw * iw * m.A.cast<std::complex<long double>>();
+}
+
+/// True backward error and error of every column.
+void expect_solved(const DynamicMatrices& given, const numerics::Load& load, const std::vector<double>& omega, const numerics::SweepResult& found, const std::string& name) {
+  const Eigen::VectorXd d = numerics::unit_scale(given);
+  const DynamicMatrices m = numerics::scaled(given, d);
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    const auto column = static_cast<Index>(i);
+    const numerics::ExtendedMatrix z = extended(m, omega[i]);
+    const numerics::ExtendedVector h = (d.asDiagonal() * load.at(omega[i])).cast<std::complex<long double>>();
+    const numerics::ExtendedVector q = (d.cwiseInverse().asDiagonal() * found.response.col(column)).cast<std::complex<long double>>();
+    const auto norm = z.cwiseAbs().rowwise().sum().maxCoeff();
+    const auto backward = (z * q - h).cwiseAbs().maxCoeff() / (norm * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff());
+    EXPECT_LE(static_cast<double>(backward), numerics::accepted_backward_error) << name << " at " << omega[i];
+    EXPECT_LE(found.backward_error(column), numerics::accepted_backward_error) << name << " at " << omega[i];
+    const numerics::RefinedSolver exact(z);
+    const numerics::ExtendedVector truth = exact.solve(h);
+    EXPECT_LE(static_cast<double>((q - truth).norm() / truth.norm()), condition_share * static_cast<double>(m.size()) * exact.condition()) << name << " at " << omega[i];
+  }
+}
+
+numerics::SweepResult by_blocks(const DynamicMatrices& m, const numerics::Load& load, const std::vector<double>& omega) {
+  numerics::SweepResult result;
+  result.response.resize(m.size(), static_cast<Index>(omega.size()));
+  result.backward_error.resize(static_cast<Index>(omega.size()));
+  numerics::BlockSweep(m, load).solve(omega.data(), static_cast<Index>(omega.size()), result.response, result.backward_error);
+  return result;
+}
+
+TEST(BlockSweep, GraphsOfEveryShapeAgreeWithExtendedPrecision) {
+  Assembly random(3);
+  const Sizes six(7, 6), mixed = {6, 3, 5, 1, 6, 8, 2, 6, 4};
+  const std::vector<std::tuple<std::string, Sizes, Edges>> cases = {
+      {"one body", {6}, {}},          {"two", {6, 6}, chain(2)},        {"chain", six, chain(7)},       {"ring", six, ring(7)},
+      {"tree", Sizes(13, 6), tree(13)}, {"full", six, full(7)},           {"mixed chain", mixed, chain(9)}, {"mixed ring", mixed, ring(9)},
+      {"mixed tree", mixed, tree(9)}, {"mixed full", mixed, full(9)},   {"planar", Sizes(8, 3), ring(8)}, {"not coupled", {6, 6, 6}, chain(2)}};
+  for (const auto& [name, sizes, edges] : cases)
+    for (const double damping : {0.3, 1e-3}) {
+      DynamicMatrices m = random.bodies(sizes, edges, damping);
+      for (const Index loaded : {Index(1), m.size()}) {
+        const numerics::Load load = random.load(m.size(), loaded);
+        const std::vector<double> omega = frequencies(11);
+        expect_solved(m, load, omega, by_blocks(m, load, omega), name);
+        DynamicMatrices unnamed = m;  // blocks are found from the couplings
+        unnamed.blocks.clear();
+        expect_solved(m, load, omega, by_blocks(unnamed, load, omega), name + ", blocks found");
+      }
+    }
+}
+
+TEST(BlockSweep, LossFactorsAndLoadsThatVaryWithFrequencyAreFollowed) {
+  Assembly random(4);
+  DynamicMatrices m = random.bodies(Sizes(4, 6), ring(4), 0.02);
+  m.K_loss = 0.1 * m.K;
+  numerics::Load load(m.size());
+  load.add({0, 0.01, random.load(m.size(), 3)});
+  load.add({2, 0, random.load(m.size(), 5)});
+  load.add({-1, 0.2, random.load(m.size(), 24)});
+  const std::vector<double> omega = frequencies(19);
+  expect_solved(m, load, omega, by_blocks(m, load, omega), "varying load");
+}
+
+TEST(BlockSweep, CoordinatesWithoutMassAreEliminatedLikeOthers) {
+  Assembly random(5);
+  const Sizes sizes = {6, 1, 6, 1, 6, 3};
+  DynamicMatrices m = random.bodies(sizes, chain(6), 0.1);
+  for (const Index row : {6, 13, 20, 21, 22}) {
+    m.A.row(row).setZero();
+    m.A.col(row).setZero();
+  }
+  const numerics::Load load = random.load(m.size(), 4);
+  const std::vector<double> omega = frequencies(16);
+  expect_solved(m, load, omega, by_blocks(m, load, omega), "without mass");
+}
+
+TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
+  Assembly random(15);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 3}, chain(5), 0.1);
+  const Index n = m.size();
+  // Within a body, between coupled ones, and between two that nothing else couples.
+  const std::vector<numerics::FreeEntry> free = {{0, 0}, {3, 1}, {2, 8}, {24, 4}, {12, 11}, {20, 20}};
+  const std::vector<double> omega = frequencies(21);
+  const auto count = static_cast<Index>(omega.size()), entries = static_cast<Index>(free.size());
+  const Eigen::ArrayXXcd added = 300 * Eigen::ArrayXXcd::Random(count, entries), load = Eigen::ArrayXXcd::Random(count, n);
+  Eigen::ArrayXXd free_re = added.real(), free_im = added.imag(), load_re = load.real(), load_im = load.imag(), re(count, n), im(count, n);
+  Eigen::VectorXd error(count);
+  numerics::BlockSweep(m, free).solve({omega.data(), count, {free_re.data(), free_im.data(), count}, {load_re.data(), load_im.data(), count},
+                                       {re.data(), im.data(), count}, error.data()});
+  for (Index f = 0; f < count; ++f) {
+    Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(f)]);
+    for (Index k = 0; k < entries; ++k) {
+      const auto [i, j] = free[static_cast<std::size_t>(k)];
+      z(i, j) += added(f, k);
+      if (i != j) z(j, i) += added(f, k);
+    }
+    const numerics::RefinedSolver exact(z.cast<std::complex<long double>>());
+    const Eigen::VectorXcd truth = exact.solve(load.row(f).transpose().matrix().cast<std::complex<long double>>()).cast<std::complex<double>>();
+    const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() + std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
+    EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition()) << omega[static_cast<std::size_t>(f)];
+    EXPECT_LE(error(f), numerics::accepted_backward_error);
+  }
+}
+
+double worst_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+  double worst = 0;
+  for (Index i = 0; i < a.cols(); ++i) worst = std::max(worst, (a.col(i) - b.col(i)).norm() / b.col(i).norm());
+  return worst;
+}
+
+/// Every body with a leading pivot k − ω²m that vanishes at ω = 10 exactly, undamped there.
+DynamicMatrices vanishing_pivots(Assembly& random) {
+  DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.05);
+  for (Index body = 0; body < 4; ++body) {
+    const Index i = 6 * body;
+    m.B.row(i).setZero();
+    m.B.col(i).setZero();
+    m.K(i, i) = 100 * m.A(i, i);
+    for (Index j = 0; j < i; ++j) m.K(i, j) = m.K(j, i) = 0;  // nothing is subtracted from it before its turn
+  }
+  return m;
+}
+
+TEST(BlockSweep, APivotThatVanishesIsRefusedAndDisturbsNoOtherFrequency) {
+  Assembly random(6);
+  const DynamicMatrices m = vanishing_pivots(random);
+  const numerics::Load load = random.load(m.size(), m.size());
+  const std::vector<double> with = {3, 10, 20, 30}, without = {3, 20, 30};
+  const numerics::SweepResult found = by_blocks(m, load, with), others = by_blocks(m, load, without);
+  EXPECT_FALSE(found.backward_error(1) <= numerics::accepted_backward_error);
+  EXPECT_EQ(found.response.col(0), others.response.col(0));
+  EXPECT_EQ(found.response.rightCols(2), others.response.rightCols(2));
+  const numerics::SweepResult mended = numerics::sweep(m, load, with);
+  EXPECT_EQ(mended.fallbacks, 1);
+  EXPECT_EQ(mended.singular, 0);
+  expect_solved(m, load, with, mended, "vanishing pivots");
+}
+
+TEST(BlockSweep, PivotsThatNearlyVanishAreRefinedOrRedone) {
+  Assembly random(6);
+  const DynamicMatrices m = vanishing_pivots(random);
+  const numerics::Load load = random.load(m.size(), m.size());
+  std::vector<double> omega;
+  for (int decade = 1; decade <= 15; ++decade) omega.push_back(10 * (1 + std::pow(10.0, -decade)));
+  expect_solved(m, load, omega, numerics::sweep(m, load, omega), "nearly vanishing pivots");
+}
+
+TEST(BlockSweep, ResonancesWithLightDampingKeepTheirBackwardError) {
+  Assembly random(8);
+  for (const double damping : {1e-3, 1e-6}) {
+    const DynamicMatrices m = random.bodies(Sizes(6, 6), tree(6), damping);
+    const Eigen::VectorXd squares = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(m.K, m.A).eigenvalues();
+    std::vector<double> omega;
+    for (const double square : squares)
+      for (const double shift : {0.0, 1e-9, -1e-6}) omega.push_back(std::sqrt(square) * (1 + shift));
+    const numerics::Load load = random.load(m.size(), 2);
+    expect_solved(m, load, omega, numerics::sweep(m, load, omega), "light damping");
+  }
+}
+
+TEST(BlockSweep, SingularFrequenciesAreNotANumberAndTheRestIsRight) {
+  Assembly random(9);
+  DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.02);
+  m.K.topRows(6).setZero();  // the first body has only mass: nothing holds it
+  m.K.leftCols(6).setZero();
+  m.B.topRows(6).setZero();
+  m.B.leftCols(6).setZero();
+  const numerics::Load load = random.load(m.size(), m.size());
+  const std::vector<double> omega = {0.0, 5.0, 9.0};
+  const numerics::SweepResult found = numerics::sweep(m, load, omega);
+  EXPECT_EQ(found.singular, 1);
+  EXPECT_TRUE(found.response.col(0).array().isNaN().all());
+  numerics::SweepResult rest = found;
+  rest.response = found.response.rightCols(2).eval();
+  rest.backward_error = found.backward_error.tail(2).eval();
+  expect_solved(m, load, {5.0, 9.0}, rest, "beside a singular frequency");
+}
+
+TEST(BlockSweep, AllInstructionSetsAgree) {
+  Assembly random(10);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 1, 6, 8}, ring(7), 0.05);
+  const numerics::Load load = random.load(m.size(), 9);
+  const std::vector<double> omega = frequencies(37);
+  const Eigen::MatrixXcd best = by_blocks(m, load, omega).response;
+  for (const std::string& name : numerics::instruction_sets()) {
+    numerics::use_instruction_set(name);
+    const Eigen::MatrixXcd response = by_blocks(m, load, omega).response;
+    numerics::use_instruction_set("");
+    EXPECT_LE(worst_difference(response, best), 1e-11) << name;  // round-off times a condition of a few thousand
+  }
+}
+
+TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
+  Assembly random(11);
+  const DynamicMatrices m = random.bodies(Sizes(9, 6), tree(9), 1e-4);
+  const numerics::Load load = random.load(m.size(), 4);
+  const std::vector<double> omega = frequencies(333);
+  const numerics::BlockSweep blocks(m, load);
+  const auto with_threads = [&](int threads) {
+    numerics::SweepResult result;
+    result.response.resize(m.size(), static_cast<Index>(omega.size()));
+    result.backward_error.resize(static_cast<Index>(omega.size()));
+    foundation::for_each_piece(omega.size(), {.size = 48, .threads = threads}, [&](std::size_t first, std::size_t last) {
+      const auto begin = static_cast<Index>(first), count = static_cast<Index>(last - first);
+      blocks.solve(omega.data() + first, count, result.response.middleCols(begin, count), result.backward_error.segment(begin, count));
+    });
+    return result;
+  };
+  const numerics::SweepResult one = with_threads(1), sixteen = with_threads(16);
+  EXPECT_EQ(one.response, sixteen.response);
+  EXPECT_EQ(one.backward_error, sixteen.backward_error);
+}
+
+std::size_t filled(const Edges& edges, Index bodies) {
+  Assembly random(12);
+  const DynamicMatrices m = random.bodies(Sizes(static_cast<std::size_t>(bodies), 6), edges, 0.1);
+  const numerics::BlockElimination found = numerics::block_elimination(numerics::couplings(m), m.blocks, std::vector<bool>(static_cast<std::size_t>(m.size()), true));
+  std::size_t below = 0;
+  for (const auto& column : found.below) below += column.size();
+  return below - edges.size();
+}
+
+TEST(BlockElimination, ChainsAndTreesFillNothingAndARingOneBlockPerBody) {
+  EXPECT_EQ(filled(chain(20), 20), 0U);
+  EXPECT_EQ(filled(tree(40), 40), 0U);
+  EXPECT_EQ(filled(ring(20), 20), 17U);
+  EXPECT_EQ(filled(full(8), 8), 0U);
+}
+
+TEST(BlockElimination, ALoadIsEliminatedLastWhereThatCostsNothing) {
+  Assembly random(13);
+  const DynamicMatrices m = random.bodies(Sizes(12, 6), chain(12), 0.1);
+  for (const Index body : {0, 5, 11}) {
+    std::vector<bool> loaded(static_cast<std::size_t>(m.size()), false);
+    loaded[static_cast<std::size_t>(6 * body + 2)] = true;
+    const numerics::BlockElimination found = numerics::block_elimination(numerics::couplings(m), m.blocks, loaded);
+    EXPECT_EQ(found.rows.back() / 6, body);
+  }
+}
+
+TEST(BlockElimination, BodiesAreFoundInTheCouplings) {
+  Assembly random(14);
+  for (const Sizes& sizes : {Sizes(10, 6), Sizes(10, 3), Sizes{6, 3, 6, 3, 6, 3}}) {
+    const auto bodies = static_cast<Index>(sizes.size());
+    DynamicMatrices m = random.bodies(sizes, chain(bodies), 0.1);
+    const std::vector<bool> loaded(static_cast<std::size_t>(m.size()), true);
+    const double named = numerics::multiply_adds(numerics::cheapest_block_elimination(m, loaded));
+    m.blocks.clear();
+    EXPECT_LE(numerics::multiply_adds(numerics::cheapest_block_elimination(m, loaded)), 1.3 * named);
+  }
+}
+
+}  // namespace

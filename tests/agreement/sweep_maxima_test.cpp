@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The largest amplitudes of many designs against those of their whole sweeps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/sweep_maxima.h"
+
+namespace {
+
+using namespace trivet::numerics;
+
+constexpr double round_off = 4 * 2.3e-16;  // of a square, a sum and a root
+
+Designs random_designs(Eigen::Index count, Eigen::Index n, bool one_load) {
+  std::srand(11);
+  Designs designs;
+  designs.load = Eigen::ArrayXXd::Random(one_load ? 1 : count, n);
+  for (Eigen::ArrayXXd* each : {&designs.A, &designs.B, &designs.K}) each->resize(count, n * (n + 1) / 2);
+  for (Eigen::Index d = 0; d < count; ++d) {
+    const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n), q = Eigen::MatrixXd::Random(n, n);
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) + r * r.transpose(), B = 0.05 * q * q.transpose(), K = 100 * s * s.transpose();
+    for (Eigen::Index i = 0, at = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j, ++at) designs.A(d, at) = A(i, j), designs.B(d, at) = B(i, j), designs.K(d, at) = K(i, j);
+  }
+  return designs;
+}
+
+DynamicMatrices design(const Designs& designs, Eigen::Index which) {
+  const Eigen::Index n = designs.coordinates();
+  DynamicMatrices m{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), {}, true};
+  for (Eigen::Index i = 0, at = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j, ++at) {
+      m.A(i, j) = m.A(j, i) = designs.A(which, at);
+      m.B(i, j) = m.B(j, i) = designs.B(which, at);
+      m.K(i, j) = m.K(j, i) = designs.K(which, at);
+    }
+  return m;
+}
+
+std::vector<double> frequencies(std::size_t count) {
+  std::vector<double> omega(count);
+  for (std::size_t i = 0; i < count; ++i) omega[i] = 0.05 * static_cast<double>(i + 1);
+  return omega;
+}
+
+TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
+  const SweepOptions quick{.every_backward_error = false, .threads = 1, .progress = {}};
+  for (const Eigen::Index n : {1, 4, 6, 9}) {
+    const Designs designs = random_designs(7, n, n == 4);
+    const std::vector<double> omega = frequencies(517);
+    const SweepMaxima found = sweep_maxima(designs, omega, quick);
+    for (Eigen::Index d = 0; d < designs.count(); ++d) {
+      const Eigen::VectorXcd load = designs.load.row(designs.load.rows() > 1 ? d : 0).matrix().transpose().cast<Complex>();
+      const Eigen::MatrixXd all = sweep(design(designs, d), load, omega, quick).response.cwiseAbs();
+      for (Eigen::Index j = 0; j < n; ++j) {
+        Eigen::Index where = 0;
+        EXPECT_NEAR(found.amplitude(d, j), all.row(j).maxCoeff(&where), round_off * found.amplitude(d, j));
+        EXPECT_EQ(found.angular_frequency(d, j), omega[static_cast<std::size_t>(where)]);
+      }
+      const SweepMaxima alone = sweep_maxima(design(designs, d), load, omega, quick);
+      EXPECT_TRUE((alone.amplitude.row(0) == found.amplitude.row(d)).all());
+    }
+  }
+}
+
+TEST(SweepMaxima, AreTheSameByteForByteOnOneThreadAndSixteen) {
+  const Designs designs = random_designs(300, 6, true);
+  const std::vector<double> omega = frequencies(100);
+  const SweepMaxima one = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
+  const SweepMaxima sixteen = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 16, .progress = {}});
+  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(), sizeof(double) * static_cast<std::size_t>(one.amplitude.size())), 0);
+  EXPECT_EQ(one.fallbacks, sixteen.fallbacks);
+}
+
+TEST(SweepMaxima, AnUndampedResonanceInTheListIsInfinite) {
+  const DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
+  const SweepMaxima found = sweep_maxima(m, Eigen::VectorXcd::Ones(2), {1.0, 2.0, 2.5, 3.0});
+  EXPECT_TRUE(std::isinf(found.amplitude(0, 0)));
+  EXPECT_EQ(found.angular_frequency(0, 0), 2.0);
+  EXPECT_EQ(found.singular, 2);
+}
+
+TEST(SweepMaxima, AListWithoutFrequenciesIsRefused) {
+  EXPECT_THROW(static_cast<void>(sweep_maxima(random_designs(1, 2, true), {})), trivet::foundation::InvalidInput);
+}
+
+}  // namespace

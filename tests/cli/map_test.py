@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`trivet map` as text, JSON, CSV and picture, and in the result folder of a run."""
+import csv
+import io
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+TRIVET = os.environ["TRIVET"]
+SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
+PAPER = str(SOURCE / "examples/paper/map.toml")
+
+ONE_MASS = """
+trivet = 1
+[bodies.mass]
+mass = 4
+free = ["z"]
+[elements.spring]
+type = "bushing"
+on = "mass"
+at = [0, 0, 0]
+translation = [900, 900, 900]
+damping = {proportional = 0.05}
+[excitations.force]
+type = "harmonic"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 18]
+[analyses]
+modes = {}
+[analyses.map]
+x = {parameter = "elements.spring.scale", from = 0.5, to = 4, points = 9}
+y = {parameter = "elements.spring.damping.proportional", from = "10 ms", to = "300 ms", points = 9}
+limits = {"mass.z" = "30 mm"}
+no_peak = "coordinates"
+[cases.good]
+elements.spring.scale = 2
+elements.spring.damping.proportional = "90 ms"
+"""
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=300)
+    assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
+    return done.stdout, done.stderr
+
+
+class Map(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.project = str(self.folder / "one.toml")
+        pathlib.Path(self.project).write_text(ONE_MASS)
+
+    def test_the_text_tells_region_best_design_and_cases(self):
+        text = run("map", self.project)[0]
+        for words in ("Map of 81 designs", "Feasible: ", "Best design: ", "no peak of mass.z", "good (2, 90 ms): keeps every rule", "base model (1, 50 ms): BREAKS", "poles and residues"):
+            self.assertIn(words, text)
+
+    def test_json_and_csv_hold_the_same_designs(self):
+        found = json.loads(run("map", self.project, "--json", "--points", "5x4")[0])
+        rows = list(csv.reader(io.StringIO(run("map", self.project, "--csv", "--points", "5x4")[0])))
+        self.assertEqual(rows[0], ["elements.spring.scale", "elements.spring.damping.proportional [ms]", "margin", "governing", "kept"])
+        self.assertEqual(len(rows), 21)
+        for margin, governing, row in zip(found["grid"]["margin"], found["grid"]["governing"], rows[1:]):
+            self.assertEqual(margin, None if row[2] == "inf" else float(row[2]))
+            self.assertEqual(governing if governing == "none" else found["rules"][governing]["words"], row[3])
+        self.assertEqual(found["kept"], sum(row[4] == "yes" for row in rows[1:]))
+
+    def test_the_boundary_is_that_of_one_mass(self):
+        found = json.loads(run("map", self.project, "--json")[0])
+        points = [p for line in found["feasible"]["boundary"] for p in line]
+        self.assertGreater(len(points), 8)
+        for scale, milliseconds in points:
+            zeta = 0.5e-3 * milliseconds * (225 * scale) ** 0.5
+            rise = 1 / (2 * zeta * (1 - zeta * zeta) ** 0.5) if zeta < 0.5 ** 0.5 else 1
+            margin = min(0.03 * 900 * scale / 18 / rise, 1.01 / rise)
+            self.assertAlmostEqual(margin, 1, delta=1e-4)
+
+    def test_a_case_has_its_own_map(self):
+        text = run("map", self.project, "--case", "good", "--points", "3")[0]
+        self.assertIn("Map of 9 designs of case good", text)
+
+    def test_the_picture_is_well_formed_and_names_what_it_shows(self):
+        picture = self.folder / "map.svg"
+        run("map", self.project, "--picture", str(picture))
+        svg = picture.read_text()
+        xml.etree.ElementTree.fromstring(svg)
+        for words in ("elements.spring.damping.proportional [ms]", "every rule is kept", "good", "mass.z ≤ 0.03 m"):
+            self.assertIn(words, svg)
+
+    def test_a_run_holds_map_table_picture_and_section(self):
+        out = self.folder / "out"
+        text = run("run", self.project, "-o", str(out))[0]
+        self.assertIn("Map of 81 designs", text)
+        self.assertTrue((out / "00-base" / "map.csv").exists())
+        xml.etree.ElementTree.parse(out / "00-base" / "map.svg")
+        results = json.loads((out / "results.json").read_text())
+        self.assertEqual(results["cases"][0]["map"]["designs"], 81)
+        self.assertNotIn("map", results["cases"][1])
+        self.assertIn("Map of designs", (out / "report.html").read_text())
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        self.assertEqual(run("map", self.project, "--json")[0], run("map", self.project, "--json")[0])
+
+    def test_what_cannot_be_mapped_is_told(self):
+        self.assertIn("add map = ", run("map", str(SOURCE / "examples/paper/corrected.toml"), code=2)[1])
+        for points in ("1", "0x5", "axb", "5x", "100000x100000", "-3x4"):
+            self.assertIn("--points", run("map", self.project, "--points", points, code=2)[1])
+        impossible = ("--set", "analyses.map.x.parameter=\"bodies.mass.mass\"", "--set", "analyses.map.x.from=-4", "--set", "analyses.map.x.to=-1")
+        self.assertIn("none of the 81 designs", run("map", self.project, *impossible, code=1)[1])
+
+    def test_no_figure_of_the_paper_is_feasible_for_the_corrected_body(self):
+        found = json.loads(run("map", PAPER, "--json", "--points", "3x3")[0])
+        figures = {m["case"]: m for m in found["marks"]}
+        for name in ("Figure 3", "Figure 4", "Figure 5", "Figure 6", "Figure 7", "Figure 8"):
+            self.assertFalse(figures[name]["kept"], name)
+            self.assertTrue(figures[name]["of_this_model"], name)
+        rise = {rule["words"]: rule["value"] for rule in figures["Figure 7"]["rules"]}
+        self.assertGreater(rise["no peak of aggregate.rz"], 0.9)  # the paper: a slight rise of θz only
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <complex>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/rational_fit.h"
+
+namespace {
+
+using namespace trivet;
+using Complex = std::complex<double>;
+
+constexpr double tolerance = 1e-6;
+
+/// Two curves with the resonances 3, 7 and 7.01 rad/s of different damping, one of them not conjugate-symmetric.
+Eigen::VectorXcd curves(double w) {
+  const Complex i(0, 1);
+  const auto pole = [&](double natural, double ratio) { return 1.0 / (natural * natural - w * w + 2.0 * i * ratio * natural * w); };
+  Eigen::VectorXcd y(2);
+  y << 2.0 * pole(3, 1e-3) + 5.0 * pole(7, 1e-2), Complex(1, 2) * pole(7, 1e-2) - i * pole(7.01, 1e-4) * w;
+  return y;
+}
+
+Eigen::MatrixXcd curves(const Eigen::VectorXd& x) {
+  Eigen::MatrixXcd y(2, x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) y.col(k) = curves(x(k));
+  return y;
+}
+
+numerics::RationalFit fit(const Eigen::VectorXd& x) {
+  const Eigen::MatrixXcd y = curves(x);
+  return numerics::rational_fit(x, y, y.cwiseAbs(), tolerance);
+}
+
+Eigen::VectorXd samples() {
+  Eigen::VectorXd x(27);
+  x << 0, 0.5, 1, 1.8, 2.5, 2.99, 2.997, 3, 3.003, 3.01, 3.5, 4.2, 5, 6, 6.5, 6.9, 6.93, 7, 7.0093, 7.01, 7.0107, 7.07, 7.2, 7.6, 8.5, 9.2, 10;
+  return x;
+}
+
+TEST(RationalFit, FollowsRationalFunctionsBetweenFewSamples) {
+  const numerics::RationalFit found = fit(samples());
+  EXPECT_LE(found.error, tolerance);
+  EXPECT_LE(found.nodes.size(), 9) << "six poles, of which three are far from the axis, and what the numerators need";
+  const Eigen::VectorXd dense = Eigen::VectorXd::LinSpaced(20001, 0, 10);
+  const Eigen::MatrixXcd truth = curves(dense);
+  EXPECT_LE(((found.at(dense) - truth).array().abs() / truth.array().abs()).maxCoeff(), 100 * tolerance);
+}
+
+TEST(RationalFit, PassesThroughItsNodes) {
+  const numerics::RationalFit found = fit(samples());
+  EXPECT_EQ(found.at(found.nodes), found.values);
+  EXPECT_EQ(found.values, curves(found.nodes));
+}
+
+TEST(RationalFit, FindsThePolesNearTheAxis) {
+  const Eigen::VectorXcd poles = fit(samples()).poles();
+  for (const auto& [natural, ratio] : {std::pair{3.0, 1e-3}, std::pair{7.0, 1e-2}, std::pair{7.01, 1e-4}}) {
+    const Complex pole(natural * std::sqrt(1 - ratio * ratio), natural * ratio);  // of e^{iωt}: Im > 0
+    EXPECT_LE((poles.array() - pole).abs().minCoeff(), 1e-4 * natural * ratio) << natural;
+  }
+}
+
+TEST(RationalFit, OfConstantsNeedsOneNodeAndOfTwoSamplesIsALine) {
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0, 4);
+  const Eigen::MatrixXcd constant = Eigen::MatrixXcd::Constant(1, 5, Complex(2, -1));
+  const numerics::RationalFit found = numerics::rational_fit(x, constant, constant.cwiseAbs(), tolerance);
+  EXPECT_EQ(found.error, 0);
+  EXPECT_EQ(found.at(Eigen::VectorXd::Constant(1, 2.2))(0), Complex(2, -1));
+}
+
+TEST(RationalFit, RefusesWhatDoesNotGoTogether) {
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0, 4);
+  const Eigen::MatrixXcd y = Eigen::MatrixXcd::Ones(1, 5);
+  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y, Eigen::MatrixXd::Zero(1, 5), tolerance)), foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y.leftCols(4), Eigen::MatrixXd::Ones(1, 5), tolerance)), foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x.head(1), y.leftCols(1), Eigen::MatrixXd::Ones(1, 1), tolerance)), foundation::InvalidInput);
+}
+
+}  // namespace

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "support/projects.h"
+#include "support/transient.h"
+#include "trivet/excitation/pulses.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace {
+
+using namespace trivet;
+
+TEST(Transient, RefusesMorePointsTimesAnswersThanMemoryShouldHold) {
+  const auto project = test::project(test::chain(std::vector<double>(30, 2.0), std::vector<double>(31, 800.0), std::vector<double>(31, 1.0)));
+  const model::System& system = project.base().system;
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const response::TimeInput push = test::force_on(assembled, 0, excitation::half_sine(1, 0.1, 0), spatial::Vector6::Unit(0));
+  response::TransientOptions options;
+  options.to = 100;
+  options.step = 1e-5;  // 10 million points, alone no reason to refuse
+  try {
+    static_cast<void>(test::transient(system, assembled, {"coordinates"}, {push}, options));
+    FAIL() << "10,000,001 points of 30 answers are 2.5 GB";
+  } catch (const foundation::NotComputable& refusal) {
+    EXPECT_THAT(refusal.what(), testing::HasSubstr("10000001 points × 30 answers and the time ask for 2.48 GB"));
+  }
+}
+
+}  // namespace
