@@ -109,7 +109,6 @@ HWY_INLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powe
                            WalkedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
   Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, rest = zero;
-TRIVET_UNROLL
   for (int k = 0; k < pack.count; ++k) {
     const PairPack C = curve.f.C[k];
     const PanelPowers& p = powers[k];
