@@ -193,7 +193,7 @@ TEST(PoleSweep, NeedsArraysOfTheRightSize) {
 }
 
 TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne) {
-  constexpr double round_off_beside_resonances = 1e-9;  // of the direct way: epsilon over the smallest damping ratio of these cases
+  constexpr double round_off_at_resonances = 3e-8;  // of the direct way: 100 epsilon over the smallest damping ratio of these cases, 1e-6
   std::vector<double> omega;
   for (int i = 0; i < 30000; ++i) omega.push_back(1e-4 * i);
   for (const auto& hard : test::hard_cases()) {
@@ -208,7 +208,7 @@ TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne)
     for (Eigen::Index f = 0; f < direct.response.cols(); ++f) {
       const Eigen::VectorXcd q = one.re.row(f).transpose().matrix() + numerics::Complex(0, 1) * one.im.row(f).transpose().matrix();
       differs = differs || q != direct.response.col(f);
-      EXPECT_LE((q - direct.response.col(f)).norm(), round_off_beside_resonances * q.norm()) << hard.name << " at " << omega[static_cast<std::size_t>(f)];
+      EXPECT_LE((q - direct.response.col(f)).norm(), round_off_at_resonances * q.norm()) << hard.name << " at " << omega[static_cast<std::size_t>(f)];
     }
     EXPECT_TRUE(differs) << hard.name << ": solved directly";
   }

@@ -170,10 +170,7 @@ std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& s
 }
 
 foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
-  Node changes = change_of(x_keys_, point.x, request_.x.unit);
-  foundation::Problems problems;
-  apply_changes(changes, change_of(y_keys_, point.y, request_.y.unit), "", problems);
-  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  const std::vector<Node> changes = {change_of(x_keys_, point.x, request_.x.unit), change_of(y_keys_, point.y, request_.y.unit)};
   const std::lock_guard lock(reading);
   return changed_system(case_, changes);
 }
