@@ -53,6 +53,8 @@ void add_map(const study::Project& project, const foundation::Progress& step, st
     answers.map = study::design_map(project, project.base(), *project.base().analyses.map, {}, step);
   } catch (const foundation::NotComputable& reason) {
     answers.failures.emplace_back(reason.what());
+  } catch (const foundation::InvalidInput& reason) {
+    answers.failures.emplace_back(reason.what());
   }
 }
 

@@ -192,4 +192,26 @@ TEST(PoleSweep, NeedsArraysOfTheRightSize) {
   EXPECT_THROW(poles->squared_moduli(Eigen::ArrayXd::Ones(5), re), foundation::InvalidInput);
 }
 
+TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne) {
+  constexpr double round_off_at_resonances = 3e-8;  // of the direct way: 100 epsilon over the smallest damping ratio of these cases, 1e-6
+  std::vector<double> omega;
+  for (int i = 0; i < 30000; ++i) omega.push_back(1e-4 * i);
+  for (const auto& hard : test::hard_cases()) {
+    const Eigen::VectorXcd load = test::load();
+    if (!PoleSweep::of(hard.m, load)) continue;
+    const numerics::SweepResult direct = numerics::sweep(hard.m, load, omega);
+    numerics::SweepPlanes one, sixteen;
+    numerics::sweep(hard.m, load, omega, one, {.every_backward_error = false, .threads = 1});
+    numerics::sweep(hard.m, load, omega, sixteen, {.every_backward_error = false, .threads = 16});
+    EXPECT_TRUE((one.re == sixteen.re).all() && (one.im == sixteen.im).all()) << hard.name;
+    bool differs = false;
+    for (Eigen::Index f = 0; f < direct.response.cols(); ++f) {
+      const Eigen::VectorXcd q = one.re.row(f).transpose().matrix() + numerics::Complex(0, 1) * one.im.row(f).transpose().matrix();
+      differs = differs || q != direct.response.col(f);
+      EXPECT_LE((q - direct.response.col(f)).norm(), round_off_at_resonances * q.norm()) << hard.name << " at " << omega[static_cast<std::size_t>(f)];
+    }
+    EXPECT_TRUE(differs) << hard.name << ": solved directly";
+  }
+}
+
 }  // namespace

@@ -79,6 +79,15 @@ TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
   for (const study::DesignOutcome& outcome : map.outcomes) EXPECT_LE(outcome.margin, map.outcomes[*map.best].margin);
 }
 
+TEST(DesignMap, TakesOneNumberEachOfTwoElements) {
+  const std::string second = "[elements.pad]\ntype = \"bushing\"\non = \"machine\"\nat = [0, 0, 0]\ntranslation = [500, 500, 500]\n";
+  const study::Project project = test::project(machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = \"elements.pad.scale\", from = 1, to = 2, "
+                                                       "points = 3}, limits = {\"machine.z\" = \"15 mm\"}}\n", second));
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  EXPECT_EQ(map.unknown, 0u);
+  EXPECT_EQ(map.outcomes.size(), 9u);
+}
+
 TEST(DesignMap, SaysWhyADesignHasNoModelAndGoesOn) {
   const study::Project project = test::project(machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = 15, points = 5}, y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
                                                        "points = 2}, no_peak = \"coordinates\"}\n"));

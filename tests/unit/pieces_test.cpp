@@ -47,5 +47,12 @@ TEST(Pieces, ReportFromTheCallingThreadOnlyAndStopWhenInterrupted) {
   EXPECT_EQ(reports, 2);
 }
 
+TEST(Pieces, StopAllThreadsWhenInterrupted) {
+  std::atomic<int> finished = 0;
+  const Progress progress = [](std::string_view, double) { throw Interrupted(); };
+  EXPECT_THROW(for_each_piece(1000000, {.size = 1, .threads = 4, .progress = progress}, [&](std::size_t, std::size_t) { ++finished; }), Interrupted);
+  EXPECT_LT(finished, 1000000);
+}
+
 }  // namespace
 }  // namespace trivet::foundation

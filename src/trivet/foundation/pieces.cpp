@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -14,25 +15,35 @@ int thread_count(int wanted) { return wanted > 0 ? wanted : std::max(1, static_c
 
 void for_each_piece(std::size_t count, const PieceOptions& options, const std::function<void(std::size_t, std::size_t)>& work) {
   const std::size_t size = std::max<std::size_t>(1, options.size), pieces = (count + size - 1) / size;
-  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> next = 0, done = 0;
   std::exception_ptr failure;
+  std::size_t failed = pieces;
   std::mutex failing;
   const auto work_through = [&](bool reports) {
+    std::size_t piece = 0;
     try {
-      for (std::size_t piece = next++; piece < pieces; piece = next++) {
+      for (piece = next++; piece < pieces; piece = next++) {
         work(piece * size, std::min(count, (piece + 1) * size));
-        if (reports) report_progress(options.progress, options.task, static_cast<double>(std::min(next.load(), pieces)) / static_cast<double>(pieces));
+        ++done;
+        if (reports) report_progress(options.progress, options.task, static_cast<double>(done.load()) / static_cast<double>(pieces));
       }
     } catch (...) {
       next = pieces;
       const std::lock_guard lock(failing);
-      if (!failure) failure = std::current_exception();
+      if (!failure || piece < failed) {
+        failure = std::current_exception();
+        failed = piece;
+      }
     }
   };
   {
-    const auto helpers = std::min<std::size_t>(static_cast<std::size_t>(thread_count(options.threads)), pieces);
+    const auto workers = std::min<std::size_t>(static_cast<std::size_t>(thread_count(options.threads)), pieces);
     std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < helpers; ++k) others.emplace_back(work_through, false);
+    try {
+      for (std::size_t k = 1; k < workers; ++k) others.emplace_back(work_through, false);
+    } catch (const std::system_error&) {
+      // No more threads are to be had: those that there are do the work.
+    }
     work_through(true);
   }
   if (failure) std::rethrow_exception(failure);

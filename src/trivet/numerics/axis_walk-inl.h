@@ -16,10 +16,11 @@ HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
 /// What of a walk is the same for all curves of a pack.
+template <typename Size>
 struct WalkedPack {
   PairPack z[most_pairs];     ///< poles in x
   LaneMask real[most_pairs];
-  int count = 0;
+  Size count;
   Pack from, to;              ///< of x; both finite
   LaneMask asked;             ///< lanes with good roots
 };
@@ -52,7 +53,8 @@ constexpr double slope_of_rest = 7;
 
 /// Half width of the panel that starts at x so that it is `share` of the distance of its middle from the nearest pole; a little less by
 /// (4a + 3b)/5 ≤ √(a² + b²).
-HWY_INLINE Pack half_width(const WalkedPack& pack, const Pack& x, const Pack& share) {
+template <typename Size>
+HWY_INLINE Pack half_width(const WalkedPack<Size>& pack, const Pack& x, const Pack& share) {
   const Pack square = hn::Mul(share, share);
   Pack least = all(1e300);
   for (int k = 0; k < pack.count; ++k) {
@@ -66,7 +68,8 @@ HWY_INLINE Pack half_width(const WalkedPack& pack, const Pack& x, const Pack& sh
   return hn::Div(least, hn::Sub(all(1.0), square));
 }
 
-HWY_INLINE void form_powers(const WalkedPack& pack, const Pack& centre, const Pack& half, PanelPowers* powers) {
+template <typename Size>
+HWY_INLINE void form_powers(const WalkedPack<Size>& pack, const Pack& centre, const Pack& half, PanelPowers* powers) {
   for (int k = 0; k < pack.count; ++k) {
     const LaneMask real = pack.real[k];
     PanelPowers& p = powers[k];
@@ -101,7 +104,8 @@ struct WalkOptions {
 };
 
 /// Slope of one curve on the panel at hand. @return lanes where nothing more is to be found out
-HWY_INLINE LaneMask settle(const WalkedPack& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
+template <typename Size>
+HWY_INLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
                            WalkedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
   Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, rest = zero;
@@ -131,9 +135,11 @@ HWY_INLINE LaneMask settle(const WalkedPack& pack, const PanelPowers* powers, co
   const Pack bends = hn::MulAdd(all(2.0), size2, hn::MulAdd(all(3.0), size3, hn::Mul(all(4.0), size4)));
   const LaneMask monotonic = hn::Gt(size1, hn::MulAdd(all(slope_of_rest), rest, bends));
   const Pack at_end = hn::Add(end, hn::Add(cubic, quartic));
-  const LaneMask known = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(at_end), rest)));
+  // A coordinate that nothing moves has nothing to find.
+  const LaneMask at_rest = hn::And(hn::Eq(value, zero), hn::Eq(hn::Add(hn::Add(size0, size1), hn::Add(size2, others)), zero));
+  const LaneMask turns = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(at_end), rest))), known = hn::Or(turns, at_rest);
   curve.p0 = p0, curve.p1 = p1, curve.p2 = p2, curve.rest = others;
-  curve.after = hn::IfThenElseZero(known, hn::CopySign(all(1.0), at_end));
+  curve.after = hn::IfThenElseZero(turns, hn::CopySign(all(1.0), at_end));
   const Pack swing = hn::Mul(half, hn::Add(hn::Add(size0, others), hn::MulAdd(all(0.5), size1, hn::Mul(all(1.0 / 3), size2))));
   curve.most = hn::Add(value, swing);
   if (!options.every_extremum) return hn::Or(known, hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
@@ -162,17 +168,19 @@ HWY_INLINE void note_change(const WalkedCurve& curve, const LaneMask& left, cons
   const Pack first = hn::Neg(hn::Div(curve.p0, curve.p1));
   const Pack second = hn::Neg(hn::Div(hn::MulAdd(hn::Mul(curve.p2, first), first, curve.p0), curve.p1));
   const Pack root = hn::Max(hn::Neg(half), hn::Min(half, second));
-  HWY_ALIGN double at[8], within[8], after[8], flags[8];
+  HWY_ALIGN double at[8], lower[8], upper[8], after[8], flags[8];
   hn::Store(hn::Add(centre, root), Lanes(), at);
-  hn::Store(half, Lanes(), within);
+  hn::Store(hn::Sub(centre, half), Lanes(), lower);
+  hn::Store(hn::Add(centre, half), Lanes(), upper);
   hn::Store(curve.after, Lanes(), after);
   hn::Store(hn::IfThenElseZero(changed, all(1.0)), Lanes(), flags);
   for (int lane = 0; lane < lane_count(); ++lane)
-    if (flags[lane] != 0) found.push_back({lane, channel, at[lane], within[lane], after[lane] < 0});
+    if (flags[lane] != 0) found.push_back({lane, channel, at[lane], lower[lane], upper[lane], after[lane] < 0});
 }
 
 /// The next place where it pays to look again when only the highest values are asked: some widths of a resonance before or behind it.
-HWY_INLINE Pack next_stop(const WalkedPack& pack, const Pack& x) {
+template <typename Size>
+HWY_INLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
   constexpr double widths = 6;
   Pack stop = pack.to;
   for (int k = 0; k < pack.count; ++k) {
@@ -184,7 +192,8 @@ HWY_INLINE Pack next_stop(const WalkedPack& pack, const Pack& x) {
 }
 
 /// Lanes where every curve stays below its best value between x and `stop`, by the distances of the poles alone.
-HWY_INLINE LaneMask stays_below(const WalkedPack& pack, const WalkedCurve* curves, int channels, const Pack& x, const Pack& stop) {
+template <typename Size>
+HWY_INLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x, const Pack& stop) {
   PairPack most[most_pairs];
   for (int k = 0; k < pack.count; ++k) {
     const LaneMask real = pack.real[k];
@@ -207,7 +216,8 @@ HWY_INLINE LaneMask stays_below(const WalkedPack& pack, const WalkedCurve* curve
 }
 
 /// @return lanes whose walk came to its end
-HWY_INLINE LaneMask walk(const WalkedPack& pack, WalkedCurve* curves, int channels, const WalkOptions& options, FoundExtrema& found) {
+template <typename Size>
+HWY_INLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options, FoundExtrema& found) {
   PanelPowers powers[most_pairs];
   Pack x = pack.from, share = all(most_share);
   LaneMask live = hn::And(pack.asked, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);

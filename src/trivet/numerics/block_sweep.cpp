@@ -48,8 +48,8 @@ class BlockSolver {
   }
 
   /// The residual along one direction, |wᵀ(Zq − h)|, over lower bounds of ‖Z‖∞ and ‖q‖∞.
-  [[nodiscard]] Pack seen_backward_error(int pass) const {
-    if (!plan_.free.empty()) return all(std::numeric_limits<double>::infinity());  // not in the weighted sums
+  [[nodiscard]] Pack seen_backward_error(int pass, bool in_full) const {
+    if (in_full || !plan_.free.empty()) return all(std::numeric_limits<double>::infinity());  // not in the weighted sums
     const Pass& p = passes_[pass];
     ComplexPack seen{all(0.0), all(0.0)};
     Pack square = all(0.0), norm = all(0.0);
@@ -366,7 +366,7 @@ int solve_blocks(const BlockPlan& plan, const BlockBatch& batch) {
     }
     solver.solve();
     for (int i = 0; i < passes; ++i) {
-      error[i] = solver.seen_backward_error(i);
+      error[i] = solver.seen_backward_error(i, batch.measure_all);
       const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled[i]));
       open += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(BlockSolver::certain(error[i]), present)));
     }

@@ -25,11 +25,9 @@ struct BlockBatch {
   FrequencyPlanes load;              ///< n planes, if the sweep has no load of its own
   FrequencyPlanes response;          ///< n planes, written
   double* backward_error = nullptr;  ///< written; above `accepted_backward_error`, or NaN, a frequency must be solved with pivoting
+  bool measure_all = false;          ///< every residual in full; otherwise those that one fixed direction does not show to be small
 };
 
-/// From so many coordinates on blocks are the faster way, measured with AVX-512: two bodies, 12 coordinates, take 0.11 µs in a chain and 0.13 µs coupled in full, as
-/// by dense LDLᵀ in lanes. Beyond that blocks win on chains and trees by the number of bodies, and lose nothing where all is coupled (50 bodies: 1.2 ms both).
-inline constexpr Eigen::Index smallest_for_blocks = 13;
 
 /// q(ω) = Z(ω)⁻¹ h(ω) of many coupled bodies: LDLᵀ by blocks of coordinates that belong together, eliminated in an order that is found once,
 /// several frequencies at a time in lanes. Cost and memory grow linearly with the bodies of a chain or a tree.

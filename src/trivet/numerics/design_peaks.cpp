@@ -46,7 +46,9 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
   std::vector<ObservedRow> result;
   for (Eigen::Index c = 0; c < rows.rows(); ++c) {
     const auto at = static_cast<std::size_t>(c);
-    result.push_back({rows.row(c), options.rows_on_velocity.size() > 0 ? Eigen::VectorXd(options.rows_on_velocity.row(c).matrix()) : Eigen::VectorXd(),
+    // A row of zeros is none: whether a curve falls towards ω = ∞ hangs on it.
+    const bool on_velocity = options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.row(c) != 0).any();
+    result.push_back({rows.row(c), on_velocity ? Eigen::VectorXd(options.rows_on_velocity.row(c).matrix()) : Eigen::VectorXd(),
                       options.derivative.empty() ? 0 : options.derivative[at]});
   }
   return result;
@@ -145,7 +147,13 @@ class Piece {
   }
 
   void by_discs(Eigen::Index d) {
-    const std::vector<BandCurve> curves = search_by_discs(matrices(d), load(d), question_.rows, question_.from, question_.to);
+    std::vector<BandCurve> curves;
+    try {
+      curves = search_by_discs(matrices(d), load(d), question_.rows, question_.from, question_.to);
+    } catch (const foundation::NotComputable&) {  // one design is no reason to lose the others
+      status(d) = DesignStatus::undecided;
+      return;
+    }
     status(d) = DesignStatus::redone;
     for (std::size_t c = 0; c < curves.size(); ++c) {
       note(d, c, peaks_of_curve(curves[c], question_));

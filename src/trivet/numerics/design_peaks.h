@@ -13,9 +13,10 @@ namespace trivet::numerics {
 /// How the highest amplitude and the peaks of one design were found.
 enum class DesignStatus : unsigned char {
   proven,     ///< from poles and residues; bounds prove that no higher value and no further peak exists
-  redone,     ///< the poles were not good enough for that: by Taylor series on discs free of poles, complete to their truncation
+  redone,     ///< the poles of the lanes were not good enough for that: the same bounds on poles of an eigensolver, or Taylor series on discs free of poles,
+              ///< complete to their truncation
   undecided,  ///< neither was possible: the values are what was seen, and may be too small
-  impossible  ///< A is not positive definite; no values
+  impossible  ///< A is not positive definite, or a matrix is not finite; no values
 };
 
 struct DesignPeakOptions {

@@ -147,6 +147,9 @@ bool is_unbounded(const DynamicMatrices& m, const Eigen::VectorXd& load, const O
   return at(-16) > 9 * at(-160) && at(16) > 9 * at(160);  // a pole in reach gives 10
 }
 
+/// |y|; infinite where Z is singular.
+double height(const Complex& y) { return std::isnan(std::abs(y)) ? infinity : std::abs(y); }
+
 }  // namespace
 
 std::vector<BandCurve> search_by_discs(const DynamicMatrices& given, const Eigen::VectorXd& load, const std::vector<ObservedRow>& rows, double from,
@@ -176,8 +179,8 @@ std::vector<BandCurve> search_by_discs(const DynamicMatrices& given, const Eigen
   const double start = std::max(from, cover.lowest);
   const Eigen::VectorXcd at_start = response(given, load, start);
   for (std::size_t c = 0; c < rows.size(); ++c) {
-    curves[c].at_start = std::abs(value(rows[c], at_start, start));
-    if (std::isfinite(to)) curves[c].at_end = std::abs(value(rows[c], response(given, load, to), to));
+    curves[c].at_start = height(value(rows[c], at_start, start));
+    if (std::isfinite(to)) curves[c].at_end = height(value(rows[c], response(given, load, to), to));
     for (const double pole : cover.poles_on_axis)
       if (pole >= from && pole <= to && is_unbounded(given, load, rows[c], pole)) curves[c].extrema.push_back({pole, infinity, true});
     let_alternate(curves[c].extrema);

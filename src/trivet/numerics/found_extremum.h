@@ -10,7 +10,8 @@ struct FoundExtremum {
   int lane = 0;
   int channel = 0;
   double at = 0;      ///< x = ω²
-  double within = 0;  ///< half the panel around it
+  double lower = 0;   ///< ends of its panel
+  double upper = 0;
   bool maximum = false;
   double value = 0;   ///< half of |y|², once refined
   double missed = 0;  ///< what a further step would change of it, at most

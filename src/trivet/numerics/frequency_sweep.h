@@ -18,7 +18,7 @@ inline constexpr double accepted_backward_error = 1e-14;
 using FrequencyPart = std::function<void(double omega, Eigen::MatrixXcd& Z, Eigen::VectorXcd& h)>;
 
 struct SweepOptions {
-  /// Compute the backward error of every solution (by blocks it always is, through one fixed direction). Otherwise the growth of the factors
+  /// Compute the backward error of every solution. Otherwise the growth of the factors
   /// bounds it, which costs a tenth as much.
   bool every_backward_error = true;
   int threads = 0;  ///< 0: as many as the machine has; one below 20,000 solutions
@@ -58,6 +58,8 @@ struct SweepPlanes : SweepCounts {
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part, const std::vector<double>& omega,
                                 const SweepOptions& options = {});
 
+/// Where no backward errors are asked for, many frequencies under a constant load are summed over poles, if these can be proven (pole_sweep.h);
+/// otherwise, and where a share of the sums that is put back misses `accepted_backward_error`, solved directly.
 void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options = {});
 
 

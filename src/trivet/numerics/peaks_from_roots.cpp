@@ -18,13 +18,8 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 HWY_INLINE Pack from_table(const double* row, int lane) { return hn::LoadU(Lanes(), row + lane); }
 
-/// Σ over one pair of poles.
-HWY_INLINE Pack partial_fraction(const LaneMask& real, const PairPack& z, const PairPack& C, const Pack& x) {
-  const PairPack w = inverse(real, {hn::Sub(x, z.first), hn::IfThenElse(real, hn::Sub(x, z.second), hn::Neg(z.second))});
-  return hn::MulAdd(C.first, w.first, hn::Mul(C.second, w.second));
-}
-
-HWY_INLINE void see_values(const WalkedPack& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
+template <typename Size>
+HWY_INLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
   PairPack w[most_pairs];
   for (int k = 0; k < pack.count; ++k)
     w[k] = inverse(pack.real[k], {hn::Sub(x, pack.z[k].first), hn::IfThenElse(pack.real[k], hn::Sub(x, pack.z[k].second), hn::Neg(pack.z[k].second))});
@@ -39,9 +34,12 @@ HWY_INLINE void see_values(const WalkedPack& pack, const Pack& x, WalkedCurve* c
 
 /// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more. In u = 1/x a curve has the
 /// same form, with poles 1/z, and one panel reaches from there to u = 0.
-HWY_INLINE Pack beginning_of_tail(const WalkedPack& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options) {
+/// @param complete  leaves the lanes where that is proven
+template <typename Size>
+HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
+                                  LaneMask& complete) {
   constexpr int most_doublings = 40;
-  WalkedPack inverted = pack;
+  WalkedPack<Size> inverted = pack;
   Pack begins = hn::Add(pack.from, pack.from);
   PairPack weight[most_pairs];
   for (int k = 0; k < pack.count; ++k) {
@@ -66,23 +64,26 @@ HWY_INLINE Pack beginning_of_tail(const WalkedPack& pack, const WalkedCurve* cur
     }
     // Slopes that vanish at u = 0 keep their sign while they are monotonic.
     const bool flat_at_infinity = proper && question.rows[static_cast<std::size_t>(c)].derivative == 0;
+    LaneMask settled = hn::Not(pack.asked);
     for (int doubling = 0; doubling < most_doublings; ++doubling) {
       PanelPowers powers[most_pairs];
       const Pack half = hn::Div(all(0.5), begins);
       form_powers(inverted, half, half, powers);
-      LaneMask settled = settle(inverted, powers, half, half, options, curve);
+      settled = settle(inverted, powers, half, half, options, curve);
       const Pack start = hn::Sub(hn::MulAdd(hn::Mul(half, half), curve.p2, curve.p0), hn::Mul(half, curve.p1));
       if (!flat_at_infinity) settled = hn::And(settled, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(start, curve.after), curve.rest)));
       settled = hn::Or(settled, hn::Not(pack.asked));
       if (hn::AllTrue(Lanes(), settled)) break;
       begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
     }
+    complete = hn::And(complete, settled);
   }
   return begins;
 }
 
 /// Signs of the slopes where the walk begins; 0 where round-off hides them.
-HWY_INLINE void first_signs(const WalkedPack& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
+template <typename Size>
+HWY_INLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
   PanelPowers powers[most_pairs];
   form_powers(pack, pack.from, hn::Zero(Lanes()), powers);
   const WalkOptions options{false, 0};
@@ -107,7 +108,7 @@ HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
   const int lanes = lane_count(), n = store.pairs;
   const auto count = static_cast<int>(found.size());
   for (int begin = 0; begin < count; begin += lanes) {
-    alignas(64) double z[most_pairs][2][table_lanes], C[most_pairs + 1][2][table_lanes], real[most_pairs][table_lanes], at[table_lanes], within[table_lanes];
+    alignas(64) double z[most_pairs][2][table_lanes], C[most_pairs + 1][2][table_lanes], real[most_pairs][table_lanes], at[table_lanes], lower[table_lanes], upper[table_lanes];
     for (int i = 0; i < lanes; ++i) {
       const FoundExtremum& e = found[static_cast<std::size_t>(std::min(begin + i, count - 1))];
       for (int k = 0; k < n; ++k) {
@@ -116,11 +117,11 @@ HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
       }
       for (int k = 0; k <= n; ++k)
         for (int part = 0; part < 2; ++part) C[k][part][i] = store.of(e.channel, k, part)[e.lane];
-      at[i] = e.at, within[i] = e.within;
+      at[i] = e.at, lower[i] = e.lower, upper[i] = e.upper;
     }
-    const Pack start = from_table(at, 0), reach = from_table(within, 0);
+    const Pack lowest = from_table(lower, 0), highest = from_table(upper, 0);
     const Pack constant = from_table(C[n][0], 0), slope = from_table(C[n][1], 0);
-    Pack x = start, value = constant, s0 = slope, missed = constant;
+    Pack x = from_table(at, 0), value = constant, s0 = slope, missed = constant;
     for (int step = 0; step <= steps; ++step) {
       value = hn::MulAdd(slope, x, constant);
       Pack s1 = hn::Zero(Lanes()), s2 = s1;
@@ -139,7 +140,7 @@ HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
       const Pack f1 = hn::Sub(slope, s0), f2 = hn::Add(s1, s1), f3 = hn::Mul(all(-6.0), s2);
       const Pack halley = hn::Div(hn::Mul(hn::Mul(all(2.0), f1), f2), hn::NegMulAdd(f1, f3, hn::Mul(all(2.0), hn::Mul(f2, f2))));
       missed = hn::Abs(hn::Mul(f1, halley));
-      if (step < steps) x = hn::Max(hn::Sub(start, hn::Add(reach, reach)), hn::Min(hn::Add(start, hn::Add(reach, reach)), hn::Sub(x, halley)));
+      if (step < steps) x = hn::Max(lowest, hn::Min(highest, hn::Sub(x, halley)));
     }
     alignas(64) double result[3][table_lanes];
     hn::StoreU(x, Lanes(), result[0]);
@@ -182,13 +183,15 @@ inline bool is_settled(const FoundExtremum& e, double best, const PeakQuestion& 
 }
 
 /// Curves of as many designs as there are lanes, `lane` first.
-void answer(const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
+template <typename Size>
+void answer(Size n, const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
   const auto channels = static_cast<int>(question.rows.size());
-  const int n = table.coordinates, lanes = lane_count();
+  const int lanes = lane_count();
   const WalkOptions options{question.count_peaks, question.min_prominence};
   PolePairs poles;
-  WalkedPack pack;
-  poles.count = pack.count = n;
+  WalkedPack<Size> pack;
+  poles.count = n;
+  pack.count = n;
   double asked[table_lanes];
   for (int i = 0; i < lanes; ++i) asked[i] = table.good[lane + i];
   pack.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
@@ -209,6 +212,7 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
     curves[c].best = curves[c].sign = hn::Zero(Lanes());
   }
 
+  LaneMask complete = hn::Eq(hn::Zero(Lanes()), hn::Zero(Lanes()));
   pack.from = all(question.from * question.from);
   pack.to = all(question.to * question.to);
   see_values(pack, pack.from, curves.get(), channels, values.get());
@@ -217,7 +221,7 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
   if (std::isfinite(question.to)) {
     see_values(pack, pack.to, curves.get(), channels, values.get() + channels);
   } else {
-    pack.to = hn::Max(pack.from, beginning_of_tail(pack, curves.get(), channels, question, options));
+    pack.to = hn::Max(pack.from, beginning_of_tail(pack, curves.get(), channels, question, options, complete));
     for (int c = 0; c < channels; ++c) {
       const Pack slope = curves[c].f.slope;  // a curve that grows without end
       values[channels + c] = hn::IfThenElse(hn::Gt(slope, hn::Zero(Lanes())), all(std::numeric_limits<double>::infinity()), curves[c].f.constant);
@@ -227,7 +231,7 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
   first_signs(pack, curves.get(), channels, question);
 
   FoundExtrema found;
-  const LaneMask complete = walk(pack, curves.get(), channels, options, found);
+  complete = hn::And(complete, walk(pack, curves.get(), channels, options, found));
   LaneStore store;
   store.pairs = n;
   store.C.resize(static_cast<std::size_t>(channels * (n + 1) * 2 * table_lanes));
@@ -287,7 +291,7 @@ void answer(const RootTable& table, const PeakQuestion& question, int lane, Tabl
 
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
   peaks.channels.resize(question.rows.size() * table_lanes);
-  for (int lane = 0; lane < table_lanes; lane += lane_count()) answer(table, question, lane, peaks);
+  for (int lane = 0; lane < table_lanes; lane += lane_count()) table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

@@ -17,7 +17,8 @@ enum class SweepSolver {
   fixed,      ///< n ≤ 6, any load: loops written out
   symmetric,  ///< any n, also with parts that depend on ω
   blocks,     ///< n ≥ `fewest_for_blocks`, constant parts: by bodies, skipping what does not couple
-  pivoted     ///< unsymmetric
+  pivoted,    ///< unsymmetric
+  alone       ///< many coordinates with parts that depend on ω: one frequency at a time, for the sake of memory
 };
 
 /// One system in coordinates of unit mass diagonal. Every solver for a sweep is chosen here.

@@ -45,7 +45,7 @@ std::vector<double> nodes_between(double from, double to, int count) {
 double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
   double worst = 0;
   for (Eigen::Index e = 0; e < exact.size(); ++e)
-    if (interpolated(e) != exact(e)) worst = std::max(worst, std::abs(interpolated(e) - exact(e)) / scale(e));
+    if (const double one = interpolated(e) == exact(e) ? 0 : std::abs(interpolated(e) - exact(e)) / scale(e); !(one <= worst)) worst = one;
   return worst;
 }
 
@@ -180,9 +180,10 @@ std::optional<DesignFamily> DesignFamily::fitted(const Source& source, const Fam
     const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
     const auto design = asked(point);
     if (!design || packed(*design).size() != entries || design->rows != first->rows || design->rows_on_velocity != first->rows_on_velocity) return std::nullopt;
-    family.worst_ = std::max(family.worst_, difference(family.entries(point), packed(*design), scales(*design)));
+    const double worst = difference(family.entries(point), packed(*design), scales(*design));
+    if (!(worst <= reproduced_within)) return std::nullopt;  // nor what is not a number
+    family.worst_ = std::max(family.worst_, worst);
   }
-  if (!(family.worst_ <= reproduced_within)) return std::nullopt;
   return family;
 }
 

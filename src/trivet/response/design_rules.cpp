@@ -41,6 +41,7 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
 }
 
 double margin(const DesignRule& rule, double value) {
+  if (std::isnan(value)) return 0;  // nothing unknown is ever kept
   if (rule.kind == DesignRule::Kind::no_peak && value > rule.allowed) return (1 + rule.allowed) / (1 + value);
   return value > 0 ? rule.allowed / value : infinity;
 }

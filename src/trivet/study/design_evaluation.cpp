@@ -18,6 +18,13 @@
 namespace trivet::study {
 namespace {
 
+/// Kept or not is decided before the margin is rounded.
+DesignOutcome outcome_of(const response::Governing& least) {
+  auto margin = static_cast<float>(least.margin);
+  if (least.margin < 1 && margin >= 1) margin = std::nextafter(1.0F, 0.0F);
+  return {margin, static_cast<std::uint8_t>(least.rule)};
+}
+
 constexpr std::size_t assembled_piece = 4;  // designs, each of milliseconds
 constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
 
@@ -134,7 +141,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
       values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
     }
     const response::Governing least = response::governing(set_, values);
-    outcomes[d] = {static_cast<float>(least.margin), static_cast<std::uint8_t>(least.rule)};
+    outcomes[d] = outcome_of(least);
     ++proven;
   }
   const std::lock_guard lock(noting);
@@ -163,10 +170,7 @@ std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& s
 }
 
 foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
-  Node changes = change_of(x_keys_, point.x, request_.x.unit);
-  foundation::Problems problems;
-  apply_changes(changes, change_of(y_keys_, point.y, request_.y.unit), "", problems);
-  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  const std::vector<Node> changes = {change_of(x_keys_, point.x, request_.x.unit), change_of(y_keys_, point.y, request_.y.unit)};
   const std::lock_guard lock(reading);
   return changed_system(case_, changes);
 }
@@ -178,12 +182,17 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
   if (a.layout.size() != b.layout.size()) return false;
   const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations), of_b = assembly::harmonic_loading(*there, b, request_.excitations);
   const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.dynamic_stiffness(1, 1).rows());
-  for (const double omega : {0.7, 13.0, 211.0}) {  // three frequencies tell K, B and A apart
+  // Three frequencies tell K, B and A apart; within what tables define.
+  double lowest = std::max(set_.band.from, 1e-3 * (std::isfinite(set_.band.to) ? set_.band.to : 211.0)), highest = std::isfinite(set_.band.to) ? set_.band.to : 211.0;
+  for (const assembly::Assembled* m : {&a, &b})
+    for (const assembly::ElementMap& map : m->elements) lowest = std::max(lowest, map.defined_from), highest = std::min(highest, map.defined_to);
+  if (!(lowest < highest)) return false;
+  for (const double omega : {lowest, std::sqrt(lowest * highest), highest}) {
     const auto scaled = [&](const assembly::Assembled& m) -> Eigen::MatrixXcd { return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal(); };
     const Eigen::MatrixXcd of_case = scaled(a);
-    if ((of_case - scaled(b)).cwiseAbs().maxCoeff() > response::DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff()) return false;
+    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <= response::DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff())) return false;
     const Eigen::VectorXcd load = assembly::exact_right_side(a, of_a, omega, omega);
-    if ((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() > response::DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff()) return false;
+    if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <= response::DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff())) return false;
   }
   return true;
 }
@@ -231,7 +240,7 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   }
   try {
     const response::Governing least = judged(*system).governing;
-    return {static_cast<float>(least.margin), static_cast<std::uint8_t>(least.rule)};
+    return outcome_of(least);
   } catch (const foundation::NotComputable& reason) {
     note_missing(index, DesignOutcome::not_computed, "not computed", reason.what());
   } catch (const foundation::InvalidInput& reason) {

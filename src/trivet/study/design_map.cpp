@@ -75,7 +75,10 @@ std::vector<double> refined_crossings(DesignEvaluation& evaluation, const MapReq
     foundation::report_progress(progress, "boundary", 1 - static_cast<double>(open.size()) / static_cast<double>(edges.size()));
     std::vector<double> t;
     for (const std::size_t e : open) t.push_back(brackets[e].next());
-    const auto found = evaluation.evaluate(open.size(), [&](std::size_t k) { return value_at(request, on_edge(grid, edges[open[k]], t[k])); });
+    const foundation::Progress interruptible = [&](std::string_view, double) {
+      foundation::report_progress(progress, "boundary", 1 - static_cast<double>(open.size()) / static_cast<double>(edges.size()));
+    };
+    const auto found = evaluation.evaluate(open.size(), [&](std::size_t k) { return value_at(request, on_edge(grid, edges[open[k]], t[k])); }, interruptible);
     for (std::size_t k = 0; k < open.size(); ++k) brackets[open[k]].see(t[k], level(found[k]));
   }
   std::vector<double> crossings;
@@ -139,8 +142,8 @@ std::vector<MapMark> marks(const Project& project, const MapRequest& request, co
     const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
     MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), false, {}, ""};
     if (request.cases ? !listed : !mark.placed()) continue;
-    mark.of_this_model = mark.placed() && evaluation.is_at(c.system, {*mark.x, *mark.y});
     try {
+      mark.of_this_model = mark.placed() && evaluation.is_at(c.system, {*mark.x, *mark.y});
       mark.judged = evaluation.judged(c.system);
     } catch (const foundation::NotComputable& reason) {
       mark.failure = reason.what();

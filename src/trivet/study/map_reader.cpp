@@ -115,6 +115,8 @@ std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& na
     const Node& value = *reader.node(name);
     if (!names.component(name, usual)) {
       reader.error(name, "no such answer", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"", "check the name");
+    } else if (value.kind == Node::Kind::array && value.items.empty()) {
+      reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
     } else if (value.kind == Node::Kind::array) {
       for (const Node& item : value.items) read_limit(reader, name, item, names, usual, limits);
     } else {
@@ -134,6 +136,9 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
     map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
+  if (request.quantity == assembly::Quantity::velocity && !words->empty())
+    map.error("no_peak", "asked of velocities", "a velocity vanishes at rest and at high frequency, so that its highest peak rises without bound in every design",
+              "take quantity = \"displacement\"; limits may name velocities by their unit");
   request.no_peak = *words;
 }
 
@@ -169,8 +174,8 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     reader.error("y", "\"" + request.y.parameter + "\" on both axes", "a map has two different parameters", "name another number");
   if (static_cast<double>(request.x.points) * request.y.points > most_designs)
     reader.error("x", fmt::format("{} × {} designs", request.x.points, request.y.points), fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
-  if (reader.has("band")) request.band = read_band(reader, "band");
-  if (reader.has("excitations")) request.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
+  if (reader.node("band")) request.band = read_band(reader, "band");
+  if (reader.node("excitations")) request.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity) request.quantity = derivatives[*quantity == "velocity" ? 1 : *quantity == "acceleration" ? 2 : 0];
   request.limits = read_limits_of_map(reader, names, request.quantity);

@@ -111,7 +111,7 @@ const Case* Project::find(const std::string& name) const {
   return found == cases.end() ? nullptr : &*found;
 }
 
-foundation::Expected<model::System> changed_system(const Case& variant, const Node& changes) {
+foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
   Node document = variant.document;
   for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
     if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
@@ -119,7 +119,7 @@ foundation::Expected<model::System> changed_system(const Case& variant, const No
       document.keys.erase(at);
     }
   foundation::Problems problems;
-  apply_changes(document, changes, "", problems);
+  for (const Node& change : changes) apply_changes(document, change, "", problems);
   std::string title;
   auto changed = read_case(document, variant.name, title, problems);
   if (changed && !problems.has_errors()) return std::move(changed->system);

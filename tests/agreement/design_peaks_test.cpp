@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/design_peaks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/random_designs.h"
+#include "trivet/numerics/disc_search.h"
+#include "trivet/numerics/instruction_set.h"
+#include "trivet/numerics/peak_count.h"
+
+namespace trivet {
+namespace {
+
+/// Solutions of the search on discs: ε/ζ of the height, ζ ≥ 1e-6, and a margin.
+constexpr double lightly_damped = 2e-8;
+
+struct Searched {
+  double highest = 0;
+  int peaks = 0;
+};
+
+Searched by_discs(const numerics::BandCurve& curve) {
+  std::vector<double> heights = {curve.at_start};
+  for (const numerics::Extremum& e : curve.extrema) heights.push_back(e.amplitude);
+  heights.push_back(curve.at_end);
+  const double highest = *std::max_element(heights.begin(), heights.end());
+  return {highest, numerics::prominent_peaks(heights, 1e-6 * highest).peaks};
+}
+
+std::vector<numerics::ObservedRow> coordinates(Eigen::Index n, int derivative) {
+  std::vector<numerics::ObservedRow> rows;
+  for (Eigen::Index j = 0; j < n; ++j) rows.push_back({Eigen::VectorXd::Unit(n, j), {}, derivative});
+  return rows;
+}
+
+void expect_agreement(const numerics::Designs& designs, const numerics::DesignPeakOptions& options, int every, double tolerance) {
+  const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
+  const Eigen::Index n = designs.coordinates();
+  const int derivative = options.derivative.empty() ? 0 : options.derivative[0];
+  for (Eigen::Index d = 0; d < designs.count(); d += every) {
+    const auto curves = numerics::search_by_discs(test::matrices_of(designs, d), designs.load.row(d).matrix().transpose(), coordinates(n, derivative), options.from, options.to);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Searched expected = by_discs(curves[static_cast<std::size_t>(j)]);
+      EXPECT_NEAR(peaks.highest(d, j), expected.highest, tolerance * expected.highest) << "design " << d << ", coordinate " << j;
+      if (options.count_peaks) {
+        EXPECT_EQ(peaks.peaks(d, j), expected.peaks) << "design " << d << ", coordinate " << j;
+      }
+    }
+  }
+}
+
+TEST(DesignPeaks, HighestAreThoseOfTheSearchOnDiscsWhateverTheDamping) {
+  numerics::DesignPeakOptions options;
+  options.count_peaks = false;
+  expect_agreement(test::random_designs(2400, 6, 1e-6, 1), options, 7, lightly_damped);
+}
+
+TEST(DesignPeaks, AreAsManyAsTheSearchOnDiscsFinds) { expect_agreement(test::random_designs(240, 6, 1e-3, 2), {}, 1, 1e-9); }
+
+TEST(DesignPeaks, OfAccelerationsAreThoseOfTheSearchOnDiscs) {
+  numerics::DesignPeakOptions options;
+  options.derivative.assign(6, 2);
+  expect_agreement(test::random_designs(120, 6, 1e-2, 3), options, 1, 1e-9);
+}
+
+TEST(DesignPeaks, OnABandAreThoseOfTheSearchOnDiscs) {
+  numerics::DesignPeakOptions options;
+  options.from = 5;
+  options.to = 40;
+  expect_agreement(test::random_designs(120, 6, 1e-2, 4), options, 1, 1e-9);
+}
+
+TEST(DesignPeaks, OfOtherNumbersOfCoordinatesAreThoseOfTheSearchOnDiscs) {
+  for (const int n : {2, 3, 9, 13}) expect_agreement(test::random_designs(24, n, 1e-2, 5), {}, 1, 1e-9);
+}
+
+/// An independent view that needs no poles of ours: no value on a fine grid around every natural frequency is higher.
+TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
+  const numerics::Designs designs = test::random_designs(200, 6, 1e-3, 11);
+  const Eigen::ArrayXXd rows = Eigen::MatrixXd::Identity(3, 6).array();
+  Eigen::ArrayXXd on_velocity = Eigen::ArrayXXd::Zero(3, 6);
+  on_velocity.row(2) = 0.01;
+  numerics::DesignPeakOptions together;
+  together.rows = rows;
+  together.rows_on_velocity = on_velocity;
+  together.derivative = {0, 2, 0};
+  const numerics::DesignPeaks all = numerics::design_peaks(designs, together);
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    numerics::DesignPeakOptions alone;
+    alone.rows = rows.row(c);
+    if (c == 2) alone.rows_on_velocity = on_velocity.row(c);
+    alone.derivative = {together.derivative[static_cast<std::size_t>(c)]};
+    const numerics::DesignPeaks one = numerics::design_peaks(designs, alone);
+    for (Eigen::Index d = 0; d < designs.count(); ++d) {
+      EXPECT_NEAR(all.highest(d, c), one.highest(d, 0), 1e-9 * one.highest(d, 0)) << "design " << d << ", answer " << c;
+      EXPECT_EQ(all.peaks(d, c), one.peaks(d, 0)) << "design " << d << ", answer " << c;
+    }
+  }
+}
+
+TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
+  constexpr double miss = 1e-3;
+  const numerics::Designs designs = test::random_designs(20'000, 6, 1e-6, 6);
+  numerics::DesignPeakOptions options;
+  options.count_peaks = false;
+  const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
+  for (Eigen::Index d = 0; d < designs.count(); d += 10) {
+    const numerics::DynamicMatrices m = test::matrices_of(designs, d);
+    const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
+    for (double omega = 0.01; omega < 1000; omega *= 1.07) {
+      const Eigen::VectorXcd q = m.at(omega).partialPivLu().solve(load);
+      for (Eigen::Index j = 0; j < 6; ++j) ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
+    }
+    ASSERT_NE(peaks.status[static_cast<std::size_t>(d)], numerics::DesignStatus::undecided) << d;
+  }
+}
+
+TEST(DesignPeaks, AreTheSameBytesFromOneAndSixteenThreads) {
+  const numerics::Designs designs = test::random_designs(1500, 6, 1e-2, 7);
+  numerics::DesignPeakOptions options;
+  options.count_peaks = false;
+  options.threads = 1;
+  const numerics::DesignPeaks one = numerics::design_peaks(designs, options);
+  options.threads = 16;
+  const numerics::DesignPeaks many = numerics::design_peaks(designs, options);
+  EXPECT_TRUE((one.highest == many.highest).all());
+  EXPECT_TRUE((one.highest_at == many.highest_at).all());
+  EXPECT_EQ(one.status, many.status);
+}
+
+TEST(DesignPeaks, AreThoseOfEveryInstructionSet) {
+  const numerics::Designs designs = test::random_designs(240, 6, 1e-2, 8);
+  const numerics::DesignPeaks best = numerics::design_peaks(designs);
+  for (const std::string& set : numerics::instruction_sets()) {
+    numerics::use_instruction_set(set);
+    const numerics::DesignPeaks other = numerics::design_peaks(designs);
+    numerics::use_instruction_set("");
+    EXPECT_LE((other.highest / best.highest - 1).abs().maxCoeff(), 1e-10) << set;
+    EXPECT_TRUE((other.peaks == best.peaks).all()) << set;
+    EXPECT_GE(std::count(other.status.begin(), other.status.end(), numerics::DesignStatus::proven), 200) << set;
+  }
+}
+
+}  // namespace
+}  // namespace trivet

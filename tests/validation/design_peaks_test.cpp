@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/design_peaks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet {
+namespace {
+
+using numerics::DesignStatus;
+
+/// One mass of 2 kg on 200 N/m, ω0 = 10 rad/s, under 3 N, at these damping ratios.
+numerics::Designs single_masses(const std::vector<double>& zeta) {
+  const auto count = static_cast<Eigen::Index>(zeta.size());
+  numerics::Designs designs{Eigen::ArrayXXd::Constant(count, 1, 2), Eigen::ArrayXXd(count, 1), Eigen::ArrayXXd::Constant(count, 1, 200), Eigen::ArrayXXd::Constant(1, 1, 3)};
+  for (Eigen::Index i = 0; i < count; ++i) designs.B(i, 0) = 2 * zeta[static_cast<std::size_t>(i)] * 20;
+  return designs;
+}
+
+/// Round-off of the decay rate, a few units of the frequency: ε/ζ of the height.
+double tolerance(double zeta) { return 1e-13 + 8 * std::numeric_limits<double>::epsilon() / zeta; }
+
+TEST(DesignPeaks, OfASingleMassStandBelowItsNaturalFrequency) {  // [Ewins2000]: ω0 √(1 − 2ζ²), F/k / (2ζ√(1 − ζ²))
+  const std::vector<double> zeta = {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.7};
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));
+  for (std::size_t i = 0; i < zeta.size(); ++i) {
+    const auto d = static_cast<Eigen::Index>(i);
+    const double z = zeta[i], height = 3.0 / 200 / (2 * z * std::sqrt(1 - z * z));
+    EXPECT_NEAR(peaks.highest(d, 0), height, tolerance(z) * height) << z;
+    EXPECT_NEAR(peaks.highest_at(d, 0), 10 * std::sqrt(1 - 2 * z * z), 1e-8) << z;
+    EXPECT_EQ(peaks.peaks(d, 0), 1) << z;
+    EXPECT_NEAR(peaks.largest_rise(d, 0), height / 0.015 - 1, 1e-9 + tolerance(z) * height / 0.015) << z;
+    EXPECT_EQ(peaks.status[i], DesignStatus::proven) << z;
+  }
+}
+
+TEST(DesignPeaks, AreNoneFromSeventyOnePercentOfCriticalDampingOn) {
+  const std::vector<double> zeta = {0.7072, 0.8, 0.999, 1, 1.0001, 3, 100};
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));
+  for (std::size_t i = 0; i < zeta.size(); ++i) {
+    const auto d = static_cast<Eigen::Index>(i);
+    EXPECT_NEAR(peaks.highest(d, 0), 0.015, 1e-14) << zeta[i];
+    EXPECT_EQ(peaks.highest_at(d, 0), 0) << zeta[i];
+    EXPECT_EQ(peaks.peaks(d, 0), 0) << zeta[i];
+    EXPECT_NE(peaks.status[i], DesignStatus::undecided) << zeta[i];
+  }
+}
+
+TEST(DesignPeaks, WithoutDampingAreInfiniteAlsoOnTheEdgeOfTheBand) {
+  for (const auto& [from, to] : {std::pair{10.0, 20.0}, {5.0, 10.0}, {5.0, 20.0}}) {
+    numerics::DesignPeakOptions options;
+    options.from = from;
+    options.to = to;
+    EXPECT_TRUE(std::isinf(numerics::design_peaks(single_masses({0}), options).highest(0, 0))) << from << " … " << to;
+  }
+}
+
+TEST(DesignPeaks, OfAMachineThatMovesInOneDirectionOnlyAreProvenInAll) {
+  numerics::Designs designs{Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 6)};
+  for (int i = 0; i < 6; ++i) {
+    const int diagonal = i * (i + 1) / 2 + i;
+    designs.A(0, diagonal) = 2;
+    designs.K(0, diagonal) = 200 * (i + 1);
+    designs.B(0, diagonal) = 4;
+  }
+  designs.load(0, 0) = 3;
+  const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
+  EXPECT_EQ(peaks.status[0], DesignStatus::proven);
+  EXPECT_NEAR(peaks.highest(0, 0), 0.015 / (0.2 * std::sqrt(0.99)), 1e-12);
+  EXPECT_EQ(peaks.peaks(0, 0), 1);
+  EXPECT_TRUE((peaks.highest.rightCols(5) == 0).all() && (peaks.peaks.rightCols(5) == 0).all());
+}
+
+TEST(DesignPeaks, OfVelocityStandAtTheNaturalFrequencyWhateverTheDamping) {
+  const std::vector<double> zeta = {1e-3, 0.2, 0.9, 4};
+  numerics::DesignPeakOptions options;
+  options.derivative = {1};
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta), options);
+  for (std::size_t i = 0; i < zeta.size(); ++i) {
+    const auto d = static_cast<Eigen::Index>(i);
+    EXPECT_NEAR(peaks.highest_at(d, 0), 10, 1e-6) << zeta[i];
+    EXPECT_NEAR(peaks.highest(d, 0), 3 / (2 * zeta[i] * 20), 1e-11 / zeta[i]) << zeta[i];
+    EXPECT_EQ(peaks.peaks(d, 0), 1) << zeta[i];
+  }
+}
+
+TEST(DesignPeaks, OfAccelerationRiseToTheForceOverTheMassWhereDampingIsHeavy) {
+  numerics::DesignPeakOptions options;
+  options.derivative = {2};
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses({0.1, 0.8}), options);
+  EXPECT_NEAR(peaks.highest(0, 0), 1.5 / (0.2 * std::sqrt(1 - 0.01)), 1e-12);
+  EXPECT_NEAR(peaks.highest_at(0, 0), 10 / std::sqrt(1 - 0.02), 1e-8);
+  EXPECT_EQ(peaks.peaks(0, 0), 1);
+  EXPECT_NEAR(peaks.highest(1, 0), 1.5, 1e-12);
+  EXPECT_TRUE(std::isinf(peaks.highest_at(1, 0)));
+  EXPECT_EQ(peaks.peaks(1, 0), 0);
+}
+
+TEST(DesignPeaks, OfTheForceOnTheGroundHaveSpringAndDamper) {  // [Ewins2000]: |T|² = (1 + (2ζr)²) / ((1 − r²)² + (2ζr)²)
+  const double zeta = 0.3, r = std::sqrt((std::sqrt(1 + 8 * zeta * zeta) - 1) / (4 * zeta * zeta));
+  const double damping = 2 * zeta * r, expected = 3 * std::sqrt((1 + damping * damping) / (std::pow(1 - r * r, 2) + damping * damping));
+  numerics::DesignPeakOptions options;
+  options.rows = Eigen::ArrayXXd::Constant(1, 1, 200);
+  options.rows_on_velocity = Eigen::ArrayXXd::Constant(1, 1, 2 * zeta * 20);
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses({zeta}), options);
+  EXPECT_NEAR(peaks.highest(0, 0), expected, 1e-12 * expected);
+  EXPECT_NEAR(peaks.highest_at(0, 0), 10 * r, 1e-8);
+  EXPECT_EQ(peaks.peaks(0, 0), 1);
+}
+
+TEST(DesignPeaks, OutsideTheBandAreNotCountedAndItsEndIsTheHighest) {
+  numerics::DesignPeakOptions options;
+  options.to = 9;
+  const numerics::DesignPeaks below = numerics::design_peaks(single_masses({0.01}), options);
+  EXPECT_EQ(below.peaks(0, 0), 0);
+  EXPECT_EQ(below.highest_at(0, 0), 9);
+  EXPECT_NEAR(below.highest(0, 0), 3 / std::hypot(200 - 162.0, 0.4 * 9), 1e-14);
+  options.from = 11;
+  options.to = 20;
+  EXPECT_EQ(numerics::design_peaks(single_masses({0.01}), options).highest_at(0, 0), 11);
+}
+
+TEST(DesignPeaks, AreInfiniteWithoutDamping) {
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses({0}));
+  EXPECT_TRUE(std::isinf(peaks.highest(0, 0)));
+  EXPECT_NEAR(peaks.highest_at(0, 0), 10, 1e-12);
+  EXPECT_EQ(peaks.peaks(0, 0), 1);
+}
+
+TEST(DesignPeaks, OfAnImpossibleMassAreNotGiven) {
+  numerics::Designs designs = single_masses({0.1, 0.1});
+  designs.A(0, 0) = -2;
+  const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
+  EXPECT_EQ(peaks.status[0], DesignStatus::impossible);
+  EXPECT_EQ(peaks.highest(0, 0), 0);
+  EXPECT_EQ(peaks.status[1], DesignStatus::proven);
+}
+
+TEST(DesignPeaks, RefuseABandThatIsEmpty) {
+  numerics::DesignPeakOptions options;
+  options.from = 3;
+  options.to = 3;
+  EXPECT_THROW((void)numerics::design_peaks(single_masses({0.1}), options), foundation::InvalidInput);
+}
+
+}  // namespace
+}  // namespace trivet
