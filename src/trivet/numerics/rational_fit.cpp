@@ -23,8 +23,11 @@ class Loewner {
 
   void add_node(Eigen::Index node) {
     const Eigen::Index functions = values_.rows(), old = static_cast<Eigen::Index>(nodes_.size());
-    for (const Eigen::MatrixXcd& block : {Eigen::MatrixXcd(rows_.middleRows(node * functions, functions))}) gram_ -= block.adjoint() * block;
-    rows_.middleRows(node * functions, functions).setZero();
+    if (old > 0) {
+      auto rows_of_node = rows_.middleRows(node * functions, functions);
+      gram_ -= rows_of_node.adjoint() * rows_of_node;
+      rows_of_node.setZero();
+    }
     nodes_.push_back(node);
     Eigen::VectorXcd column = Eigen::VectorXcd::Zero(values_.size());
     for (Eigen::Index k = 0; k < x_.size(); ++k)
