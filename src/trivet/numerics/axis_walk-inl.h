@@ -9,8 +9,11 @@
 #define TRIVET_NUMERICS_AXIS_WALK_INL_H_
 #endif
 
+#include <bit>
+#include <cstdint>
+
 #include "trivet/numerics/found_extremum.h"
-#include "trivet/numerics/squared_response-inl.h"
+#include "trivet/numerics/square_poles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -18,9 +21,7 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// What of a walk is the same for all curves of a pack.
 template <typename Size>
 struct WalkedPack {
-  PairPack z[most_pairs];     ///< poles in x
-  LaneMask real[most_pairs];
-  Size count;
+  SquarePoles<Size> poles;
   Pack from, to;              ///< of x; both finite
   LaneMask asked;             ///< lanes with good roots
 };
@@ -30,8 +31,10 @@ struct WalkedCurve {
   SquaredResponse f;
   Pack best;                  ///< highest value of f seen on the band
   Pack sign;                  ///< of the slope, last known: −1, 1, or 0
+  Pack covered_from, covered_to;  ///< where nothing is higher than `best`, as is known already
   // of the panel at hand
-  Pack p0, p1, p2, rest;
+  Pack p0, p1, p2;            ///< its slope at the middle is p0 + p1 (x − centre) + p2 (x − centre)² …
+  Pack start, rest;           ///< slope at its start, and what the slope may be off
   Pack most;                  ///< f is nowhere higher
   Pack after;                 ///< sign at its end; 0 if not known
 };
@@ -48,54 +51,43 @@ constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
 constexpr double round_off = 1e-15;
 constexpr double low_share = 0.01;    ///< of what a peak must rise by: a curve that is lower has no peak that counts
+constexpr double most_doubt = 0.2;    ///< of the same: heights that round-off hides are taken as they are below
 /// The remainder of f'' against that of f' over the half panel: its terms i ≥ 5 count i times, on average fewer than 6.5 times.
 constexpr double slope_of_rest = 7;
 
 /// Half width of the panel that starts at x so that it is `share` of the distance of its middle from the nearest pole; a little less by
 /// (4a + 3b)/5 ≤ √(a² + b²).
 template <typename Size>
-HWY_INLINE Pack half_width(const WalkedPack<Size>& pack, const Pack& x, const Pack& share) {
+HWY_NOINLINE Pack half_width(const SquarePoles<Size>& poles, const Pack& x, const Pack& share) {
   const Pack square = hn::Mul(share, share);
   Pack least = all(1e300);
-  for (int k = 0; k < pack.count; ++k) {
-    const Pack nearest = hn::IfThenElse(pack.real[k], hn::Max(pack.z[k].first, pack.z[k].second), pack.z[k].first);
-    const Pack aside = hn::IfThenElse(pack.real[k], hn::Zero(Lanes()), hn::Mul(all(0.9), hn::Abs(pack.z[k].second)));
+  each(poles.count, [&](int k) TRIVET_LANES {
+    const Pack b = hn::Abs(poles.aside[k]), nearest = hn::IfThenElse(poles.real[k], hn::Add(poles.centre[k], b), poles.centre[k]);
+    const Pack aside = hn::IfThenZeroElse(poles.real[k], hn::Mul(all(0.9), b));
     const Pack ahead = hn::Sub(x, nearest), a = hn::Abs(ahead);
     const Pack large = hn::Max(a, aside), small = hn::Min(a, aside);
     const Pack distance = hn::Max(large, hn::MulAdd(all(0.8), large, hn::Mul(all(0.6), small)));
     least = hn::Min(least, hn::MulAdd(square, ahead, hn::Mul(share, distance)));
-  }
+  });
   return hn::Div(least, hn::Sub(all(1.0), square));
 }
 
 template <typename Size>
-HWY_INLINE void form_powers(const WalkedPack<Size>& pack, const Pack& centre, const Pack& half, PanelPowers* powers) {
-  for (int k = 0; k < pack.count; ++k) {
-    const LaneMask real = pack.real[k];
+HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre, const Pack& half, PanelPowers* powers) {
+  each(poles.count, [&](int k) TRIVET_LANES {
     PanelPowers& p = powers[k];
-    const PairPack d = {hn::Sub(centre, pack.z[k].first), hn::IfThenElse(real, hn::Sub(centre, pack.z[k].second), hn::Neg(pack.z[k].second))};
-    p.w[0] = inverse(real, d);
-    p.w[1] = times(real, p.w[0], p.w[0]);
-    p.w[2] = times(real, p.w[1], p.w[0]);
-    p.w[3] = times(real, p.w[1], p.w[1]);
-    p.w[4] = times(real, p.w[2], p.w[1]);
-    p.w[5] = times(real, p.w[2], p.w[2]);
-    // |w| from above: a + (√2 − 1) b ≥ √(a² + b²), b ≤ a
-    const Pack re = hn::Abs(p.w[0].first), im = hn::Abs(p.w[0].second);
-    const Pack modulus = hn::IfThenElse(real, re, hn::MulAdd(all(0.41422), hn::Min(re, im), hn::Max(re, im)));
+    p.w[0] = reach(poles, k, centre);
+    const Pack unit_aside = hn::Mul(poles.unit[k], p.w[0].second);
+    for (int m = 1; m < 6; ++m) p.w[m] = times_turned(p.w[m - 1], p.w[0], unit_aside);
+    const Pack modulus = modulus_above(poles.real[k], p.w[0]), aside = hn::Abs(p.w[0].second), r = hn::Mul(half, modulus);
     // Σ_{i ≥ 5} (i + 1) ρⁱ and Σ_{i ≥ 5} (i + 1)(i + 2) ρⁱ from above, ρ ≤ 0.47
-    const auto fifth = [](const Pack& r) HWY_ATTR { return hn::Mul(hn::Mul(hn::Mul(r, r), hn::Mul(r, r)), r); };
-    const auto tail = [&](const Pack& r) HWY_ATTR {
-      return hn::Mul(fifth(r), hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(18.7), all(8.0)), all(7.0)), all(6.0)));
-    };
-    const Pack r = hn::Mul(half, modulus);
-    p.plain = hn::Mul(hn::Mul(modulus, modulus), hn::Add(tail(r), all(round_off)));
-    const Pack turned_tail = hn::Mul(fifth(r), hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(207.0), all(72.0)), all(56.0)), all(42.0)));
-    // |Im wᵐ| ≤ m |Im w| |w|ᵐ⁻¹; of a real pair the second root on its own
-    const Pack turned = hn::Mul(hn::Mul(modulus, im), hn::Add(turned_tail, all(2 * round_off)));
-    const Pack second = hn::Mul(hn::Mul(im, im), hn::Add(tail(hn::Mul(half, im)), all(round_off)));
-    p.turned = hn::IfThenElse(real, second, turned);
-  }
+    const Pack square = hn::Mul(r, r), fifth = hn::Mul(hn::Mul(square, square), r);
+    const Pack tail = hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(18.7), all(8.0)), all(7.0)), all(6.0)));
+    const Pack turned_tail = hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(207.0), all(72.0)), all(56.0)), all(42.0)));
+    p.plain = hn::Mul(hn::Mul(modulus, modulus), hn::Add(tail, all(round_off)));
+    // The part of wᵐ that belongs to j is at most m |b| |w|ᵐ⁻¹.
+    p.turned = hn::Mul(hn::Mul(modulus, aside), hn::Add(turned_tail, all(2 * round_off)));
+  });
 }
 
 struct WalkOptions {
@@ -105,44 +97,47 @@ struct WalkOptions {
 
 /// Slope of one curve on the panel at hand. @return lanes where nothing more is to be found out
 template <typename Size>
-HWY_INLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
+HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
                            WalkedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
   Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, rest = zero;
-  for (int k = 0; k < pack.count; ++k) {
+  each(pack.poles.count, [&](int k) TRIVET_LANES {
     const PairPack C = curve.f.C[k];
     const PanelPowers& p = powers[k];
-    value = hn::MulAdd(C.first, p.w[0].first, hn::MulAdd(C.second, p.w[0].second, value));
-    s0 = hn::MulAdd(C.first, p.w[1].first, hn::MulAdd(C.second, p.w[1].second, s0));
-    s1 = hn::MulAdd(C.first, p.w[2].first, hn::MulAdd(C.second, p.w[2].second, s1));
-    s2 = hn::MulAdd(C.first, p.w[3].first, hn::MulAdd(C.second, p.w[3].second, s2));
-    s3 = hn::MulAdd(C.first, p.w[4].first, hn::MulAdd(C.second, p.w[4].second, s3));
-    s4 = hn::MulAdd(C.first, p.w[5].first, hn::MulAdd(C.second, p.w[5].second, s4));
+    value = sum_of(C, p.w[0], value);
+    s0 = sum_of(C, p.w[1], s0);
+    s1 = sum_of(C, p.w[2], s1);
+    s2 = sum_of(C, p.w[3], s2);
+    s3 = sum_of(C, p.w[4], s3);
+    s4 = sum_of(C, p.w[5], s4);
     rest = hn::MulAdd(hn::Abs(C.first), p.plain, hn::MulAdd(hn::Abs(C.second), p.turned, rest));
-  }
-  const Pack p0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2);
-  const Pack square = hn::Mul(half, half), linear = hn::Mul(half, p1), bent = hn::Mul(square, p2);
-  const Pack cubic = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)), quartic = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
-  const Pack size0 = hn::Abs(p0), size1 = hn::Abs(linear), size2 = hn::Abs(bent), size3 = hn::Abs(cubic), size4 = hn::Abs(quartic);
-  const Pack others = hn::Add(hn::Add(size3, size4), rest);
-  const Pack start = hn::Add(hn::Sub(p0, linear), bent), end = hn::Add(hn::Add(p0, linear), bent);
-  // The parabola keeps its distance from 0 at both ends and, where it lies between, at its vertex.
-  const Pack upright = hn::CopySign(all(1.0), p0);
-  const LaneMask ends = hn::Gt(hn::Min(hn::Mul(upright, start), hn::Mul(upright, end)), others);
-  const LaneMask vertex = hn::Or(hn::Or(hn::Ge(size1, hn::Add(size2, size2)), hn::Le(hn::Mul(p0, bent), zero)),
-                                 hn::Gt(hn::Mul(hn::Mul(all(4.0), hn::Sub(size0, others)), size2), hn::Mul(size1, size1)));
-  const LaneMask steady = hn::And(hn::And(ends, vertex), hn::Gt(size0, others));
-  const Pack bends = hn::MulAdd(all(2.0), size2, hn::MulAdd(all(3.0), size3, hn::Mul(all(4.0), size4)));
-  const LaneMask monotonic = hn::Gt(size1, hn::MulAdd(all(slope_of_rest), rest, bends));
-  const Pack at_end = hn::Add(end, hn::Add(cubic, quartic));
-  // A coordinate that nothing moves has nothing to find.
-  const LaneMask at_rest = hn::And(hn::Eq(value, zero), hn::Eq(hn::Add(hn::Add(size0, size1), hn::Add(size2, others)), zero));
-  const LaneMask turns = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(at_end), rest))), known = hn::Or(turns, at_rest);
-  curve.p0 = p0, curve.p1 = p1, curve.p2 = p2, curve.rest = others;
-  curve.after = hn::IfThenElseZero(turns, hn::CopySign(all(1.0), at_end));
-  const Pack swing = hn::Mul(half, hn::Add(hn::Add(size0, others), hn::MulAdd(all(0.5), size1, hn::Mul(all(1.0 / 3), size2))));
+  });
+  // The slope at centre + t half, |t| ≤ 1, is Σ cᵢ tⁱ and a remainder.
+  const Pack square = hn::Mul(half, half);
+  const Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1), c2 = hn::Mul(square, p2);
+  const Pack c3 = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)), c4 = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
+  // Bernstein's coefficients: the polynomial lies between the least and the largest, its own slope between twice their differences.
+  const Pack even = hn::Add(c0, c4), odd = hn::Add(c1, c3), middle = hn::Mul(all(0.5), hn::Sub(c1, c3)), ends = hn::Add(even, c2), inner = hn::Sub(c0, c4);
+  const Pack b0 = hn::Sub(ends, odd), b1 = hn::Sub(inner, middle), b2 = hn::NegMulAdd(all(1.0 / 3), c2, even), b3 = hn::Add(inner, middle), b4 = hn::Add(ends, odd);
+  const Pack lowest = hn::Min(hn::Min(hn::Min(b0, b1), hn::Min(b3, b4)), b2), highest = hn::Max(hn::Max(hn::Max(b0, b1), hn::Max(b3, b4)), b2);
+  const LaneMask steady = hn::Gt(hn::Max(lowest, hn::Neg(highest)), rest);
+  const Pack d0 = hn::Sub(b1, b0), d1 = hn::Sub(b2, b1), d2 = hn::Sub(b3, b2), d3 = hn::Sub(b4, b3);
+  const Pack least_bend = hn::Min(hn::Min(d0, d1), hn::Min(d2, d3)), most_bend = hn::Max(hn::Max(d0, d1), hn::Max(d2, d3));
+  const LaneMask monotonic = hn::Gt(hn::Max(least_bend, hn::Neg(most_bend)), hn::Mul(all(0.5 * slope_of_rest), rest));
+  const LaneMask turns = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(b4), rest)));
+  curve.p0 = c0, curve.p1 = p1, curve.p2 = p2, curve.start = b0, curve.rest = rest;
+  curve.after = hn::IfThenElseZero(turns, hn::CopySign(all(1.0), b4));
+  const Pack swing = hn::Mul(half, hn::Add(rest, hn::Max(hn::Abs(lowest), hn::Abs(highest))));
   curve.most = hn::Add(value, swing);
-  if (!options.every_extremum) return hn::Or(known, hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
+  // A coordinate that nothing moves has nothing to find.
+  const LaneMask known = hn::Or(turns, hn::And(hn::Eq(value, zero), hn::Eq(swing, zero)));
+  if (!options.every_extremum) {
+    const LaneMask covered = hn::And(hn::Ge(hn::Sub(centre, half), curve.covered_from), hn::Le(hn::Add(centre, half), curve.covered_to));
+    curve.after = hn::IfThenZeroElse(covered, curve.after);
+    curve.start = hn::IfThenElse(covered, hn::Neg(all(1.0)), curve.start);
+    curve.sign = hn::IfThenZeroElse(covered, curve.sign);
+    return hn::Or(hn::Or(known, covered), hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
+  }
   // So low that no peak is there, or so flat that none is hidden. (The slope of |y|² is 2|y| times that of |y|.)
   constexpr double flat_share = 0.03, flat_top = 1e-10;
   const Pack matters = hn::Mul(all(options.matters * options.matters), curve.best), change = hn::Add(swing, swing);
@@ -153,87 +148,101 @@ HWY_INLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powe
 }
 
 /// Where the sign has changed on a panel that is left behind.
-HWY_INLINE void note_change(const WalkedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half, bool every, int channel,
+HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half, bool every, int channel,
                             FoundExtrema& found) {
   const Pack zero = hn::Zero(Lanes());
-  const Pack linear = hn::Mul(half, curve.p1), bent = hn::Mul(half, hn::Mul(half, curve.p2));
   LaneMask changed = hn::And(left, hn::Lt(hn::Mul(curve.sign, curve.after), zero));
   if (!every) {
     // What was passed by as too low leaves no sign: then that at the start of the panel counts.
-    const Pack start = hn::Sub(hn::Add(curve.p0, bent), linear);
-    const LaneMask rising = hn::Or(hn::Gt(curve.sign, zero), hn::And(hn::Eq(curve.sign, zero), hn::Gt(start, hn::Neg(curve.rest))));
+    const LaneMask rising = hn::Or(hn::Gt(curve.sign, zero), hn::And(hn::Eq(curve.sign, zero), hn::Gt(curve.start, hn::Neg(curve.rest))));
     changed = hn::And(hn::And(left, rising), hn::And(hn::Lt(curve.after, zero), hn::Ge(curve.most, hn::Mul(all(1 - 1e-13), curve.best))));
   }
   if (hn::AllFalse(Lanes(), changed)) return;
   const Pack first = hn::Neg(hn::Div(curve.p0, curve.p1));
   const Pack second = hn::Neg(hn::Div(hn::MulAdd(hn::Mul(curve.p2, first), first, curve.p0), curve.p1));
   const Pack root = hn::Max(hn::Neg(half), hn::Min(half, second));
-  HWY_ALIGN double at[8], lower[8], upper[8], after[8], flags[8];
+  HWY_ALIGN double at[8], lower[8], upper[8], after[8];
   hn::Store(hn::Add(centre, root), Lanes(), at);
   hn::Store(hn::Sub(centre, half), Lanes(), lower);
   hn::Store(hn::Add(centre, half), Lanes(), upper);
   hn::Store(curve.after, Lanes(), after);
-  hn::Store(hn::IfThenElseZero(changed, all(1.0)), Lanes(), flags);
-  for (int lane = 0; lane < lane_count(); ++lane)
-    if (flags[lane] != 0) found.push_back({lane, channel, at[lane], lower[lane], upper[lane], after[lane] < 0});
+  std::uint8_t flags[8] = {};
+  hn::StoreMaskBits(Lanes(), changed, flags);
+  for (unsigned left_over = flags[0]; left_over != 0; left_over &= left_over - 1) {
+    const int lane = std::countr_zero(left_over);
+    found.push_back({lane, channel, at[lane], lower[lane], upper[lane], after[lane] < 0});
+  }
 }
 
 /// The next place where it pays to look again when only the highest values are asked: some widths of a resonance before or behind it.
 template <typename Size>
-HWY_INLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
+HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
   constexpr double widths = 6;
+  const SquarePoles<Size>& poles = pack.poles;
   Pack stop = pack.to;
-  for (int k = 0; k < pack.count; ++k) {
-    const Pack aside = hn::Mul(all(widths), hn::Abs(pack.z[k].second));
-    for (const Pack& at : {hn::Sub(pack.z[k].first, aside), hn::Add(pack.z[k].first, aside)})
-      stop = hn::IfThenElse(hn::AndNot(pack.real[k], hn::And(hn::Gt(at, x), hn::Lt(at, stop))), at, stop);
-  }
+  each(poles.count, [&](int k) TRIVET_LANES {
+    const Pack aside = hn::Mul(all(widths), hn::Abs(poles.aside[k]));
+    for (const Pack& at : {hn::Sub(poles.centre[k], aside), hn::Add(poles.centre[k], aside)})
+      stop = hn::IfThenElse(hn::AndNot(poles.real[k], hn::And(hn::Gt(at, x), hn::Lt(at, stop))), at, stop);
+  });
   return stop;
 }
 
 /// Lanes where every curve stays below its best value between x and `stop`, by the distances of the poles alone.
 template <typename Size>
-HWY_INLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x, const Pack& stop) {
-  PairPack most[most_pairs];
-  for (int k = 0; k < pack.count; ++k) {
-    const LaneMask real = pack.real[k];
-    const Pack a = pack.z[k].first, b = hn::Abs(pack.z[k].second);
-    const Pack away = hn::Max(hn::Zero(Lanes()), hn::Max(hn::Sub(x, a), hn::Sub(a, stop)));
-    const Pack inverse_square = hn::Div(all(1.0), hn::IfThenElse(real, hn::Sub(x, a), hn::MulAdd(away, away, hn::Mul(b, b))));
-    const Pack distance = hn::MulAdd(all(0.41422), hn::Min(away, b), hn::Max(away, b));
-    most[k] = {hn::IfThenElse(real, inverse_square, hn::Mul(distance, inverse_square)), hn::Mul(b, inverse_square)};
-    if (!hn::AllFalse(Lanes(), real)) most[k].second = hn::IfThenElse(real, hn::Div(all(1.0), hn::Sub(x, pack.z[k].second)), most[k].second);
-  }
+HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x, const Pack& stop) {
+  const SquarePoles<Size>& poles = pack.poles;
+  PairPack most[Size::most];  // |a| and |b| of 1/(x − z) = a + b j
+  each(poles.count, [&](int k) TRIVET_LANES {
+    const Pack a = poles.centre[k], b = hn::Abs(poles.aside[k]), away = hn::Max(hn::Max(hn::Sub(x, a), hn::Sub(a, stop)), hn::Zero(Lanes()));
+    Pack square = hn::MulAdd(away, away, hn::Mul(b, b)), distance = hn::MulAdd(all(0.41422), hn::Min(away, b), hn::Max(away, b));
+    if (poles.any_real) {
+      square = hn::IfThenElse(poles.real[k], hn::Mul(hn::Sub(x, poles.z[k].first), hn::Sub(x, poles.z[k].second)), square);
+      distance = hn::IfThenElse(poles.real[k], away, distance);
+    }
+    const Pack scale = reciprocal(square);
+    most[k] = {hn::Mul(distance, scale), hn::Mul(b, scale)};
+  });
   LaneMask below = hn::Eq(x, x);
   for (int c = 0; c < channels && !hn::AllFalse(Lanes(), below); ++c) {
     const SquaredResponse& f = curves[c].f;
     Pack value = hn::MulAdd(hn::Abs(f.slope), stop, hn::Abs(f.constant));
-    for (int k = 0; k < pack.count; ++k)
+    each(poles.count, [&](int k) TRIVET_LANES {
       value = hn::MulAdd(hn::Abs(f.C[k].first), most[k].first, hn::MulAdd(hn::Abs(f.C[k].second), most[k].second, value));
-    below = hn::And(below, hn::Lt(value, hn::Mul(all(1 - 1e-13), curves[c].best)));
+    });
+    const LaneMask covered = hn::And(hn::Ge(x, curves[c].covered_from), hn::Le(stop, curves[c].covered_to));
+    below = hn::And(below, hn::Or(covered, hn::Lt(value, hn::Mul(all(1 - 1e-13), curves[c].best))));
   }
   return below;
 }
 
+/// Passes from stop to stop as far as nothing there can be the highest.
+template <typename Size>
+HWY_NOINLINE LaneMask hop(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, Pack& x, LaneMask live) {
+  LaneMask hopping = live;
+  while (!hn::AllFalse(Lanes(), hopping)) {
+    const Pack stop = next_stop(pack, x);
+    hopping = hn::And(hopping, stays_below(pack, curves, channels, x, stop));
+    x = hn::IfThenElse(hopping, stop, x);
+    for (int c = 0; c < channels; ++c) curves[c].sign = hn::IfThenZeroElse(hopping, curves[c].sign);
+    hopping = hn::And(hopping, hn::Lt(x, pack.to));
+  }
+  return hn::And(live, hn::Lt(x, pack.to));
+}
+
 /// @return lanes whose walk came to its end
 template <typename Size>
-HWY_INLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options, FoundExtrema& found) {
-  PanelPowers powers[most_pairs];
+HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options, FoundExtrema& found) {
+  PanelPowers powers[Size::most];
   Pack x = pack.from, share = all(most_share);
   LaneMask live = hn::And(pack.asked, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);
-  for (int step = 0; step < most_steps && !hn::AllFalse(Lanes(), live); ++step) {
-    if (!options.every_extremum) {
-      const Pack stop = next_stop(pack, x);
-      const LaneMask passed = hn::And(live, stays_below(pack, curves, channels, x, stop));
-      x = hn::IfThenElse(passed, stop, x);
-      for (int c = 0; c < channels; ++c) curves[c].sign = hn::IfThenZeroElse(passed, curves[c].sign);
-      live = hn::And(live, hn::Lt(x, pack.to));
-      if (hn::AllTrue(Lanes(), hn::Or(passed, hn::Not(live)))) continue;
-    }
-    const Pack remaining = hn::Mul(all(0.5), hn::Sub(pack.to, x)), possible = half_width(pack, x, share);
+  for (int step = 0; step < most_steps; ++step) {
+    if (!options.every_extremum) live = hop(pack, curves, channels, x, live);
+    if (hn::AllFalse(Lanes(), live)) break;
+    const Pack remaining = hn::Mul(all(0.5), hn::Sub(pack.to, x)), possible = half_width(pack.poles, x, share);
     const LaneMask last = hn::Ge(possible, remaining);
     const Pack half = hn::Min(possible, remaining), centre = hn::Add(x, half);
-    form_powers(pack, centre, half, powers);
+    form_powers(pack.poles, centre, half, powers);
     LaneMask left = live;
     for (int c = 0; c < channels && !hn::AllFalse(Lanes(), left); ++c) left = hn::And(left, settle(pack, powers, centre, half, options, curves[c]));
     if (!hn::AllFalse(Lanes(), left))

@@ -16,8 +16,7 @@ PeakCount prominent_peaks(std::span<const double> heights, double least) {
     for (std::size_t k = i; k-- > 0 && heights[k] <= height;) left = std::min(left, heights[k]);
     for (std::size_t k = i + 1; k < heights.size() && heights[k] <= height; ++k) right = std::min(right, heights[k]);
     const double prominence = std::isinf(height) ? std::numeric_limits<double>::infinity() : height - std::max(left, right);
-    constexpr double near = 0.02;
-    result.close = result.close || std::abs(prominence - least) < near * least;
+    result.closest = std::min(result.closest, std::abs(prominence / least - 1));
     if (!(prominence > least)) continue;
     ++result.peaks;
     result.largest_rise = std::max(result.largest_rise, std::isinf(height) ? height : prominence / (height - prominence));

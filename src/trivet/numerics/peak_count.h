@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <span>
 
 namespace trivet::numerics {
@@ -8,7 +9,7 @@ namespace trivet::numerics {
 struct PeakCount {
   int peaks = 0;
   double largest_rise = 0;  ///< of these over the higher of those minima: height / minimum − 1
-  bool close = false;      ///< some prominence is within 2 % of `least`
+  double closest = std::numeric_limits<double>::infinity();  ///< how near a prominence comes to `least`: smallest |prominence / least − 1|
 };
 
 /// Peaks among the heights along a curve, its ends first and last, whose prominence (height above the higher of the two minima that part

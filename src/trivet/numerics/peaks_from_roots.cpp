@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
-#include "trivet/numerics/axis_walk-inl.h"
+#include "trivet/numerics/certain_top-inl.h"
 #include "trivet/numerics/peak_count.h"
 #include "trivet/numerics/root_table.h"
 
@@ -18,17 +19,15 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 HWY_INLINE Pack from_table(const double* row, int lane) { return hn::LoadU(Lanes(), row + lane); }
 
+/// Values of all curves at x, which may be their highest.
 template <typename Size>
-HWY_INLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
-  PairPack w[most_pairs];
-  for (int k = 0; k < pack.count; ++k)
-    w[k] = inverse(pack.real[k], {hn::Sub(x, pack.z[k].first), hn::IfThenElse(pack.real[k], hn::Sub(x, pack.z[k].second), hn::Neg(pack.z[k].second))});
+HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
+  PairPack w[Size::most];
+  each(pack.poles.count, [&](int k) TRIVET_LANES { w[k] = reach(pack.poles, k, x); });
   for (int c = 0; c < channels; ++c) {
-    Pack value = hn::MulAdd(curves[c].f.slope, x, curves[c].f.constant);
-    for (int k = 0; k < pack.count; ++k)
-      value = hn::MulAdd(curves[c].f.C[k].first, w[k].first, hn::MulAdd(curves[c].f.C[k].second, w[k].second, value));
-    curves[c].best = hn::Max(curves[c].best, value);
-    if (values) values[c] = value;
+    values[c] = hn::MulAdd(curves[c].f.slope, x, curves[c].f.constant);
+    each(pack.poles.count, [&](int k) TRIVET_LANES { values[c] = sum_of(curves[c].f.C[k], w[k], values[c]); });
+    curves[c].best = hn::Max(curves[c].best, values[c]);
   }
 }
 
@@ -36,42 +35,39 @@ HWY_INLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCu
 /// same form, with poles 1/z, and one panel reaches from there to u = 0.
 /// @param complete  leaves the lanes where that is proven
 template <typename Size>
-HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
+HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
                                   LaneMask& complete) {
   constexpr int most_doublings = 40;
+  const SquarePoles<Size>& poles = pack.poles;
   WalkedPack<Size> inverted = pack;
   Pack begins = hn::Add(pack.from, pack.from);
-  PairPack weight[most_pairs];
-  for (int k = 0; k < pack.count; ++k) {
-    const LaneMask real = pack.real[k];
-    const Pack a = hn::Abs(pack.z[k].first), b = hn::Abs(pack.z[k].second);
-    begins = hn::Max(begins, hn::Mul(all(2.0), hn::IfThenElse(real, hn::Max(a, b), hn::Add(a, b))));
-    inverted.z[k] = inverse(real, pack.z[k]);
-    weight[k] = all(-1.0) * times(real, inverted.z[k], inverted.z[k]);
+  PairPack weight[Size::most];
+  for (int k = 0; k < poles.count; ++k) {
+    begins = hn::Max(begins, hn::Mul(all(2.0), hn::Add(hn::Abs(poles.centre[k]), hn::Abs(poles.aside[k]))));
+    inverted.poles.z[k] = inverse(poles.real[k], poles.z[k]);
+    weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
   }
+  place(inverted.poles);
   WalkedCurve curve;
   for (int c = 0; c < channels; ++c) {
     const bool proper = question.rows[static_cast<std::size_t>(c)].on_velocity.size() == 0;
     curve = curves[c];
     curve.f.slope = hn::Zero(Lanes());
-    for (int k = 0; k < pack.count; ++k) {
-      const LaneMask real = pack.real[k];
-      const PairPack C = {curve.f.C[k].first, hn::IfThenElse(real, curve.f.C[k].second, hn::Neg(curve.f.C[k].second))};
-      const PairPack turned = times(real, C, weight[k]);
-      const PairPack part = times(real, C, inverted.z[k]);
-      curve.f.C[k] = {turned.first, hn::IfThenElse(real, turned.second, hn::Neg(turned.second))};
-      curve.f.constant = hn::Sub(curve.f.constant, hn::Add(part.first, hn::IfThenElse(real, part.second, hn::Zero(Lanes()))));
+    for (int k = 0; k < poles.count; ++k) {
+      const LaneMask real = poles.real[k];
+      const PairPack C = at_poles(real, curve.f.C[k]), part = times(real, C, inverted.poles.z[k]);
+      curve.f.C[k] = for_half_sum(real, times(real, C, weight[k]));
+      curve.f.constant = hn::Sub(curve.f.constant, hn::Mul(all(0.5), hn::IfThenElse(real, hn::Add(part.first, part.second), hn::Add(part.first, part.first))));
     }
     // Slopes that vanish at u = 0 keep their sign while they are monotonic.
     const bool flat_at_infinity = proper && question.rows[static_cast<std::size_t>(c)].derivative == 0;
     LaneMask settled = hn::Not(pack.asked);
     for (int doubling = 0; doubling < most_doublings; ++doubling) {
-      PanelPowers powers[most_pairs];
+      PanelPowers powers[Size::most];
       const Pack half = hn::Div(all(0.5), begins);
-      form_powers(inverted, half, half, powers);
+      form_powers(inverted.poles, half, half, powers);
       settled = settle(inverted, powers, half, half, options, curve);
-      const Pack start = hn::Sub(hn::MulAdd(hn::Mul(half, half), curve.p2, curve.p0), hn::Mul(half, curve.p1));
-      if (!flat_at_infinity) settled = hn::And(settled, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(start, curve.after), curve.rest)));
+      if (!flat_at_infinity) settled = hn::And(settled, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
       settled = hn::Or(settled, hn::Not(pack.asked));
       if (hn::AllTrue(Lanes(), settled)) break;
       begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
@@ -83,9 +79,9 @@ HWY_INLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurv
 
 /// Signs of the slopes where the walk begins; 0 where round-off hides them.
 template <typename Size>
-HWY_INLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
-  PanelPowers powers[most_pairs];
-  form_powers(pack, pack.from, hn::Zero(Lanes()), powers);
+HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
+  PanelPowers powers[Size::most];
+  form_powers(pack.poles, pack.from, hn::Zero(Lanes()), powers);
   const WalkOptions options{false, 0};
   for (int c = 0; c < channels; ++c) {
     settle(pack, powers, pack.from, hn::Zero(Lanes()), options, curves[c]);
@@ -95,68 +91,97 @@ HWY_INLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, i
   }
 }
 
-struct LaneStore {
-  alignas(64) double z[most_pairs][2][table_lanes], real[most_pairs][table_lanes];
-  std::vector<double> C;  ///< [channel][pair, constant and slope][2][lane]
-  int pairs = 0;
-  double* of(int channel, int pair, int part) { return C.data() + (((channel * (pairs + 1)) + pair) * 2 + part) * table_lanes; }
+/// What is known of all curves of all lanes, for extrema that stand in any of them.
+template <typename Size>
+class LaneStore {
+ public:
+  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels)
+      : count_(poles.count), of_channel_(static_cast<std::size_t>((poles.count + 1) * 2)), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+    for (int k = 0; k < count_; ++k) {
+      hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
+      hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
+      hn::StoreU(hn::IfThenElseZero(poles.real[k], all(1.0)), Lanes(), real_[k]);
+    }
+    for (int c = 0; c < channels; ++c) {
+      double* to = C_.data() + static_cast<std::size_t>(c) * of_channel_ * table_lanes;
+      const auto keep = [&](const Pack& numbers) HWY_ATTR {
+        hn::StoreU(numbers, Lanes(), to);
+        to += table_lanes;
+      };
+      for (int k = 0; k < count_; ++k) {
+        keep(curves[c].f.C[k].first);
+        keep(curves[c].f.C[k].second);
+      }
+      keep(curves[c].f.constant);
+      keep(curves[c].f.slope);
+    }
+  }
+
+  /// The curve of each extremum in a lane of its own; the last again where they end.
+  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, SquaredResponse& f) const {
+    const hn::RebindToSigned<Lanes> integers;
+    HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
+    for (int i = 0; i < lane_count(); ++i) {
+      const FoundExtremum& e = found[std::min(i, count - 1)];
+      lane[i] = e.lane;
+      curve[i] = e.channel * static_cast<std::int64_t>(of_channel_) * table_lanes + e.lane;
+    }
+    const auto of_lane = hn::Load(integers, lane), of_curve = hn::Load(integers, curve);
+    poles.count = count_;
+    for (int k = 0; k < count_; ++k) {
+      poles.z[k] = {hn::GatherIndex(Lanes(), z_[k][0], of_lane), hn::GatherIndex(Lanes(), z_[k][1], of_lane)};
+      poles.real[k] = hn::Gt(hn::GatherIndex(Lanes(), real_[k], of_lane), hn::Zero(Lanes()));
+    }
+    place(poles);
+    const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
+    f.constant = number(of_channel_ - 2);
+    f.slope = number(of_channel_ - 1);
+  }
+
+ private:
+  Size count_;
+  std::size_t of_channel_;
+  alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes];
+  std::vector<double> C_;  ///< [channel][pair, constant and slope][2][lane]
 };
 
-/// Halley's steps on f' = 0 within the panels, eight extrema at once.
-HWY_INLINE void refine(LaneStore& store, FoundExtrema& found) {
-  constexpr int steps = 4;
-  const int lanes = lane_count(), n = store.pairs;
+/// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
+template <typename Size>
+HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
+  constexpr int most_steps = 4;
+  constexpr double settled = 1e-13;
+  SquarePoles<Size> poles;
+  SquaredResponse f;
   const auto count = static_cast<int>(found.size());
-  for (int begin = 0; begin < count; begin += lanes) {
-    alignas(64) double z[most_pairs][2][table_lanes], C[most_pairs + 1][2][table_lanes], real[most_pairs][table_lanes], at[table_lanes], lower[table_lanes], upper[table_lanes];
-    for (int i = 0; i < lanes; ++i) {
-      const FoundExtremum& e = found[static_cast<std::size_t>(std::min(begin + i, count - 1))];
-      for (int k = 0; k < n; ++k) {
-        real[k][i] = store.real[k][e.lane];
-        for (int part = 0; part < 2; ++part) z[k][part][i] = store.z[k][part][e.lane];
-      }
-      for (int k = 0; k <= n; ++k)
-        for (int part = 0; part < 2; ++part) C[k][part][i] = store.of(e.channel, k, part)[e.lane];
-      at[i] = e.at, lower[i] = e.lower, upper[i] = e.upper;
+  for (int begin = 0; begin < count; begin += lane_count()) {
+    FoundExtremum* e = found.data() + begin;
+    const int taken = std::min(lane_count(), count - begin);
+    store.gather(e, taken, poles, f);
+    alignas(64) double numbers[3][table_lanes];
+    for (int i = 0; i < lane_count(); ++i) {
+      const FoundExtremum& own = e[std::min(i, taken - 1)];
+      numbers[0][i] = own.at, numbers[1][i] = own.lower, numbers[2][i] = own.upper;
     }
-    const Pack lowest = from_table(lower, 0), highest = from_table(upper, 0);
-    const Pack constant = from_table(C[n][0], 0), slope = from_table(C[n][1], 0);
-    Pack x = from_table(at, 0), value = constant, s0 = slope, missed = constant;
-    for (int step = 0; step <= steps; ++step) {
-      value = hn::MulAdd(slope, x, constant);
-      Pack s1 = hn::Zero(Lanes()), s2 = s1;
-      s0 = hn::Zero(Lanes());
-      for (int k = 0; k < n; ++k) {
-        const LaneMask pair = hn::Ne(from_table(real[k], 0), hn::Zero(Lanes()));
-        const Pack z1 = from_table(z[k][0], 0), z2 = from_table(z[k][1], 0), C1 = from_table(C[k][0], 0), C2 = from_table(C[k][1], 0);
-        const PairPack w = inverse(pair, {hn::Sub(x, z1), hn::IfThenElse(pair, hn::Sub(x, z2), hn::Neg(z2))});
-        const PairPack w2 = times(pair, w, w), w3 = times(pair, w2, w), w4 = times(pair, w2, w2);
-        value = hn::MulAdd(C1, w.first, hn::MulAdd(C2, w.second, value));
-        s0 = hn::MulAdd(C1, w2.first, hn::MulAdd(C2, w2.second, s0));
-        s1 = hn::MulAdd(C1, w3.first, hn::MulAdd(C2, w3.second, s1));
-        s2 = hn::MulAdd(C1, w4.first, hn::MulAdd(C2, w4.second, s2));
-      }
-      // f' = slope − s0, f'' = 2 s1, f''' = −6 s2
-      const Pack f1 = hn::Sub(slope, s0), f2 = hn::Add(s1, s1), f3 = hn::Mul(all(-6.0), s2);
-      const Pack halley = hn::Div(hn::Mul(hn::Mul(all(2.0), f1), f2), hn::NegMulAdd(f1, f3, hn::Mul(all(2.0), hn::Mul(f2, f2))));
-      missed = hn::Abs(hn::Mul(f1, halley));
-      if (step < steps) x = hn::Max(lowest, hn::Min(highest, hn::Sub(x, halley)));
+    Pack x = from_table(numbers[0], 0), missed;
+    const Pack lower = from_table(numbers[1], 0), upper = from_table(numbers[2], 0);
+    Slopes s = slopes_at(poles, f, x);
+    for (int i = 0; i <= most_steps; ++i) {
+      const Pack step = step_to_extremum(s);
+      missed = hn::Abs(hn::Mul(s.first, step));
+      if (i == most_steps || hn::AllTrue(Lanes(), hn::Le(missed, hn::Mul(all(settled), s.value)))) break;
+      x = hn::Max(lower, hn::Min(upper, hn::Add(x, step)));
+      s = slopes_at(poles, f, x);
     }
-    alignas(64) double result[3][table_lanes];
-    hn::StoreU(x, Lanes(), result[0]);
-    hn::StoreU(value, Lanes(), result[1]);
-    hn::StoreU(missed, Lanes(), result[2]);
-    for (int i = 0; i < lanes && begin + i < count; ++i) {
-      FoundExtremum& e = found[static_cast<std::size_t>(begin + i)];
-      e.at = result[0][i];
-      e.value = result[1][i];
-      e.missed = result[2][i];
-    }
+    hn::StoreU(x, Lanes(), numbers[0]);
+    hn::StoreU(s.value, Lanes(), numbers[1]);
+    hn::StoreU(missed, Lanes(), numbers[2]);
+    for (int i = 0; i < taken; ++i) e[i].at = numbers[0][i], e[i].value = numbers[1][i], e[i].missed = numbers[2][i];
   }
 }
 
 /// Residues of one channel; zero columns of the rows are skipped.
-HWY_INLINE void residues_of(const RootTable& table, int lane, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
+HWY_NOINLINE void residues_of(const RootTable& table, int lane, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
   for (int k = 0; k < poles.count; ++k) {
     PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())}, rate = sum;
     for (int j = 0; j < table.coordinates; ++j) {
@@ -173,125 +198,169 @@ HWY_INLINE void residues_of(const RootTable& table, int lane, const PolePairs& p
   }
 }
 
-/// Is the height good enough for what is asked: to 1e-10 near the top, else to a share of what a peak must rise by?
-inline bool is_settled(const FoundExtremum& e, double best, const PeakQuestion& question) {
-  constexpr double settled = 1e-10, near_top = 0.25, share = 0.01;
-  const double low = low_share * question.min_prominence;
-  if (question.count_peaks && std::abs(e.value) + e.missed < low * low * best) return true;
-  if (!question.count_peaks || (e.maximum && e.value > near_top * best)) return e.missed <= settled * e.value;
-  return e.missed <= share * question.min_prominence * std::sqrt(best * e.value);
+/// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and where no peaks are counted; ∞ where
+/// the steps towards it did not settle.
+inline double doubt(const FoundExtremum& e, double best, const PeakQuestion& question) {
+  constexpr double settled = 1e-10, near_top = 0.25, none = 0, all = std::numeric_limits<double>::infinity();
+  const double least = question.min_prominence * std::sqrt(best), highest = std::sqrt(std::abs(e.value) + e.missed);
+  // Where the walk passed by as too low, an extremum stands next to it, or the curve goes on as before.
+  if (e.missed <= settled * e.value) return highest > 2 * low_share * least ? none : low_share;
+  if (!question.count_peaks || (e.maximum && e.value > near_top * best)) return all;
+  if (highest < most_doubt * least) return highest / least;
+  const double off = e.missed / (least * std::sqrt(std::abs(e.value)));
+  return off < low_share ? off : all;
 }
 
-/// Curves of as many designs as there are lanes, `lane` first.
+/// Curves of as many designs as there are lanes.
+template <typename Size>
+class PackOfCurves {
+ public:
+  PackOfCurves(Size n, const RootTable& table, const PeakQuestion& question, int lane)
+      : question_(question), lane_(lane), channels_(static_cast<int>(question.rows.size())), curves_(new WalkedCurve[question.rows.size()]),
+        values_(new Pack[(3 + static_cast<std::size_t>(n)) * question.rows.size()]), tops_(new Top[question.count_peaks ? 0 : question.rows.size()]) {
+    form(n, table);
+  }
+
+  void search() {
+    const SquarePoles<Size>& poles = pack_.poles;
+    see_values(pack_, pack_.from, curves_.get(), channels_, at_start());
+    for (int k = 0; k < poles.count; ++k) {
+      const Pack above = hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
+      see_values(pack_, above, curves_.get(), channels_, at_poles() + k * channels_);
+    }
+    see_end();
+    if (!question_.count_peaks) find_tops();
+    first_signs(pack_, curves_.get(), channels_, question_);
+    complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
+    refine(LaneStore<Size>(poles, curves_.get(), channels_), found_);
+  }
+
+  void tell(TablePeaks& peaks) const {
+    const int lanes = lane_count();
+    alignas(64) double complete[table_lanes], numbers[6][table_lanes];
+    hn::StoreU(hn::IfThenElseZero(complete_, all(1.0)), Lanes(), complete);
+    for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = complete[i] != 0;
+    // The extrema of one curve, ascending, as a chain.
+    std::vector<int> first(static_cast<std::size_t>(channels_ * lanes), -1), next(found_.size(), -1);
+    for (std::size_t e = found_.size(); e-- > 0;) {
+      int& head = first[static_cast<std::size_t>(found_[e].channel * lanes + found_[e].lane)];
+      next[e] = head;
+      head = static_cast<int>(e);
+    }
+    std::vector<double> heights;
+    for (int c = 0; c < channels_; ++c) {
+      hn::StoreU(at_start()[c], Lanes(), numbers[0]);
+      hn::StoreU(at_end()[c], Lanes(), numbers[1]);
+      hn::StoreU(curves_[c].best, Lanes(), numbers[2]);
+      if (!question_.count_peaks) {
+        hn::StoreU(hn::IfThenElseZero(tops_[c].settled, tops_[c].value), Lanes(), numbers[3]);
+        hn::StoreU(tops_[c].at, Lanes(), numbers[4]);
+      }
+      for (int i = 0; i < lanes; ++i) {
+        ChannelPeaks& answer = peaks.channels[static_cast<std::size_t>(c * table_lanes + lane_ + i)];
+        answer = {amplitude(numbers[0][i]), question_.from, 0, 0};
+        const auto see = [&](double height, double at) {
+          if (height > answer.highest) answer.highest = height, answer.highest_at = at;
+        };
+        if (!question_.count_peaks) see(amplitude(numbers[3][i]), std::sqrt(numbers[4][i]));
+        double doubtful = 1e-6;  // round-off
+        heights.assign(1, answer.highest);
+        for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0; at = next[static_cast<std::size_t>(at)]) {
+          const FoundExtremum& e = found_[static_cast<std::size_t>(at)];
+          doubtful = std::max(doubtful, doubt(e, numbers[2][i], question_));
+          heights.push_back(amplitude(e.value));
+          if (e.maximum) see(heights.back(), std::sqrt(e.at));
+        }
+        heights.push_back(amplitude(numbers[1][i]));
+        see(heights.back(), question_.to);
+        if (std::isinf(doubtful)) peaks.complete[lane_ + i] = false;
+        if (!question_.count_peaks) continue;
+        const PeakCount count = prominent_peaks(heights, question_.min_prominence * (std::isfinite(answer.highest) ? answer.highest : 0));
+        if (count.closest < 2 * doubtful) peaks.complete[lane_ + i] = false;  // what is in doubt may decide
+        answer.peaks = count.peaks;
+        answer.largest_rise = count.largest_rise;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] WalkOptions options() const { return {question_.count_peaks, question_.min_prominence}; }
+  [[nodiscard]] Pack* at_start() const { return values_.get(); }
+  [[nodiscard]] Pack* at_end() const { return values_.get() + channels_; }
+  [[nodiscard]] Pack* at_poles() const { return values_.get() + 2 * channels_; }  ///< [pole][channel]
+  static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
+
+  void form(Size n, const RootTable& table) {
+    double asked[table_lanes];
+    for (int i = 0; i < lane_count(); ++i) asked[i] = table.good[lane_ + i];
+    pack_.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
+    PolePairs roots;
+    roots.count = pack_.poles.count = n;
+    for (int k = 0; k < n; ++k) {
+      roots.real[k] = pack_.poles.real[k] = hn::Ne(from_table(table.real[k], lane_), hn::Zero(Lanes()));
+      roots.lambda[k] = {from_table(table.first[k], lane_), from_table(table.second[k], lane_)};
+      pack_.poles.z[k] = pole_in_square(roots.real[k], roots.lambda[k]);
+    }
+    place(pack_.poles);
+    pack_.from = all(question_.from * question_.from);
+    pack_.to = all(question_.to * question_.to);
+    PoleProducts products;
+    form_products(roots, products);
+    for (int c = 0; c < channels_; ++c) {
+      const ObservedRow& row = question_.rows[static_cast<std::size_t>(c)];
+      PairPack r[most_pairs];
+      residues_of(table, lane_, roots, row, r);
+      WalkedCurve& curve = curves_[c];
+      form_squared_response(roots, products, r, row.derivative, row.on_velocity.size() == 0, curve.f);
+      curve.best = curve.sign = hn::Zero(Lanes());
+      curve.covered_from = all(1.0);
+      curve.covered_to = all(-1.0);
+    }
+    complete_ = hn::Eq(pack_.from, pack_.from);
+  }
+
+  void see_end() {
+    if (std::isfinite(question_.to)) {
+      see_values(pack_, pack_.to, curves_.get(), channels_, at_end());
+      return;
+    }
+    pack_.to = hn::Max(pack_.from, beginning_of_tail(pack_, curves_.get(), channels_, question_, options(), complete_));
+    for (int c = 0; c < channels_; ++c) {
+      const Pack slope = curves_[c].f.slope;  // a curve that grows without end
+      at_end()[c] = hn::IfThenElse(hn::Gt(slope, hn::Zero(Lanes())), all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
+      curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);
+    }
+  }
+
+  void find_tops() {
+    for (int c = 0; c < channels_; ++c) {
+      Pack above[Size::most];
+      for (int k = 0; k < pack_.poles.count; ++k) above[k] = at_poles()[k * channels_ + c];
+      tops_[c] = find_top(pack_, above, curves_[c]);
+    }
+  }
+
+  const PeakQuestion& question_;
+  int lane_, channels_;
+  WalkedPack<Size> pack_;
+  std::unique_ptr<WalkedCurve[]> curves_;
+  std::unique_ptr<Pack[]> values_;  ///< of all curves at the start, at the end, and above each pole
+  std::unique_ptr<Top[]> tops_;
+  LaneMask complete_;
+  FoundExtrema found_;
+};
+
 template <typename Size>
 void answer(Size n, const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
-  const auto channels = static_cast<int>(question.rows.size());
-  const int lanes = lane_count();
-  const WalkOptions options{question.count_peaks, question.min_prominence};
-  PolePairs poles;
-  WalkedPack<Size> pack;
-  poles.count = n;
-  pack.count = n;
-  double asked[table_lanes];
-  for (int i = 0; i < lanes; ++i) asked[i] = table.good[lane + i];
-  pack.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
-  for (int k = 0; k < n; ++k) {
-    poles.real[k] = pack.real[k] = hn::Ne(from_table(table.real[k], lane), hn::Zero(Lanes()));
-    poles.lambda[k] = {from_table(table.first[k], lane), from_table(table.second[k], lane)};
-    pack.z[k] = pole_in_square(poles.real[k], poles.lambda[k]);
-  }
-  PoleProducts products;
-  form_products(poles, products);
-  const auto curves = std::make_unique<WalkedCurve[]>(static_cast<std::size_t>(channels));
-  const auto values = std::make_unique<Pack[]>(static_cast<std::size_t>(2 * channels));
-  for (int c = 0; c < channels; ++c) {
-    const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
-    PairPack r[most_pairs];
-    residues_of(table, lane, poles, row, r);
-    form_squared_response(poles, products, r, row.derivative, row.on_velocity.size() == 0, curves[c].f);
-    curves[c].best = curves[c].sign = hn::Zero(Lanes());
-  }
-
-  LaneMask complete = hn::Eq(hn::Zero(Lanes()), hn::Zero(Lanes()));
-  pack.from = all(question.from * question.from);
-  pack.to = all(question.to * question.to);
-  see_values(pack, pack.from, curves.get(), channels, values.get());
-  for (int k = 0; k < n; ++k)
-    see_values(pack, hn::Min(hn::Max(hn::IfThenElse(pack.real[k], pack.from, pack.z[k].first), pack.from), pack.to), curves.get(), channels, nullptr);
-  if (std::isfinite(question.to)) {
-    see_values(pack, pack.to, curves.get(), channels, values.get() + channels);
-  } else {
-    pack.to = hn::Max(pack.from, beginning_of_tail(pack, curves.get(), channels, question, options, complete));
-    for (int c = 0; c < channels; ++c) {
-      const Pack slope = curves[c].f.slope;  // a curve that grows without end
-      values[channels + c] = hn::IfThenElse(hn::Gt(slope, hn::Zero(Lanes())), all(std::numeric_limits<double>::infinity()), curves[c].f.constant);
-      curves[c].best = hn::Max(curves[c].best, curves[c].f.constant);
-    }
-  }
-  first_signs(pack, curves.get(), channels, question);
-
-  FoundExtrema found;
-  complete = hn::And(complete, walk(pack, curves.get(), channels, options, found));
-  LaneStore store;
-  store.pairs = n;
-  store.C.resize(static_cast<std::size_t>(channels * (n + 1) * 2 * table_lanes));
-  for (int k = 0; k < n; ++k) {
-    hn::StoreU(pack.z[k].first, Lanes(), store.z[k][0]);
-    hn::StoreU(pack.z[k].second, Lanes(), store.z[k][1]);
-    hn::StoreU(hn::IfThenElseZero(pack.real[k], all(1.0)), Lanes(), store.real[k]);
-  }
-  for (int c = 0; c < channels; ++c) {
-    for (int k = 0; k < n; ++k) {
-      hn::StoreU(curves[c].f.C[k].first, Lanes(), store.of(c, k, 0));
-      hn::StoreU(curves[c].f.C[k].second, Lanes(), store.of(c, k, 1));
-    }
-    hn::StoreU(curves[c].f.constant, Lanes(), store.of(c, n, 0));
-    hn::StoreU(curves[c].f.slope, Lanes(), store.of(c, n, 1));
-  }
-  refine(store, found);
-
-  double ends[2][table_lanes], ok[table_lanes];
-  hn::StoreU(hn::IfThenElseZero(complete, all(1.0)), Lanes(), ok);
-  for (int i = 0; i < lanes; ++i) peaks.complete[lane + i] = ok[i] != 0;
-  alignas(64) double best[table_lanes];
-  // The extrema of one curve, ascending, as a chain.
-  std::vector<int> first(static_cast<std::size_t>(channels * lanes), -1), next(found.size(), -1);
-  for (std::size_t e = found.size(); e-- > 0;) {
-    int& head = first[static_cast<std::size_t>(found[e].channel * lanes + found[e].lane)];
-    next[e] = head;
-    head = static_cast<int>(e);
-  }
-  std::vector<double> heights;
-  for (int c = 0; c < channels; ++c) {
-    hn::StoreU(values[c], Lanes(), ends[0]);
-    hn::StoreU(values[channels + c], Lanes(), ends[1]);
-    hn::StoreU(curves[c].best, Lanes(), best);
-    for (int i = 0; i < lanes; ++i) {
-      const auto amplitude = [](double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); };
-      ChannelPeaks& answer = peaks.channels[static_cast<std::size_t>(c * table_lanes + lane + i)];
-      answer = {amplitude(ends[0][i]), question.from, 0, 0};
-      heights.assign(1, answer.highest);
-      for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0; at = next[static_cast<std::size_t>(at)]) {
-        const FoundExtremum& e = found[static_cast<std::size_t>(at)];
-        if (!is_settled(e, best[i], question)) peaks.complete[lane + i] = false;
-        const double height = amplitude(e.value);
-        heights.push_back(height);
-        if (e.maximum && height > answer.highest) answer.highest = height, answer.highest_at = std::sqrt(e.at);
-      }
-      heights.push_back(amplitude(ends[1][i]));
-      if (heights.back() > answer.highest) answer.highest = heights.back(), answer.highest_at = question.to;
-      if (!question.count_peaks) continue;
-      const PeakCount count = prominent_peaks(heights, question.min_prominence * (std::isfinite(answer.highest) ? answer.highest : 0));
-      if (count.close) peaks.complete[lane + i] = false;  // what passed as low may decide
-      answer.peaks = count.peaks;
-      answer.largest_rise = count.largest_rise;
-    }
-  }
+  PackOfCurves<Size> curves(n, table, question, lane);
+  curves.search();
+  curves.tell(peaks);
 }
 
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
   peaks.channels.resize(question.rows.size() * table_lanes);
-  for (int lane = 0; lane < table_lanes; lane += lane_count()) table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
+  for (int lane = 0; lane < table_lanes; lane += lane_count())
+    table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

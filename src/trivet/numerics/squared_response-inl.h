@@ -38,6 +38,16 @@ HWY_INLINE PairPack operator*(const Pack& a, const PairPack& b) { return {hn::Mu
 /// Half the sum over the pair.
 HWY_INLINE Pack half_sum(const LaneMask& real, const PairPack& a) { return hn::IfThenElse(real, hn::Mul(all(0.5), hn::Add(a.first, a.second)), a.first); }
 
+/// From values at the two roots to the numbers a, b for which half the sum over them of C · w is a w.first + b w.second, w = w.first + w.second j
+/// (square_poles-inl.h); and back.
+HWY_INLINE PairPack for_half_sum(const LaneMask& real, const PairPack& C) {
+  const PairPack half = all(0.5) * C;
+  return {hn::IfThenElse(real, hn::Add(half.first, half.second), C.first), hn::IfThenElse(real, hn::Sub(half.first, half.second), hn::Neg(C.second))};
+}
+HWY_INLINE PairPack at_poles(const LaneMask& real, const PairPack& a) {
+  return {hn::IfThenElse(real, hn::Add(a.first, a.second), a.first), hn::IfThenElse(real, hn::Sub(a.first, a.second), hn::Neg(a.second))};
+}
+
 /// Poles of the response of eight designs.
 struct PolePairs {
   int count = 0;
@@ -45,7 +55,8 @@ struct PolePairs {
   LaneMask real[most_pairs];  ///< two real roots
 };
 
-/// Half of |y|² of eight designs: Σ_k first · first + second · second of C_k and 1/(x − z_k), plus constant + slope x.
+/// Half of |y|² of several designs: Σ_k first · first + second · second of C_k and 1/(x − z_k) as numbers a + b j (square_poles-inl.h), plus
+/// constant + slope x.
 struct SquaredResponse {
   PairPack C[most_pairs];
   Pack constant, slope;
@@ -114,10 +125,7 @@ HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts
       f.C[k] = times(poles.real[k], pole_in_square(poles.real[k], poles.lambda[k]), f.C[k]);
     }
   }
-  for (int k = 0; k < n; ++k) {  // so that first · first + second · second is half the sum over the pair
-    const Pack weight = hn::IfThenElse(poles.real[k], all(0.5), all(1.0));
-    f.C[k] = {hn::Mul(f.C[k].first, weight), hn::Mul(f.C[k].second, hn::IfThenElse(poles.real[k], weight, all(-1.0)))};
-  }
+  for (int k = 0; k < n; ++k) f.C[k] = for_half_sum(poles.real[k], f.C[k]);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The highest maximum of each |y|², found from its resonances, and how far around it nothing can be higher. With y = x − x*, L the part of f that
+// belongs to the pole next to x* and R the rest, f'(x*) = 0 makes
+//   f − f* = (L − L* − L'* y) + (R − R* − R'* y) = −y² (α + β y)/D(x) + (≤ ½ max|R''| y²),
+// D = |x − z|², β = L'*, α = L* + D'* L'*: f is nowhere higher where (α − |β y|)/D stays above ½ max|R''|.
+#if defined(TRIVET_NUMERICS_CERTAIN_TOP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
+#undef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
+#else
+#define TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
+#endif
+
+#include "trivet/numerics/axis_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+/// The highest of a curve's resonances.
+struct Top {
+  Pack at, value;
+  LaneMask settled;  ///< the slope vanishes there as far as can be told, and all around is lower within the range that is covered
+};
+
+/// The part of a curve that belongs to one of its poles, another in each lane.
+struct Resonance {
+  Pack pole, centre, aside, unit;
+  PairPack C;
+};
+
+/// The one whose curve is highest right above its pole.
+template <typename Size>
+HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack* above_poles) {
+  Resonance best{all(0.0), poles.centre[0], poles.aside[0], poles.unit[0], f.C[0]};
+  Pack highest = above_poles[0];
+  each(Fixed<1>(), poles.count, [&](int k) TRIVET_LANES {
+    const LaneMask higher = hn::Gt(above_poles[k], highest);
+    const auto choose = [&](Pack& old, const Pack& own) TRIVET_LANES { old = hn::IfThenElse(higher, own, old); };
+    choose(highest, above_poles[k]);
+    choose(best.pole, all(static_cast<double>(static_cast<int>(k))));
+    choose(best.unit, poles.unit[k]);
+    choose(best.centre, poles.centre[k]);
+    choose(best.aside, poles.aside[k]);
+    choose(best.C.first, f.C[k].first);
+    choose(best.C.second, f.C[k].second);
+  });
+  return best;
+}
+
+/// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that distance times the share.
+template <typename Size>
+HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse& f, const Resonance& own, const Pack& x, Pack& bend, Pack& reach_of_it) {
+  constexpr double share = 0.3, nearer = 1 / (0.7 * 0.7 * 0.7);
+  Pack sum = hn::Zero(Lanes()), nearest = sum;
+  each(poles.count, [&](int k) TRIVET_LANES {
+    const LaneMask same = hn::Eq(own.pole, all(static_cast<double>(k)));
+    const Pack modulus = hn::IfThenZeroElse(same, modulus_above(poles.real[k], reach(poles, k, x)));
+    const Pack size = hn::Add(hn::Abs(f.C[k].first), hn::Abs(f.C[k].second));
+    sum = hn::MulAdd(size, hn::Mul(modulus, hn::Mul(modulus, modulus)), sum);
+    nearest = hn::Max(nearest, modulus);
+  });
+  bend = hn::Mul(all(nearer), sum);
+  reach_of_it = hn::Div(all(share), nearest);
+}
+
+/// @param above_poles  the curve right above each pole (anything low for real ones)
+template <typename Size>
+HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles, WalkedCurve& curve) {
+  constexpr int steps = 3;
+  constexpr double settled = 1e-11, off_centre = 3;
+  const SquaredResponse& f = curve.f;
+  const Resonance own = highest_resonance(pack.poles, f, above_poles);
+  const Pack width = hn::Mul(all(off_centre), own.aside);
+  const Pack from = hn::Max(pack.from, hn::Sub(own.centre, width)), to = hn::Min(pack.to, hn::Add(own.centre, width));
+  Pack x = hn::Max(from, hn::Min(to, own.centre));
+  Slopes s = slopes_at(pack.poles, f, x);
+  for (int i = 0; i < steps; ++i) {
+    x = hn::Max(from, hn::Min(to, hn::Add(x, step_to_extremum(s))));
+    s = slopes_at(pack.poles, f, x);
+  }
+  const Pack missed = hn::Abs(hn::Mul(s.first, step_to_extremum(s)));
+  Top top{x, s.value, hn::And(hn::Le(missed, hn::Mul(all(settled), s.value)), hn::And(hn::Gt(x, from), hn::Lt(x, to)))};
+
+  const Pack p = hn::Sub(x, own.centre), D = hn::MulAdd(p, p, hn::Mul(own.aside, own.aside)), twice = hn::Add(p, p);
+  const Pack L = hn::Div(hn::MulAdd(own.C.first, p, hn::Mul(own.C.second, own.aside)), D);
+  const Pack beta = hn::Div(hn::NegMulAdd(L, twice, own.C.first), D), alpha = hn::MulAdd(twice, beta, L);
+  Pack bend, range;
+  bend_of_others(pack.poles, f, own, x, bend, range);
+  // As far as D allows, with some reserve; then is it so at the end of that range, where D is largest and |β y| too?
+  constexpr double reserve = 0.7;
+  const Pack allowed = hn::Sqrt(hn::Max(hn::Zero(Lanes()), hn::Mul(all(reserve), hn::Div(alpha, bend))));
+  range = hn::Min(range, hn::Sub(allowed, hn::Abs(twice)));
+  const Pack largest = hn::MulAdd(range, hn::Add(range, hn::Abs(twice)), D);
+  const LaneMask complex = hn::Lt(own.unit, hn::Zero(Lanes()));
+  const LaneMask proven = hn::And(hn::And(complex, hn::Gt(range, hn::Zero(Lanes()))), hn::Gt(hn::NegMulAdd(hn::Abs(beta), range, alpha), hn::Mul(bend, largest)));
+  top.settled = hn::And(top.settled, proven);
+  curve.covered_from = hn::IfThenElse(top.settled, hn::Sub(x, range), all(1.0));
+  curve.covered_to = hn::IfThenElse(top.settled, hn::Add(x, range), all(-1.0));
+  curve.best = hn::Max(curve.best, s.value);
+  return top;
+}
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
