@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long is a sweep of one six-coordinate machine with general damping, every frequency solved? Beside the paper's loop and the best
 // vectorised form in Octave, NumPy, SciPy, Eigen's fixed-size LU and LAPACK.
+#include "direct.h"
 #include "rivals/fixed_lu.h"
 #include "rivals/lapack.h"
 #include "sweep_problem.h"
@@ -19,17 +20,24 @@ int main() {
   numerics::SweepOptions options, with_errors;
   options.threads = with_errors.threads = 1;
   options.every_backward_error = false;
-  numerics::SweepPlanes planes;
-  const auto ours = [&] { numerics::sweep(matrices, h, problem.omega, planes, options); };
+  numerics::SweepPlanes planes, told, chosen;
+  const auto ours = [&] { solve_directly(matrices, h, problem.omega, planes); };
 
   Eigen::MatrixXcd q(6, count);
   const auto by = [&](SixCoordinateSolver solver) { return [&, solver] { solver(problem.system(), problem.omega.data(), count, q.data()); }; };
   Rival octave("sweep.m", problem.folder()), python("sweep.py", problem.folder());
   ours();
-  Eigen::MatrixXcd answers(6, count);
-  answers.real() = planes.re.transpose();
-  answers.imag() = planes.im.transpose();
-  const double error = problem.check("Trivet", answers);
+  numerics::sweep(matrices, h, problem.omega, told, with_errors);
+  numerics::sweep(matrices, h, problem.omega, chosen, options);
+  const auto check = [&](const char* way, const numerics::SweepPlanes& q) {
+    Eigen::MatrixXcd answers(6, count);
+    answers.real() = q.re.transpose();
+    answers.imag() = q.im.transpose();
+    return problem.check(way, answers);
+  };
+  const double error = check("Trivet", planes);
+  check("Trivet, backward errors told", told);
+  check("Trivet, as it chooses", chosen);
   std::printf("  redone with pivoting: %d\n", planes.fallbacks);
   for (const auto& [name, solver] : {std::pair{"Eigen", &eigen_fixed_lu}, std::pair{"zgesv", &lapack_zgesv}, std::pair{"zsysv", &lapack_zsysv}}) {
     by(solver)();
@@ -40,7 +48,8 @@ int main() {
 
   std::vector<Way> ways{
       here("Trivet, every solution checked", count, ours, solve_flops),
-      here("Trivet, with every backward error told", count, [&] { numerics::sweep(matrices, h, problem.omega, planes, with_errors); }, solve_flops),
+      here("Trivet, with every backward error told", count, [&] { numerics::sweep(matrices, h, problem.omega, told, with_errors); }),
+      here("Trivet, `sweep` as it chooses: by poles", count, [&] { numerics::sweep(matrices, h, problem.omega, chosen, options); }),
       here("Trivet, complex columns in fresh memory", count, [&] { (void)numerics::sweep(matrices, h, problem.omega, options); }, solve_flops),
       octave.way("loop", "Octave, the paper's loop with `\\`", count, 800),
       octave.way("ldlt", "Octave, LDLᵀ vectorised by hand", count),

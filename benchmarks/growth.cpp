@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "chain.h"
+#include "direct.h"
 #include "measure.h"
 #include "random_designs.h"
 #include "trivet/numerics/design_modes.h"
@@ -61,7 +62,7 @@ int main() {
   one_thread.every_backward_error = false;
   grows("frequencies of a direct sweep, 1e3 … 1e6", {1e3, 1e4, 1e5, 1e6}, [&](double size) -> std::function<void()> {
     return [&, omega = even_frequencies(static_cast<std::size_t>(size)), planes = numerics::SweepPlanes()]() mutable {
-      numerics::sweep(matrices, m.load, omega, planes, one_thread);
+      solve_directly(matrices, m.load, omega, planes);
     };
   });
   grows("designs of modes, 1e2 … 1e6", {1e2, 1e3, 1e4, 1e5, 1e6}, [&](double size) -> std::function<void()> {

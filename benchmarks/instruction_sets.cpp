@@ -3,6 +3,7 @@
 #include "trivet/numerics/instruction_set.h"
 
 #include "chain.h"
+#include "direct.h"
 #include "measure.h"
 #include "random_designs.h"
 #include "trivet/numerics/design_modes.h"
@@ -57,7 +58,7 @@ int main() {
   numerics::SweepPlanes planes;
   under_each({"instruction sets, direct sweep", "10,000 frequencies", "frequency"}, 10000, 1e-11, 719,
              [&]() -> const Eigen::ArrayXXd& {
-               numerics::sweep(matrices, m.load, omega, planes, one_thread);
+               solve_directly(matrices, m.load, omega, planes);
                return planes.re;
              });
   const numerics::Designs designs = random_designs(2048);

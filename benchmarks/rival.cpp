@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rival.h"
 
-#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,9 +58,6 @@ Rival::~Rival() {
 std::string Rival::ask(const std::string& request) {
   std::fprintf(to_, "%s\n ", request.c_str());  // Octave looks at the sign after a line before it gives the line
   std::fflush(to_);
-  constexpr int patience = 120'000;  // ms: none of the questions asks for so much
-  pollfd answered{fileno(from_), POLLIN, 0};
-  if (poll(&answered, 1, patience) == 0) throw std::runtime_error(script_ + " does not answer '" + request + "'");
   std::string reply;
   for (int c; (c = std::fgetc(from_)) != '\n';) {
     if (c == EOF) throw std::runtime_error(script_ + " ended at '" + request + "'");

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every frequency solved and checked, whatever their number: `sweep` itself sums over poles where these are proven and many frequencies are asked for,
+// so that its time would say nothing of the solver.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/sweep_plan.h"
+
+namespace trivet::benchmarks {
+
+/// Into `result`, on one thread; the plan is made anew each time.
+inline void solve_directly(const numerics::DynamicMatrices& matrices, const numerics::Load& load, const std::vector<double>& omega,
+                           numerics::SweepPlanes& result) {
+  const auto count = static_cast<long>(omega.size());
+  result.re.resize(count, matrices.size());
+  result.im.resize(count, matrices.size());
+  const numerics::SweepPlan plan(matrices, load);
+  numerics::SweepWorkspace workspace(plan);
+  for (long at = 0; at < count; at += numerics::SweepWorkspace::chunk) {
+    const long taken = std::min(numerics::SweepWorkspace::chunk, count - at);
+    const numerics::sweep_kernels::Planes to{result.re.data() + at, result.im.data() + at, count};
+    const numerics::sweep_kernels::Planes q = workspace.solve(&omega[static_cast<std::size_t>(at)], taken, false, to);
+    for (long j = 0; j < matrices.size() && q.re != to.re; ++j) {  // a chunk that is not full
+      std::copy_n(q.re + j * q.stride, taken, to.re + j * to.stride);
+      std::copy_n(q.im + j * q.stride, taken, to.im + j * to.stride);
+    }
+  }
+  static_cast<numerics::SweepCounts&>(result) = workspace.counts();
+}
+
+}  // namespace trivet::benchmarks
