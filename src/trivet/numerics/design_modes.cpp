@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "trivet/numerics/design_modes.h"
 #include "trivet/numerics/modes-inl.h"
@@ -14,43 +15,58 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Designs first … first + lanes − 1 of one column; the last of them again where they end.
-HWY_INLINE Pack load(const double* column, Eigen::Index first, Eigen::Index last) {
-  const Lanes d;
-  if (first + lane_count() <= last) return hn::LoadU(d, column + first);
-  HWY_ALIGN double buffer[8];
-  for (Eigen::Index lane = 0; lane < lane_count(); ++lane) buffer[lane] = column[std::min(first + lane, last - 1)];
-  return hn::Load(d, buffer);
-}
+/// Columns of a few designs side by side: many columns far apart at once are more than the processor foresees (twice as slow).
+class Tile {
+ public:
+  static constexpr Eigen::Index designs = 64;
 
-HWY_INLINE void store(const Pack& value, double* column, Eigen::Index first, Eigen::Index last) {
-  const Lanes d;
-  if (first + lane_count() <= last) return hn::StoreU(value, d, column + first);
-  HWY_ALIGN double buffer[8];
-  hn::Store(value, d, buffer);
-  std::copy(buffer, buffer + (last - first), column + first);
-}
+  explicit Tile(int columns) : numbers_(static_cast<std::size_t>(columns) * designs) {}
+
+  /// Designs first … first + taken − 1 of all columns; the last of them again where they end.
+  void read(const Eigen::ArrayXXd& from, Eigen::Index first, Eigen::Index taken) {
+    for (Eigen::Index c = 0; c < from.cols(); ++c) {
+      const double* column = from.data() + c * from.rows() + first;
+      double* to = at(static_cast<int>(c), 0);
+      std::fill(std::copy_n(column, taken, to), to + designs, column[taken - 1]);
+    }
+  }
+  void write(Eigen::ArrayXXd& to, Eigen::Index first, Eigen::Index taken) {
+    for (Eigen::Index c = 0; c < to.cols(); ++c) std::copy_n(at(static_cast<int>(c), 0), taken, to.data() + c * to.rows() + first);
+  }
+  [[nodiscard]] double* at(int column, Eigen::Index design) { return numbers_.data() + column * designs + design; }
+
+ private:
+  std::vector<double> numbers_;
+};
 
 template <bool shapes, typename Size>
 void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::Index last, DesignModes& result) {
-  const Eigen::Index count = designs.A.rows();
+  const int entries = n * (n + 1) / 2;
   const Pack nothing = all(std::numeric_limits<double>::quiet_NaN());
-  for (; first < last; first += lane_count()) {
-    Pack a[Size::most * (Size::most + 1) / 2], k[Size::most * (Size::most + 1) / 2];
-    for (int entry = 0; entry < n * (n + 1) / 2; ++entry) {
-      a[entry] = load(designs.A.data() + entry * count, first, last);
-      k[entry] = load(designs.K.data() + entry * count, first, last);
+  Tile A(entries), K(entries), lambda(n), x(shapes ? n * n : 0);
+  for (; first < last; first += Tile::designs) {
+    const Eigen::Index taken = std::min(Tile::designs, last - first);
+    A.read(designs.A, first, taken);
+    K.read(designs.K, first, taken);
+    for (Eigen::Index at = 0; at < taken; at += lane_count()) {
+      Pack a[Size::most * (Size::most + 1) / 2], k[Size::most * (Size::most + 1) / 2];
+      for (int entry = 0; entry < entries; ++entry) {
+        a[entry] = hn::LoadU(Lanes(), A.at(entry, at));
+        k[entry] = hn::LoadU(Lanes(), K.at(entry, at));
+      }
+      PackOfModes<Size> modes;
+      const LaneMask definite = modes_of_pack<shapes>(n, a, k, modes);
+      sort<shapes>(n, modes);
+      for (int i = 0; i < n; ++i) hn::StoreU(hn::IfThenElse(definite, modes.lambda[i], nothing), Lanes(), lambda.at(i, at));
+      if constexpr (shapes)
+        for (int i = 0; i < n * n; ++i) hn::StoreU(hn::IfThenElse(definite, modes.x[i], nothing), Lanes(), x.at(i, at));
+      double verdict[8];
+      hn::StoreU(hn::IfThenElseZero(definite, all(1.0)), Lanes(), verdict);
+      for (Eigen::Index lane = 0; lane < lane_count() && at + lane < taken; ++lane)
+        result.definite[static_cast<std::size_t>(first + at + lane)] = verdict[lane] != 0;
     }
-    PackOfModes<Size> modes;
-    const LaneMask definite = modes_of_pack<shapes>(n, a, k, modes);
-    sort<shapes>(n, modes);
-    for (int i = 0; i < n; ++i) store(hn::IfThenElse(definite, modes.lambda[i], nothing), result.lambda.data() + i * count, first, last);
-    if constexpr (shapes)
-      for (int i = 0; i < n * n; ++i) store(hn::IfThenElse(definite, modes.x[i], nothing), result.shapes.data() + i * count, first, last);
-    double verdict[8];
-    hn::StoreU(hn::IfThenElseZero(definite, all(1.0)), Lanes(), verdict);
-    for (Eigen::Index lane = 0; lane < lane_count() && first + lane < last; ++lane)
-      result.definite[static_cast<std::size_t>(first + lane)] = verdict[lane] != 0;
+    lambda.write(result.lambda, first, taken);
+    x.write(result.shapes, first, taken);
   }
 }
 
@@ -104,11 +120,16 @@ void one_by_one(const Designs& designs, int n, Eigen::Index first, Eigen::Index 
 }  // namespace
 
 DesignModes design_modes(const Designs& designs, const DesignModesOptions& options) {
+  DesignModes result;
+  design_modes(designs, result, options);
+  return result;
+}
+
+void design_modes(const Designs& designs, DesignModes& result, const DesignModesOptions& options) {
   const Eigen::Index count = designs.A.rows(), entries = designs.A.cols();
   const int n = static_cast<int>((std::sqrt(8.0 * static_cast<double>(entries) + 1) - 1) / 2);
   if (n < 1 || n * (n + 1) / 2 != entries || designs.K.cols() != entries || designs.K.rows() != count)
     throw foundation::InvalidInput("designs: A and K must have as many rows and n(n + 1)/2 columns, n ≥ 1");
-  DesignModes result;
   result.lambda.resize(count, n);
   result.shapes.resize(count, options.shapes ? n * n : 0);
   result.definite.resize(static_cast<std::size_t>(count));
@@ -119,7 +140,6 @@ DesignModes design_modes(const Designs& designs, const DesignModesOptions& optio
                                if (n > 12) one_by_one(designs, n, from, to, result);
                                else TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
                              });
-  return result;
 }
 
 }  // namespace trivet::numerics

@@ -26,5 +26,7 @@ struct DesignModesOptions {
 /// By Cholesky with a verdict on the definiteness of each A (scaled to a unit diagonal, Σ 1/eigenvalue < 1/(8 n ε)) and cyclic Jacobi,
 /// a design per lane up to n = 12, above one by one. Small λ beside large ones keep their digits. Needs A and K only.
 [[nodiscard]] DesignModes design_modes(const Designs& designs, const DesignModesOptions& options = {});
+/// The same into memory that can be used again: fresh memory takes as long to reach as the modes themselves.
+void design_modes(const Designs& designs, DesignModes& result, const DesignModesOptions& options = {});
 
 }  // namespace trivet::numerics
