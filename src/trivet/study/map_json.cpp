@@ -41,22 +41,31 @@ Json lines(const DesignMap& map, const std::vector<MapLine>& all) {
   return list;
 }
 
-/// null where a design has no margin or no limit reaches it.
-Json designs(const DesignMap& map) {
-  Json margin = Json::array(), governing = Json::array();
-  for (const DesignOutcome& outcome : map.outcomes) {
-    margin.push_back(outcome.known() ? json::number(std::stod(fmt::format("{}", outcome.margin))) : Json(nullptr));
-    governing.push_back(std::isinf(outcome.margin) ? Json("none") : outcome.known() ? Json(outcome.governing) : outcome.governing == DesignOutcome::no_model ? Json("no model") : Json("not computed"));
-  }
-  return {{"order", "row after row of y, x running"}, {"margin", std::move(margin)}, {"governing", std::move(governing)}};
+/// As text: a million designs would be slow and large as values. null where a design has no margin or no rule limits it.
+std::string grid_text(const DesignMap& map) {
+  std::string text = "{\"order\":\"row after row of y, x running\",\"margin\":[";
+  const auto end = [&] { text.back() = ']'; };  // in place of the last comma
+  for (const DesignOutcome& outcome : map.outcomes)
+    if (outcome.known() && std::isfinite(outcome.margin)) fmt::format_to(std::back_inserter(text), "{},", outcome.margin);
+    else text += "null,";
+  end();
+  text += ",\"governing\":[";
+  for (const DesignOutcome& outcome : map.outcomes)
+    if (!outcome.known()) text += outcome.governing == DesignOutcome::no_model ? "\"no model\"," : "\"not computed\",";
+    else if (std::isinf(outcome.margin)) text += "\"none\",";
+    else fmt::format_to(std::back_inserter(text), "{},", outcome.governing);
+  end();
+  return text + "}";
 }
+
+Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
 
 Json mark(const DesignMap& map, const MapMark& m) {
   Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"words", verdict_words(map, m)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.kept();
   result["margin"] = json::number(m.judged->governing.margin);
-  result["governing"] = m.judged->governing.rule;
+  result["governing"] = governing(m.judged->governing.margin, m.judged->governing.rule);
   result["rules"] = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];
@@ -70,11 +79,7 @@ Json mark(const DesignMap& map, const MapMark& m) {
   return result;
 }
 
-}  // namespace
-
-namespace json {
-
-Json design_map(const DesignMap& map) {
+Json without_grid(const DesignMap& map) {
   Json result{{"case", map.case_name}, {"x", axis(map.request.x)}, {"y", axis(map.request.y)}};
   result["band"] = map.request.band ? Json{map.request.band->from, map.request.band->to} : Json(nullptr);
   result["rules"] = rules(map);
@@ -86,24 +91,36 @@ Json design_map(const DesignMap& map) {
   if (map.best) {
     const DesignPoint p = map.point(*map.best);
     const DesignOutcome& outcome = map.outcomes[*map.best];
-    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", std::isinf(outcome.margin) ? Json("none") : Json(outcome.governing)}, {"kept", outcome.kept()}};
+    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", governing(outcome.margin, outcome.governing)}, {"kept", outcome.kept()},
+                      {"without_bound", map.without_bound}};
   }
   result["marks"] = Json::array();
   for (const MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
   result["way"] = map.report.words();
+  result["evaluation"] = {{"proven", map.report.proven}, {"redone", map.report.redone}, {"one_by_one", map.report.one_by_one}};
   result["missing"] = Json::array();
-  for (const MissingReason& reason : map.report.missing) result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}});
-  result["grid"] = designs(map);
+  for (const MissingReason& reason : map.report.missing) {
+    const DesignPoint p = map.point(reason.first);
+    result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}, {"first", {p.x, p.y}}});
+  }
   return result;
 }
 
-}  // namespace json
+}  // namespace
+
+Json json::design_map(const DesignMap& map) {
+  Json result = without_grid(map);
+  result["grid"] = Json::parse(grid_text(map));
+  return result;
+}
 
 std::string map_json(const Project& project, const DesignMap& map) {
-  Json result = json::design_map(map);
+  Json result = without_grid(map);
   const Case* variant = project.find(map.case_name);
   result["warnings"] = json::warnings(variant ? variant->warnings : foundation::Problems());
-  return result.dump() + "\n";
+  std::string text = result.dump();
+  text.pop_back();
+  return text + ",\"grid\":" + grid_text(map) + "}\n";
 }
 
 std::string map_csv(const DesignMap& map) {
