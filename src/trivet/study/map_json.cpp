@@ -41,21 +41,44 @@ Json lines(const DesignMap& map, const std::vector<MapLine>& all) {
   return list;
 }
 
-/// As text: a million designs would be slow and large as values. null where a design has no margin or no rule limits it.
-std::string grid_text(const DesignMap& map) {
-  std::string text = "{\"order\":\"row after row of y, x running\",\"margin\":[";
-  const auto end = [&] { text.back() = ']'; };  // in place of the last comma
-  for (const DesignOutcome& outcome : map.outcomes)
-    if (outcome.known() && std::isfinite(outcome.margin)) fmt::format_to(std::back_inserter(text), "{},", outcome.margin);
-    else text += "null,";
-  end();
-  text += ",\"governing\":[";
-  for (const DesignOutcome& outcome : map.outcomes)
-    if (!outcome.known()) text += outcome.governing == DesignOutcome::no_model ? "\"no model\"," : "\"not computed\",";
-    else if (std::isinf(outcome.margin)) text += "\"none\",";
-    else fmt::format_to(std::back_inserter(text), "{},", outcome.governing);
-  end();
-  return text + "}";
+/// Hands a text on in pieces.
+class Pieces {
+ public:
+  explicit Pieces(const TextSink& sink) : sink_(sink) {}
+  std::string& text() {
+    if (text_.size() >= piece) hand_on();
+    return text_;
+  }
+  void hand_on() {
+    sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t piece = 1 << 16;
+  const TextSink& sink_;
+  std::string text_;
+};
+
+/// Margins and governing rules; null where a design has no margin or no rule limits it.
+void write_grid(const DesignMap& map, Pieces& out) {
+  out.text() += "{\"order\":\"row after row of y, x running\",\"margin\":[";
+  const char* separator = "";
+  for (const DesignOutcome& outcome : map.outcomes) {
+    if (outcome.known() && std::isfinite(outcome.margin)) fmt::format_to(std::back_inserter(out.text()), "{}{}", separator, outcome.margin);
+    else (out.text() += separator) += "null";
+    separator = ",";
+  }
+  out.text() += "],\"governing\":[";
+  separator = "";
+  for (const DesignOutcome& outcome : map.outcomes) {
+    out.text() += separator;
+    if (!outcome.known()) out.text() += outcome.governing == DesignOutcome::no_model ? "\"no model\"" : "\"not computed\"";
+    else if (std::isinf(outcome.margin)) out.text() += "\"none\"";
+    else fmt::format_to(std::back_inserter(out.text()), "{}", outcome.governing);
+    separator = ",";
+  }
+  out.text() += "]}";
 }
 
 Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
@@ -110,31 +133,48 @@ Json without_grid(const DesignMap& map) {
 
 Json json::design_map(const DesignMap& map) {
   Json result = without_grid(map);
-  result["grid"] = Json::parse(grid_text(map));
+  std::string grid;
+  const TextSink sink = [&](std::string_view piece) { grid += piece; };
+  Pieces pieces(sink);
+  write_grid(map, pieces);
+  pieces.hand_on();
+  result["grid"] = Json::parse(grid);
   return result;
 }
 
-std::string map_json(const Project& project, const DesignMap& map) {
+void write_map_json(const Project& project, const DesignMap& map, const TextSink& sink) {
   Json result = without_grid(map);
   const Case* variant = project.find(map.case_name);
   result["warnings"] = json::warnings(variant ? variant->warnings : foundation::Problems());
-  std::string text = result.dump();
-  text.pop_back();
-  return text + ",\"grid\":" + grid_text(map) + "}\n";
+  std::string head = result.dump();
+  head.pop_back();
+  Pieces pieces(sink);
+  pieces.text() += head + ",\"grid\":";
+  write_grid(map, pieces);
+  pieces.text() += "}\n";
+  pieces.hand_on();
 }
 
-std::string map_csv(const DesignMap& map) {
+void write_map_csv(const DesignMap& map, const TextSink& sink) {
   const auto head = [](const MapAxis& a) { return csv_field(a.unit.empty() ? a.name : a.name + " [" + a.unit + "]"); };
-  std::string text = head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
+  Pieces pieces(sink);
+  pieces.text() += head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
   std::vector<std::string> words;
   for (const MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
     const DesignPoint p = map.point(k);
     const DesignOutcome& o = map.outcomes[k];
+    std::string& text = pieces.text();
     fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
     if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
     else text += o.governing == DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
+  pieces.hand_on();
+}
+
+std::string map_csv(const DesignMap& map) {
+  std::string text;
+  write_map_csv(map, [&](std::string_view piece) { text += piece; });
   return text;
 }
 
