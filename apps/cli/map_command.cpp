@@ -47,7 +47,10 @@ int map_command(const Options& options) {
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
     if (!options.json) write_problems(variant.warnings);
     if (!options.picture.empty()) write_picture(options.picture, report::map_figure(map, project->title).svg);
-    write_output(options.json ? study::map_json(*project, map) : options.csv ? study::map_csv(map) : map_text(map));
+    const study::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
+    if (options.json) study::write_map_json(*project, map, sink);
+    else if (options.csv) study::write_map_csv(map, sink);
+    else write_output(map_text(map));
     return done;
   } catch (const BadArgument& bad) {
     fmt::print(stderr, "error: {}\n", bad.what());

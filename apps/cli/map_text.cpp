@@ -25,6 +25,24 @@ std::string axis_words(const study::MapAxis& axis) {
   return fmt::format("{}{} {:g} … {}, {} points{}", axis.name, path, axis.from, with_unit(axis.to, axis), axis.points, axis.logarithmic ? ", logarithmic" : "");
 }
 
+/// What the rules of this map are asked of.
+std::string rules_text(const study::DesignMap& map) {
+  const auto has = [&](response::DesignRule::Kind kind) { return std::any_of(map.rules.begin(), map.rules.end(), [&](const study::MapRule& rule) { return rule.kind == kind; }); };
+  std::string text;
+  if (has(response::DesignRule::Kind::amplitude))
+    text = map.request.band ? fmt::format("amplitudes over {:g} … {:g} rad/s", map.request.band->from, map.request.band->to) : "amplitudes over all frequencies";
+  if (has(response::DesignRule::Kind::no_peak))
+    text += fmt::format("{}resonance peaks wherever they lie, from {:g} % above the minimum beside them", text.empty() ? "" : "; ", 100 * map.request.peak_tolerance);
+  return "  " + text + "\n";
+}
+
+/// A region smaller than a cell of the grid is not seen.
+std::string coarse_words(const study::DesignMap& map) {
+  constexpr int enough = 21;
+  const int fewest = std::min(map.grid.nx, map.grid.ny);
+  return fewest >= enough ? "" : fmt::format(" (a coarse grid: regions below {:.0f} % of an axis are not seen; take more points)", 100.0 / (fewest - 1));
+}
+
 std::string shares_text(const study::DesignMap& map) {
   std::vector<std::size_t> order(map.rules.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -56,17 +74,18 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
 
 std::string map_text(const study::DesignMap& map) {
   std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
-  text += map.request.band ? fmt::format("  amplitudes over {:g} … {:g} rad/s; resonance peaks wherever they lie, from {:g} % above the minimum beside them\n", map.request.band->from, map.request.band->to, 100 * map.request.peak_tolerance)
-                           : fmt::format("  amplitudes over all frequencies; resonance peaks from {:g} % above the minimum beside them\n", 100 * map.request.peak_tolerance);
-  text += fmt::format("Feasible: {:.2f} % of the map\n", 100 * map.feasible.area);
+  text += rules_text(map);
+  text += fmt::format("Feasible: {:.2f} % of the map{}\n", 100 * map.feasible.area, coarse_words(map));
   if (map.best) {
     const study::DesignOutcome& best = map.outcomes[*map.best];
     text += fmt::format("{}: {}; margin {} ({})\n", best.kept() ? "Best design" : "No design keeps every rule; the nearest", point_words(map, map.point(*map.best)), margin_words(best.margin),
-                        std::isinf(best.margin) ? "no rule limits it" : map.rules[best.governing].words);
+                        std::isinf(best.margin) ? fmt::format("no rule limits {} designs; of these the one farthest from all others and from the frame", map.without_bound)
+                                                : map.rules[best.governing].words);
   }
   text += shares_text(map);
   for (const study::MissingReason& reason : map.report.missing)
-    text += fmt::format("  {} design{} without an answer: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.words);
+    text += fmt::format("  {} design{} without an answer, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)),
+                        reason.words);
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
   return text + "  " + map.report.words() + "\n";

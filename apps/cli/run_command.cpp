@@ -47,10 +47,10 @@ void write_case(study::ResultFolder& folder, const std::string& stem, const stud
   for (const report::Figure& figure : report::further_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
 }
 
-/// The map of the base model; the cases are points on it.
-void add_map(const study::Project& project, const foundation::Progress& step, study::Answers& answers) {
+/// A map where the file asks for one, the cases as points on it.
+void add_map(const study::Project& project, const study::Case& variant, const foundation::Progress& step, study::Answers& answers) {
   try {
-    answers.map = study::design_map(project, project.base(), *project.base().analyses.map, {}, step);
+    answers.map = study::design_map(project, variant, *variant.analyses.map, {}, step);
   } catch (const foundation::NotComputable& reason) {
     answers.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {
@@ -98,7 +98,7 @@ int run_command(const Options& options) {
       report(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task), (static_cast<double>(i) + fraction) / static_cast<double>(project->cases.size()));
     };
     all.push_back(study::answers(variant, variant.analyses, step));
-    if (i == 0 && variant.analyses.map) add_map(*project, step, all.back());
+    if (study::has_own_map(*project, variant)) add_map(*project, variant, step, all.back());
     write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
     text += case_text(variant, all.back());
   }

@@ -57,6 +57,11 @@ class Map(unittest.TestCase):
         self.project = str(self.folder / "one.toml")
         pathlib.Path(self.project).write_text(ONE_MASS)
 
+    def without_limits(self):
+        path = self.folder / "peaks.toml"
+        path.write_text(ONE_MASS.replace('limits = {"mass.z" = "30 mm"}\n', ""))
+        return str(path)
+
     def test_the_text_tells_region_best_design_and_cases(self):
         text = run("map", self.project)[0]
         for words in ("Map of 81 designs", "Feasible: ", "Best design: ", "no peak of mass.z", "good (2, 90 ms): keeps every rule", "base model (1, 50 ms): BREAKS", "poles and residues"):
@@ -91,8 +96,53 @@ class Map(unittest.TestCase):
         run("map", self.project, "--picture", str(picture))
         svg = picture.read_text()
         xml.etree.ElementTree.fromstring(svg)
-        for words in ("elements.spring.damping.proportional [ms]", "every rule is kept", "good", "mass.z ≤ 0.03 m"):
+        for words in ("proportional damping δ of spring [ms]", "elements.spring.damping.proportional", "every rule is kept", "margin = limit / value", "good", "mass.z ≤ 0.03 m"):
             self.assertIn(words, svg)
+
+    def test_the_picture_says_which_cases_it_does_not_show(self):
+        pathlib.Path(self.project).write_text(ONE_MASS + '[cases.far]\nelements.spring.scale = 9\n[cases.heavy]\nbodies.mass.mass = 8\n')
+        picture = self.folder / "map.svg"
+        run("map", self.project, "--picture", str(picture))
+        svg = picture.read_text()
+        self.assertIn("Outside the frame: far (9, 50 ms).", svg)
+        self.assertIn("more than the two numbers: heavy.", svg)
+
+    def test_the_picture_shows_the_nearest_design_where_none_is_feasible(self):
+        picture = self.folder / "map.svg"
+        text = run("map", self.project, "--set", "analyses.map.limits={\"mass.z\"=\"1 mm\"}", "--picture", str(picture))[0]
+        self.assertIn("No design keeps every rule; the nearest: ", text)
+        self.assertIn("nearest design: margin 0.2", picture.read_text())
+
+    def test_the_headline_tells_of_the_rules_that_there_are(self):
+        both = run("map", self.project)[0]
+        peaks = run("map", self.without_limits())[0]
+        amplitudes = run("map", self.project, "--set", "analyses.map.no_peak=[]")[0]
+        self.assertTrue("amplitudes over" in both and "resonance peaks" in both)
+        self.assertTrue("amplitudes over" not in peaks and "resonance peaks" in peaks)
+        self.assertTrue("amplitudes over" in amplitudes and "resonance peaks" not in amplitudes)
+
+    def test_a_coarse_grid_is_called_coarse(self):
+        self.assertIn("a coarse grid: regions below 25 % of an axis", run("map", self.project, "--points", "5")[0])
+        self.assertNotIn("coarse", run("map", self.project, "--points", "21")[0])
+
+    def test_the_best_of_designs_without_bound_stands_in_their_midst(self):
+        found = json.loads(run("map", self.without_limits(), "--points", "41", "--json")[0])
+        self.assertIsNone(found["best"]["margin"])
+        self.assertGreater(found["best"]["without_bound"], 500)
+        self.assertGreater(found["best"]["x"], 1.5)
+        self.assertGreater(found["best"]["y"], 150)
+        self.assertLess(found["best"]["y"], 280)
+        self.assertEqual(found["grid"]["governing"].count("none"), found["best"]["without_bound"])
+
+    def test_a_case_that_asks_for_another_map_has_it_in_the_run(self):
+        pathlib.Path(self.project).write_text(ONE_MASS + '[cases.strict]\nanalyses.map.limits = {"mass.z" = "12 mm"}\n')
+        out = self.folder / "out"
+        text = run("run", self.project, "-o", str(out))[0]
+        self.assertIn("Map of 81 designs of case strict", text)
+        cases = {c["name"]: c for c in json.loads((out / "results.json").read_text())["cases"]}
+        self.assertNotIn("map", cases["good"])
+        self.assertEqual(cases["strict"]["map"]["rules"][0]["allowed"], 0.012)
+        self.assertTrue((out / "02-strict" / "map.svg").exists())
 
     def test_a_run_holds_map_table_picture_and_section(self):
         out = self.folder / "out"

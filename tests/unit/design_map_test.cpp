@@ -110,7 +110,7 @@ TEST(DesignMap, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
                                    "no_peak = \"coordinates\"}\n");
   const study::Project project = test::project(text, {"elements.spring.damping={loss_factor=0.1}"});
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
-  EXPECT_EQ(map.report.in_lanes, 0u);
+  EXPECT_EQ(map.report.proven + map.report.redone, 0u);
   EXPECT_EQ(map.report.one_by_one, 9u);
   EXPECT_THAT(map.report.words(), testing::HasSubstr("loss factors"));
 }
@@ -194,7 +194,7 @@ response::PlainDesign design_of(double k, double b) {
 }
 
 TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
-  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return std::optional(design_of(p.x * p.x, p.y)); }, {0.3, 10}, {0.01, 0.5});
+  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(p.x * p.x, p.y), ""}; }, {0.3, 10, "x"}, {0.01, 0.5, "y"}).family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 3u);  // x² and x² y
   EXPECT_EQ(family->y_nodes(), 2u);
@@ -210,23 +210,35 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
 }
 
 TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
-  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return std::optional(design_of(std::log(p.x), p.y)); }, {1, 1000}, {0.01, 0.5});
+  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(std::log(p.x), p.y), ""}; }, {1, 1000, "x"}, {0.01, 0.5, "y"}).family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 2u);
 }
 
-TEST(DesignFamily, RefusesAKink) {
-  const auto kinked = [](const response::FamilyPoint& p) { return std::optional(design_of(std::abs(p.x - 3.3), p.y)); };
-  EXPECT_FALSE(response::DesignFamily::fitted(kinked, {0.3, 10}, {0.01, 0.5}));
+TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
+  const auto along_x = [](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""}; };
+  const auto along_y = [](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""}; };
+  const auto of_x = response::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}), of_y = response::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
+  EXPECT_FALSE(of_x.family);
+  EXPECT_FALSE(of_y.family);
+  EXPECT_THAT(of_x.reason, testing::EndsWith("smoothly on length"));
+  EXPECT_THAT(of_y.reason, testing::EndsWith("smoothly on delta"));
 }
 
-TEST(DesignFamily, RefusesRowsThatChange) {
+TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
   const auto changing = [](const response::FamilyPoint& p) {
     response::PlainDesign design = design_of(p.x, p.y);
     design.rows(0, 0) = p.x;
-    return std::optional(design);
+    return response::PlainOrNot{design, ""};
   };
-  EXPECT_FALSE(response::DesignFamily::fitted(changing, {0.3, 10}, {0.01, 0.5}));
+  const auto found = response::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
+  EXPECT_FALSE(found.family);
+  EXPECT_THAT(found.reason, testing::HasSubstr("rows change from design to design"));
+}
+
+TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
+  const auto lossy = [](const response::FamilyPoint& p) { return p.x > 5 ? response::PlainOrNot{{}, "loss factors"} : response::PlainOrNot{design_of(p.x, p.y), ""}; };
+  EXPECT_EQ(response::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
 }
 
 }  // namespace

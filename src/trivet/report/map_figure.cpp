@@ -10,6 +10,7 @@
 
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/map_regions.h"
+#include "trivet/report/map_words.h"
 #include "trivet/report/plot_panel.h"
 
 namespace trivet::report {
@@ -56,8 +57,6 @@ struct MapPicture {
     return inside(b) && std::none_of(taken.begin(), taken.end(), [&](const Box& t) { return t.meets(b); });
   }
 };
-
-std::string axis_label(const study::MapAxis& axis) { return axis.unit.empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit); }
 
 /// A sample and its words in the key right of the panel.
 class Key {
@@ -108,14 +107,11 @@ void draw_regions(MapPicture& picture, Key& key) {
 void draw_feasible(MapPicture& picture, Key& key) {
   const study::MapContours& feasible = picture.map.feasible;
   picture.canvas.area(picture.rings(feasible.rings), "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"");
-  for (const study::MarginLine& margin : picture.map.margin_lines)
-    for (const study::MapLine& line : margin.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"");
   for (const study::MapLine& line : feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
   key.heading("Feasible region");
   if (feasible.rings.empty()) return key.words("no design of this map keeps every rule", "");
   key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)", fmt::format("{:.1f} % of the map", 100 * feasible.area));
-  key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: a rule is just kept");
-  if (!picture.map.margin_lines.empty()) key.stroke("stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"", "limit over value, as written");
+  key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
 }
 
 /// Pixels from a point to the nearest of some lines' points, or to the frame.
@@ -127,27 +123,38 @@ double room_at(const MapPicture& picture, PixelPoint p) {
   return room;
 }
 
-/// Written on the longest piece, far from the boundary, where nothing else stands.
-void label_margins(MapPicture& picture) {
-  constexpr double enough = 45;  // pixels of room
+/// On the longest piece of a line, far from the boundary, where nothing else stands.
+std::optional<PixelPoint> label_place(const MapPicture& picture, const study::MarginLine& margin, double half_width) {
+  constexpr double least = 10, enough = 45;  // pixels of room
+  const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (longest == margin.lines.end()) return std::nullopt;
+  double most = least;
+  std::optional<PixelPoint> best;
+  for (std::size_t k = 0; k < longest->size(); k += 1 + longest->size() / 40) {
+    const PixelPoint p = picture.at((*longest)[k]);
+    const double room = std::min(enough, room_at(picture, p));
+    if (room <= most || !picture.is_free({p.x - half_width, p.y - 7, p.x + half_width, p.y + 7})) continue;
+    most = room;
+    best = p;
+  }
+  return best;
+}
+
+/// Lines of equal margin with their numbers; a line without room for its number would say nothing.
+void draw_margins(MapPicture& picture, Key& key) {
+  constexpr const char* style = "stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
+  bool any = false;
   for (const study::MarginLine& margin : picture.map.margin_lines) {
-    const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    if (longest == margin.lines.end()) continue;
     const std::string text = fmt::format("{:g}", margin.margin);
     const double half = 0.5 * width_of(text) + 2;
-    double most = 10;
-    std::optional<PixelPoint> best;
-    for (std::size_t k = 0; k < longest->size(); k += 1 + longest->size() / 40) {
-      const PixelPoint p = picture.at((*longest)[k]);
-      const double room = std::min(enough, room_at(picture, p));
-      if (room <= most || !picture.is_free({p.x - half, p.y - 7, p.x + half, p.y + 7})) continue;
-      most = room;
-      best = p;
-    }
-    if (!best) continue;
-    picture.taken.push_back({best->x - half, best->y - 7, best->x + half, best->y + 7});
-    picture.canvas.text({best->x, best->y + 4}, text, fmt::format("text-anchor=\"middle\" fill=\"#333\" font-size=\"10\" {}", halo));
+    const auto place = label_place(picture, margin, half);
+    if (!place) continue;
+    any = true;
+    for (const study::MapLine& line : margin.lines) picture.canvas.polyline(picture.line(line), style);
+    picture.taken.push_back({place->x - half, place->y - 7, place->x + half, place->y + 7});
+    picture.canvas.text({place->x, place->y + 4}, text, fmt::format("text-anchor=\"middle\" fill=\"#333\" font-size=\"10\" {}", halo));
   }
+  if (any) key.stroke(style, "margin = limit / value, as written");
 }
 
 void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
@@ -157,8 +164,10 @@ void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
   canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
 }
 
-void draw_best(SvgCanvas& canvas, PixelPoint p) {
-  canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}}, "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\"");
+/// Full where it keeps every rule.
+void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
+  canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
+              kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\"" : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
 }
 
 /// Beside the point where it covers nothing, else farther off with a leader; some text is always drawn.
@@ -186,10 +195,8 @@ struct PlacedMark {
 std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
   std::vector<PlacedMark> placed;
   for (const study::MapMark& mark : picture.map.marks) {
-    if (!mark.placed() || !mark.of_this_model || !mark.judged) continue;
-    const study::MapPlace place{picture.map.request.x.share(*mark.x), picture.map.request.y.share(*mark.y)};
-    if (!(place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1)) continue;
-    const PixelPoint p = picture.at(place);
+    if (!is_drawn(picture.map, mark)) continue;
+    const PixelPoint p = picture.at({picture.map.request.x.share(*mark.x), picture.map.request.y.share(*mark.y)});
     const std::string name = mark.name.empty() ? "base" : mark.name;
     const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) { return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1; });
     if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.kept()});
@@ -198,42 +205,69 @@ std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
   return placed;
 }
 
-void draw_marks(MapPicture& picture, Key& key) {
-  const std::vector<PlacedMark> placed = placed_marks(picture);
-  const bool best = picture.map.best && picture.map.outcomes[*picture.map.best].kept();
-  for (const PlacedMark& mark : placed) picture.taken.push_back({mark.point.x - 6, mark.point.y - 6, mark.point.x + 6, mark.point.y + 6});
-  if (best) {
-    const auto nx = static_cast<std::size_t>(picture.map.grid.nx);
-    const PixelPoint p = picture.at(picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
-    picture.taken.push_back({p.x - 8, p.y - 8, p.x + 8, p.y + 8});
-    draw_best(picture.canvas, p);
-  }
+/// Sample and words of the best design, or of the nearest where none keeps every rule.
+void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
+  const study::DesignMap& map = picture.map;
+  const study::DesignOutcome& best = map.outcomes[*map.best];
+  const study::DesignPoint p = map.point(*map.best);
+  draw_best(canvas, key.sample(), best.kept());
+  const std::string where = fmt::format("{}, {}", value_words(p.x, map.request.x), value_words(p.y, map.request.y));
+  if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
+  else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
+}
+
+PixelPoint best_point(const MapPicture& picture) {
+  const auto nx = static_cast<std::size_t>(picture.map.grid.nx);
+  return picture.at(picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
+}
+
+/// Nothing is written over the points.
+void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed) {
+  const auto around = [&](PixelPoint p, double room) { picture.taken.push_back({p.x - room, p.y - room, p.x + room, p.y + room}); };
+  for (const PlacedMark& mark : placed) around(mark.point, 6);
+  if (picture.map.best) around(best_point(picture), 8);
+}
+
+void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
+  if (picture.map.best) draw_best(picture.canvas, best_point(picture), picture.map.outcomes[*picture.map.best].kept());
   for (const PlacedMark& mark : placed) {
     draw_mark(picture.canvas, mark.point, mark.kept);
     place_label(picture, mark.point, mark.names);
   }
-  label_margins(picture);
-  if (placed.empty() && !best) return;
+  if (placed.empty() && !picture.map.best) return;
   key.heading("Points");
   for (const bool kept : {true, false}) {
     if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.kept == kept; })) continue;
     draw_mark(picture.canvas, key.sample(), kept);
     key.words(kept ? "case that keeps every rule" : "case that breaks a rule", "");
   }
-  if (!best) return;
-  draw_best(picture.canvas, key.sample());
-  const auto margin = static_cast<double>(picture.map.outcomes[*picture.map.best].margin);
-  key.words(fmt::format("largest margin, {}", std::isinf(margin) ? "∞" : fmt::format("{:.3g}", margin)), "");
+  if (picture.map.best) explain_best(picture, picture.canvas, key);
+}
+
+/// Paths of the two numbers, small, where the axes are called otherwise; and what the picture does not show.
+void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
+  constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
+  const PlotPanel& panel = picture.panel;
+  const auto path = [](const study::MapAxis& axis) { return axis_name(axis) == axis.parameter ? "" : axis.parameter; };
+  const double bottom = panel.corner.y + panel.height, x = panel.corner.x - 66, y = panel.corner.y + panel.height / 2;
+  picture.canvas.text({panel.corner.x + panel.width / 2, bottom + 44}, path(picture.map.request.x), small);
+  picture.canvas.text({x, y}, path(picture.map.request.y), fmt::format("{} transform=\"rotate(-90 {:.2f} {:.2f})\"", small, x, y));
+  double at = bottom + 66;
+  for (const std::string& note : notes) {
+    picture.canvas.text({panel.corner.x, at}, note, fmt::format("font-size=\"{:.1f}\" fill=\"#333\"", std::clamp(11 * 860 / width_of(note), 6.0, 11.0)));
+    at += 16;
+  }
 }
 
 }  // namespace
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
-  constexpr double width = 980, height = 620;
+  const std::vector<std::string> notes = undrawn_cases(map);
+  const double width = 990, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;
   MapPicture picture{map,
                      SvgCanvas(width, height),
-                     {{78, 44},
+                     {{88, 44},
                       590,
                       520,
                       {map.request.x.from, map.request.x.to, map.request.x.logarithmic, axis_label(map.request.x)},
@@ -243,7 +277,11 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   draw_regions(picture, key);
   draw_feasible(picture, key);
   draw_frame(picture.canvas, picture.panel);
-  draw_marks(picture, key);
+  const std::vector<PlacedMark> placed = placed_marks(picture);
+  keep_free(picture, placed);
+  draw_margins(picture, key);
+  draw_marks(picture, placed, key);
+  draw_notes(picture, notes);
   return {heading, "map.svg", picture.canvas.svg(heading)};
 }
 

@@ -10,16 +10,6 @@
 namespace trivet::report {
 namespace {
 
-constexpr int most_nodes = 241;  // along an axis: finer than two pixels
-
-/// Designs that are drawn along one axis, both ends among them.
-std::vector<int> drawn(int points) {
-  const int count = std::min(points, most_nodes);
-  std::vector<int> nodes;
-  for (int k = 0; k < count; ++k) nodes.push_back(static_cast<int>(static_cast<long>(k) * (points - 1) / (count - 1)));
-  return nodes;
-}
-
 study::MapPlace middle(const study::MapPlace& a, const study::MapPlace& b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
 
 /// The part of a cell that belongs to one label: its corners, cut at the middles of the edges; with three or four labels in quarters.
@@ -45,7 +35,7 @@ void add_parts(const std::array<study::MapPlace, 4>& corner, const std::array<st
 }  // namespace
 
 std::vector<MapRegion> map_regions(const study::DesignMap& map) {
-  const std::vector<int> columns = drawn(map.grid.nx), rows = drawn(map.grid.ny);
+  const std::vector<int>&columns = map.drawn.columns, &rows = map.drawn.rows;
   const auto label_of = [](const study::DesignOutcome& outcome) { return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing; };
   const auto label = [&](std::size_t i, std::size_t j) { return label_of(map.outcomes[map.grid.index(columns[i], rows[j])]); };
   const auto place = [&](std::size_t i, std::size_t j) { return map.grid.place(columns[i], rows[j]); };

@@ -16,7 +16,7 @@ struct MapRegion {
   std::vector<study::MapLine> rings;    ///< pieces side by side
 };
 
-/// All regions, the largest first. Borders lie half-way between designs, corners cut; of fine grids a part of the designs is drawn.
+/// All regions, the largest first. Borders lie half-way between designs, corners cut; of the drawn designs.
 [[nodiscard]] std::vector<MapRegion> map_regions(const study::DesignMap& map);
 
 }  // namespace trivet::report

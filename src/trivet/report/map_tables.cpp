@@ -5,14 +5,13 @@
 
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/html_table.h"
+#include "trivet/report/map_words.h"
 #include "trivet/report/svg_canvas.h"
 
 namespace trivet::report {
 namespace {
 
-std::string value_words(const std::optional<double>& value, const study::MapAxis& axis) {
-  return value ? fmt::format("{:.5g}{}", *value, axis.unit.empty() ? "" : " " + axis.unit) : "–";
-}
+std::string value_or_dash(const std::optional<double>& value, const study::MapAxis& axis) { return value ? value_words(*value, axis) : "–"; }
 
 std::string rules_table(const study::DesignMap& map) {
   std::vector<std::vector<Cell>> rows;
@@ -31,10 +30,10 @@ std::string marks_table(const study::DesignMap& map) {
     std::string words;
     for (const std::string& sentence : study::verdict_words(map, mark)) words += (words.empty() ? "" : "; ") + sentence;
     const bool kept = mark.judged && mark.judged->governing.kept();
-    rows.push_back({{mark.name.empty() ? "base model" : mark.name}, right(value_words(mark.x, map.request.x)), right(value_words(mark.y, map.request.y)),
+    rows.push_back({{mark.name.empty() ? "base model" : mark.name}, right(value_or_dash(mark.x, map.request.x)), right(value_or_dash(mark.y, map.request.y)),
                     {kept ? "keeps every rule" : "breaks a rule", false, !kept}, {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
-  return rows.empty() ? "" : html_table({{"case"}, right(map.request.x.name), right(map.request.y.name), {"verdict"}, {"found"}}, rows);
+  return rows.empty() ? "" : html_table({{"case"}, right(axis_name(map.request.x)), right(axis_name(map.request.y)), {"verdict"}, {"found"}}, rows);
 }
 
 }  // namespace
@@ -45,9 +44,10 @@ std::string map_tables(const study::Answers& answers) {
   std::string text = fmt::format("Feasible: {:.2f} % of the map.", 100 * map.feasible.area);
   if (map.best) {
     const study::DesignPoint p = map.point(*map.best);
-    text += fmt::format(" {}: {} = {}, {} = {}.", map.outcomes[*map.best].kept() ? "Largest margin" : "No design keeps every rule; the nearest", map.request.x.name,
-                        value_words(p.x, map.request.x), map.request.y.name, value_words(p.y, map.request.y));
+    const char* what = std::isinf(map.outcomes[*map.best].margin) ? "In the midst of the designs that no rule limits" : map.outcomes[*map.best].kept() ? "Largest margin" : "No design keeps every rule; the nearest";
+    text += fmt::format(" {}: {} = {}, {} = {}.", what, axis_name(map.request.x), value_words(p.x, map.request.x), axis_name(map.request.y), value_words(p.y, map.request.y));
   }
+  for (const study::MissingReason& reason : map.report.missing) text += fmt::format(" {} designs without an answer, for instance: {}.", reason.designs, reason.words);
   return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));
 }
 

@@ -13,6 +13,7 @@ namespace trivet::response {
 struct Band {
   double from = 0;
   double to = 0;
+  bool operator==(const Band&) const = default;
 };
 
 /// Rational functions that follow all curves over a part of the band, one row of values per delay and curve.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/design_family.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -47,6 +49,14 @@ double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& ex
   for (Eigen::Index e = 0; e < exact.size(); ++e)
     if (const double one = interpolated(e) == exact(e) ? 0 : std::abs(interpolated(e) - exact(e)) / scale(e); !(one <= worst)) worst = one;
   return worst;
+}
+
+/// Why two plain designs are not of one family; empty if they may be.
+std::string unlike(const PlainDesign& a, const PlainDesign& b) {
+  if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
+  if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
+    return "answers whose own rows change from design to design (a force of an element that the numbers change, or a point that they move)";
+  return "";
 }
 
 /// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which leaves no gaps.
@@ -137,54 +147,57 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::functio
       for (int k = 0; k < count; ++k) {
         const double node = along.nodes[static_cast<std::size_t>(k)];
         const auto design = source(k == 0 ? variable.from : k + 1 == count ? variable.to : logarithmic ? std::exp(node) : node);
-        if (!design || packed(*design).size() != values.rows()) return std::nullopt;
+        if (!design) return std::nullopt;
         values.col(k) = packed(*design);
       }
       bool good = true;
       for (std::size_t k = 0; k < at.size() && good; ++k) {
         const Eigen::VectorXd interpolated = values * along.weights(at[k]);
-        good = exact[k].size() == interpolated.size() && difference(interpolated, exact[k], scale[k]) <= reproduced_within;
+        good = difference(interpolated, exact[k], scale[k]) <= reproduced_within;
       }
       if (good) return along;
     }
   return std::nullopt;
 }
 
-std::optional<DesignFamily> DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
+FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
   DesignFamily family;
-  const auto asked = [&](const FamilyPoint& point) {
-    ++family.assembled_;
-    return source(point);
+  std::string reason;
+  const auto asked = [&](const FamilyPoint& point) -> std::optional<PlainDesign> {
+    PlainOrNot found = source(point);
+    reason = found.plain ? family.assembled_ > 0 ? unlike(family.first_, *found.plain) : "" : found.reason;
+    if (reason.empty() && ++family.assembled_ == 1) family.first_ = *found.plain;
+    return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
-  const auto first = asked({x.from, y.from});
-  if (!first) return std::nullopt;
-  family.first_ = *first;
+  const auto declined = [&](const std::string& otherwise) -> FamilyOrNot { return {std::nullopt, reason.empty() ? otherwise : reason}; };
+  if (!asked({x.from, y.from})) return declined("");
   const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);
-  const auto along_y = along_x ? fitted_along([&](double value) { return asked({0.5 * (x.from + x.to), value}); }, y) : std::nullopt;
-  if (!along_y) return std::nullopt;
+  if (!along_x) return declined("matrices that do not depend smoothly on " + x.name);
+  const auto along_y = fitted_along([&](double value) { return asked({0.5 * (x.from + x.to), value}); }, y);
+  if (!along_y) return declined("matrices that do not depend smoothly on " + y.name);
   family.x_ = *along_x;
   family.y_ = *along_y;
   const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
-  const Eigen::Index entries = packed(*first).size();
-  family.values_.resize(entries, static_cast<Eigen::Index>(nx * ny));
+  family.values_.resize(packed(family.first_).size(), static_cast<Eigen::Index>(nx * ny));
   const auto value = [](const FamilyVariable& v, const Along& along, std::size_t k) {
     return k == 0 ? v.from : k + 1 == along.nodes.size() ? v.to : along.logarithmic ? std::exp(along.nodes[k]) : along.nodes[k];
   };
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i) {
       const auto design = asked({value(x, family.x_, i), value(y, family.y_, j)});
-      if (!design || packed(*design).size() != entries) return std::nullopt;
+      if (!design) return declined("");
       family.values_.col(static_cast<Eigen::Index>(j * nx + i)) = packed(*design);
     }
   for (const FamilyPoint& share : check_points()) {
     const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
     const auto design = asked(point);
-    if (!design || packed(*design).size() != entries || design->rows != first->rows || design->rows_on_velocity != first->rows_on_velocity) return std::nullopt;
+    if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
-    if (!(worst <= reproduced_within)) return std::nullopt;  // nor what is not a number
+    if (!(worst <= reproduced_within))  // nor what is not a number
+      return declined(fmt::format("matrices that do not depend smoothly on {} and {} together", x.name, y.name));
     family.worst_ = std::max(family.worst_, worst);
   }
-  return family;
+  return {std::move(family), ""};
 }
 
 numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) const {

@@ -32,11 +32,14 @@ struct PlainOrNot {
 /// One of the two variables of a family.
 struct FamilyVariable {
   double from = 0, to = 1;
+  std::string name;          ///< for the words of a refusal
 };
 
 struct FamilyPoint {
   double x = 0, y = 0;
 };
+
+struct FamilyOrNot;
 
 /// Plain designs as smooth functions of two variables: polynomials through a few of them, of which further ones were found to be
 /// reproduced.
@@ -45,12 +48,12 @@ class DesignFamily {
   /// Entries differ from those of a design of its own by at most this share of √(K_ii K_jj), and A, B, loads and rows likewise.
   static constexpr double reproduced_within = 1e-12;
 
-  /// The design at a point; none ends the attempt (it says why by itself).
-  using Source = std::function<std::optional<PlainDesign>(const FamilyPoint&)>;
+  /// The design at a point; none ends the attempt with its reason.
+  using Source = std::function<PlainOrNot(const FamilyPoint&)>;
 
   /// Along each variable, or its logarithm, nodes are doubled until one line through the middle is reproduced; then 25 points of a lattice
-  /// up to the ends of the ranges and 16 between them must be. None if that does not come about, or the answers' rows change.
-  [[nodiscard]] static std::optional<DesignFamily> fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
+  /// up to the ends of the ranges and 16 between them must be. None, with the reason, if that does not come about, or the answers' rows change.
+  [[nodiscard]] static FamilyOrNot fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
 
   /// Matrices and loads at points.
   [[nodiscard]] numerics::Designs designs(std::span<const FamilyPoint> points) const;
@@ -78,6 +81,12 @@ class DesignFamily {
   PlainDesign first_;
   int assembled_ = 0;
   double worst_ = 0;
+};
+
+/// A family, or what stands against it, in words: those of the design that is not plain, or "… do not depend smoothly on …".
+struct FamilyOrNot {
+  std::optional<DesignFamily> family;
+  std::string reason;
 };
 
 }  // namespace trivet::response

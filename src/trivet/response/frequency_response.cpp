@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/frequency_response.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "trivet/response/carried_motion.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/response/steady_solution.h"
 
@@ -58,6 +60,9 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
 
 FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                      const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
+  const bool at_rest = std::find(angular_frequency.begin(), angular_frequency.end(), 0.0) != angular_frequency.end();
+  const auto beyond = at_rest ? std::nullopt : beyond_carried(assembled, channels, loading);  // at rest such a ground has no motion to go beyond
+  if (beyond) return frequency_response(beyond->assembled, beyond->channels, loading, angular_frequency);
   const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);
   const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
   Eigen::MatrixXcd ground, exact;

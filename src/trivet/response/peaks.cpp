@@ -6,6 +6,7 @@
 
 #include "trivet/numerics/axis_panels.h"
 #include "trivet/response/axis_walk.h"
+#include "trivet/response/carried_motion.h"
 #include "trivet/response/frequency_response.h"
 #include "trivet/response/peak_refinement.h"
 
@@ -75,6 +76,7 @@ double relative_prominence(const Peak& peak) {
 
 Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
             const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
+  if (const auto beyond = beyond_carried(assembled, channels, loading)) return peaks(beyond->assembled, beyond->channels, loading, modes, roots, options, progress);
   const numerics::DynamicMatrices& m = assembled.matrices;
   const bool loaded = !loading.vanishes();
   const bool exact = assembled.frequency_dependent();

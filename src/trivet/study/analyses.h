@@ -119,6 +119,7 @@ struct MapAxis {
 
   [[nodiscard]] double at(double share) const;          ///< the value at 0 … 1 of the axis, ends exact
   [[nodiscard]] double share(double value) const;       ///< its inverse, also beyond
+  bool operator==(const MapAxis&) const = default;
 };
 
 /// Largest allowed amplitude of one answer, SI.
@@ -126,6 +127,7 @@ struct MapLimit {
   std::string name;
   assembly::Quantity quantity = assembly::Quantity::displacement;
   double amplitude = 0;
+  bool operator==(const MapLimit&) const = default;
 };
 
 /// Two numbers of the project and the rules that a design keeps or breaks.
@@ -139,6 +141,7 @@ struct MapRequest {
   double min_prominence = 1e-6, peak_tolerance = 0.01;             ///< as of `peaks`
   std::vector<std::string> excitations;       ///< empty: all
   std::optional<std::vector<std::string>> cases;  ///< marked on the map; none: all that have both numbers
+  bool operator==(const MapRequest&) const = default;
 };
 
 struct Analyses {

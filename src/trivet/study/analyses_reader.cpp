@@ -68,7 +68,7 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, cons
   for (const std::string& name : table->keys) {
     const auto measured = names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
     if (!measured) {
-      reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"", "check the name");
+      refuse_limit(reader, names, name);
       continue;
     }
     if (!quantity_is_clear) continue;  // its unit depends on what could not be read

@@ -58,29 +58,23 @@ DesignEvaluation::DesignEvaluation(const Case& variant, const MapRequest& reques
 }
 
 void DesignEvaluation::fit_family(const Case& variant) {
-  std::string reason;
-  const auto plain = [&](const model::System& system) {
+  const auto plain = [&](const model::System& system) -> response::PlainOrNot {
     const assembly::Assembled assembled = assembly::assemble(system);
     response::PlainOrNot found = response::plain_design(assembled, channels(system, assembled), assembly::harmonic_loading(system, assembled, request_.excitations));
-    if (found.plain && Eigen::LLT<Eigen::MatrixXd>(found.plain->K).info() != Eigen::Success) found = {{}, "free or unstable motions"};
-    reason = found.reason;
-    return found.plain;
+    if (found.plain && Eigen::LLT<Eigen::MatrixXd>(found.plain->K).info() != Eigen::Success) return {{}, "free or unstable motions"};
+    return found;
   };
-  if (!plain(variant.system)) {
-    report_.family = reason;
-    return;
-  }
-  family_ = response::DesignFamily::fitted(
-      [&](const response::FamilyPoint& point) -> std::optional<response::PlainDesign> {
+  report_.family = plain(variant.system).reason;
+  if (!report_.family.empty()) return;
+  response::FamilyOrNot found = response::DesignFamily::fitted(
+      [&](const response::FamilyPoint& point) -> response::PlainOrNot {
         const auto system = system_at({point.x, point.y});
-        if (!system) reason = "designs that are no model";
-        return system ? plain(*system) : std::nullopt;
+        return system ? plain(*system) : response::PlainOrNot{{}, "designs that are no model"};
       },
-      {request_.x.from, request_.x.to}, {request_.y.from, request_.y.to});
-  if (!family_) {
-    report_.family = reason.empty() ? "matrices that do not depend smoothly on the two numbers" : reason;
-    return;
-  }
+      {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
+  family_ = std::move(found.family);
+  report_.family = found.reason;
+  if (!family_) return;
   report_.family = fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}", family_->x_nodes(), family_->y_nodes(), std::max(family_->worst_difference(), 1e-16));
   plan_searches();
 }
@@ -126,11 +120,11 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     const numerics::DesignPeaks inside = again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
     for (std::size_t k = 0; k < again.size(); ++k) {
       found.highest.row(static_cast<Eigen::Index>(again[k])) = inside.highest.row(static_cast<Eigen::Index>(k));
-      if (!good(inside.status[k])) found.status[again[k]] = inside.status[k];
+      found.status[again[k]] = std::max(found.status[again[k]], inside.status[k]);  // the worse of both
     }
   }
   std::vector<double> values(set_.rules.size());
-  std::size_t proven = 0;
+  std::size_t proven = 0, redone = 0;
   for (std::size_t d = 0; d < points.size(); ++d) {
     if (!good(found.status[d])) {
       outcomes[d] = assembled_outcome(first + d, points[d]);
@@ -140,20 +134,12 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
       const auto row = static_cast<Eigen::Index>(d), channel = static_cast<Eigen::Index>(set_.rules[r].channel);
       values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
     }
-    const response::Governing least = response::governing(set_, values);
-    outcomes[d] = outcome_of(least);
-    ++proven;
+    outcomes[d] = outcome_of(response::governing(set_, values));
+    ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
   }
   const std::lock_guard lock(noting);
-  report_.in_lanes += proven;
-}
-
-std::string EvaluationReport::words() const {
-  std::string text;
-  if (in_lanes > 0) text = fmt::format("{} designs by poles and residues; {}", in_lanes, family);
-  if (one_by_one > 0)
-    text += fmt::format("{}{} designs assembled from the changed project and searched one by one{}", text.empty() ? "" : "; ", one_by_one, in_lanes > 0 || family.empty() ? "" : ": " + family);
-  return text;
+  report_.proven += proven;
+  report_.redone += redone;
 }
 
 std::size_t DesignEvaluation::channel_of(const std::string& name, assembly::Quantity quantity) {
@@ -211,7 +197,8 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
   return result;
 }
 
-void DesignEvaluation::note_missing(std::size_t index, std::uint8_t outcome, const std::string& kind, const std::string& words) {
+void DesignEvaluation::note_missing(std::size_t index, std::uint8_t outcome, const std::string& rule, const std::string& words) {
+  const std::string kind = without_numbers(rule);
   const std::lock_guard lock(noting);
   const auto known = static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
   if (known == missing_kinds_.size()) {
@@ -235,16 +222,16 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   if (!system) {
     const auto& list = system.error().list();
     const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; });
-    note_missing(index, DesignOutcome::no_model, first->subject + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
+    note_missing(index, DesignOutcome::no_model, first->subject + ": " + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
     return {0, DesignOutcome::no_model};
   }
   try {
     const response::Governing least = judged(*system).governing;
     return outcome_of(least);
   } catch (const foundation::NotComputable& reason) {
-    note_missing(index, DesignOutcome::not_computed, "not computed", reason.what());
+    note_missing(index, DesignOutcome::not_computed, reason.what(), reason.what());
   } catch (const foundation::InvalidInput& reason) {
-    note_missing(index, DesignOutcome::not_computed, "not computed", reason.what());
+    note_missing(index, DesignOutcome::not_computed, reason.what(), reason.what());
   }
   return {0, DesignOutcome::not_computed};
 }

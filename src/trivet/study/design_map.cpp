@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/best_design.h"
 #include "trivet/study/design_evaluation.h"
 #include "trivet/study/design_parameter.h"
 
@@ -86,47 +87,6 @@ std::vector<double> refined_crossings(DesignEvaluation& evaluation, const MapReq
   return crossings;
 }
 
-/// The margins of a grid that no picture resolves finer.
-struct CoarseMap {
-  MapGrid grid;
-  std::vector<DesignOutcome> outcomes;
-};
-
-CoarseMap coarse(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes) {
-  constexpr int most = 241;
-  if (grid.nx <= most && grid.ny <= most) return {grid, outcomes};
-  CoarseMap result{{std::min(grid.nx, most), std::min(grid.ny, most)}, {}};
-  const auto node = [](int k, int of, int points) { return static_cast<int>(std::lround(static_cast<double>(k) * (points - 1) / (of - 1))); };
-  for (int j = 0; j < result.grid.ny; ++j)
-    for (int i = 0; i < result.grid.nx; ++i) result.outcomes.push_back(outcomes[grid.index(node(i, result.grid.nx, grid.nx), node(j, result.grid.ny, grid.ny))]);
-  return result;
-}
-
-/// Lines of one margin among the kept designs, straight between nodes.
-std::vector<MapLine> margin_contour(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, double margin) {
-  const std::function<bool(std::size_t)> above = [&](std::size_t k) { return outcomes[k].known() && outcomes[k].margin >= margin; };
-  const std::vector<CrossedEdge> edges = crossed_edges(grid, above);
-  std::vector<double> crossing;
-  for (const CrossedEdge& e : edges) {
-    const double a = level(outcomes[grid.index(e.i, e.j)]), b = level(outcomes[e.upwards ? grid.index(e.i, e.j + 1) : grid.index(e.i + 1, e.j)]);
-    const double t = (std::log(margin) - a) / (b - a);
-    crossing.push_back(std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.5);
-  }
-  return contours(grid, above, edges, crossing, [](int, int) { return false; }).lines;
-}
-
-/// Half a dozen round margins between 1 and the best.
-std::vector<double> round_margins(double best) {
-  for (const auto& candidates : {std::vector{1.05, 1.1, 1.15, 1.2, 1.25}, {1.1, 1.2, 1.3, 1.4, 1.5}, {1.25, 1.5, 1.75, 2.0, 2.5}, {1.5, 2.0, 3.0, 4.0, 5.0}, {2.0, 5.0, 10.0, 20.0, 50.0}})
-    if (best <= candidates.back() || candidates.back() == 50) {
-      std::vector<double> below;
-      for (const double margin : candidates)
-        if (margin < best) below.push_back(margin);
-      return below;
-    }
-  return {};
-}
-
 /// The number on an axis; a scale that is not written is 1.
 std::optional<double> number_of(const Case& variant, const MapAxis& axis) {
   const std::vector<std::string> keys = path_keys(axis.parameter);
@@ -169,7 +129,10 @@ void count(DesignMap& map) {
     }
     map.kept += outcome.kept();
     if (std::isfinite(outcome.margin)) ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
-    if (!map.best || outcome.margin > map.outcomes[*map.best].margin) map.best = k;
+  }
+  if (const auto best = best_design(map.drawn, map.outcomes)) {
+    map.best = best->design;
+    map.without_bound = best->without_bound;
   }
 }
 
@@ -187,6 +150,7 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   map.grid = {options.nx > 0 ? options.nx : request.x.points, options.ny > 0 ? options.ny : request.y.points};
   map.request.x.points = map.grid.nx;
   map.request.y.points = map.grid.ny;
+  map.drawn = drawn_grid(map.grid);
   DesignEvaluation evaluation(variant, map.request, options.evaluation);
   map.rules = evaluation.rules();
   map.outcomes = evaluation.evaluate(map.grid.count(), [&](std::size_t k) { return map.point(k); }, progress);
@@ -205,11 +169,14 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   };
   map.feasible = contours(map.grid, kept, edges, crossing, connected);
   map.boundary_tolerance = boundary_tolerance;
-  const CoarseMap drawn = coarse(map.grid, map.outcomes);
-  if (map.best)
-    for (const double margin : round_margins(static_cast<double>(map.outcomes[*map.best].margin))) map.margin_lines.push_back({margin, margin_contour(drawn.grid, drawn.outcomes, margin)});
+  if (map.best) map.margin_lines = margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
   map.marks = marks(project, map.request, evaluation);
   return map;
+}
+
+bool has_own_map(const Project& project, const Case& variant) {
+  const std::optional<MapRequest>& of_base = project.base().analyses.map;
+  return variant.analyses.map && (variant.name.empty() || !of_base || !(*variant.analyses.map == *of_base));
 }
 
 std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark) {
@@ -235,7 +202,7 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
       if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, counted ? "peaks" : "rises slightly", list));
     }
   if (judged.governing.kept())
-    words.push_back(fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));
+    words.push_back(std::isinf(judged.governing.margin) ? "no rule limits it" : fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));
   return words;
 }
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "trivet/study/design_outcome.h"
-#include "trivet/study/map_contours.h"
+#include "trivet/study/drawn_grid.h"
+#include "trivet/study/margin_lines.h"
 #include "trivet/study/project.h"
 
 namespace trivet::study {
@@ -28,12 +29,6 @@ struct RuleShare {
   std::size_t broken = 0;     ///< likewise among designs that break a rule
 };
 
-/// A line of equal margin.
-struct MarginLine {
-  double margin = 1;
-  std::vector<MapLine> lines;
-};
-
 struct DesignMap {
   std::string case_name;      ///< whose model it is
   MapRequest request;
@@ -44,8 +39,10 @@ struct DesignMap {
   std::size_t kept = 0, unknown = 0;        ///< designs
   MapContours feasible;                     ///< margin ≥ 1, crossings searched on the exact peaks
   double boundary_tolerance = 0;            ///< of the crossings, as a share of each axis
-  std::vector<MarginLine> margin_lines;     ///< straight between nodes: for pictures
-  std::optional<std::size_t> best;          ///< the design with the largest margin, the first of equals
+  DrawnGrid drawn;                          ///< the designs that pictures show
+  std::vector<MarginLine> margin_lines;     ///< straight between these
+  std::optional<std::size_t> best;          ///< see best_design
+  std::size_t without_bound = 0;            ///< designs that no rule limits
   std::vector<MapMark> marks;
   EvaluationReport report;
 
@@ -61,6 +58,10 @@ struct MapOptions {
 /// @throws foundation::NotComputable if no design at all has a model, with the reason
 [[nodiscard]] DesignMap design_map(const Project& project, const Case& variant, const MapRequest& request, const MapOptions& options = {},
                                    const foundation::Progress& progress = {});
+
+/// The base model has a map if its file asks for one. A case has one of its own where its map is another than that of the base model: other numbers, rules or
+/// frequencies. A case with another model only is a point on the map of the base model, or has none there.
+[[nodiscard]] bool has_own_map(const Project& project, const Case& variant);
 
 /// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
 [[nodiscard]] std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark);

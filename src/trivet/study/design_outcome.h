@@ -34,7 +34,7 @@ struct DesignOutcome {
   [[nodiscard]] bool kept() const { return known() && margin >= 1; }
 };
 
-/// Why some designs have no outcome, as often as it was met.
+/// One kind of reason why designs have no outcome: messages that differ in their numbers only are one kind.
 struct MissingReason {
   std::uint8_t outcome = DesignOutcome::no_model;
   std::string words;            ///< with the figures of the first such design
@@ -51,13 +51,17 @@ struct JudgedDesign {
 
 /// How designs were evaluated, for the reader.
 struct EvaluationReport {
-  std::size_t in_lanes = 0;     ///< designs judged by poles and residues, many at once
+  std::size_t proven = 0;       ///< designs judged by poles and residues, many at once
+  std::size_t redone = 0;       ///< designs whose poles or bounds were not good enough for that: by those of an eigensolver, or on discs free of poles
   std::size_t one_by_one = 0;   ///< designs assembled from the changed project and searched by themselves
   std::string family;           ///< how the matrices of the first were found, or why there are none
   std::vector<MissingReason> missing;
 
   [[nodiscard]] std::string words() const;
 };
+
+/// A message without the numbers in it: equal for messages of one kind. Digits inside a word ("mount2") are none.
+[[nodiscard]] std::string without_numbers(const std::string& message);
 
 struct EvaluationOptions {
   int threads = 0;              ///< 0: as many as the machine has

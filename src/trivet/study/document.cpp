@@ -26,6 +26,16 @@ const char* words(Node::Kind kind) {
   return "";
 }
 
+std::string shown(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::text: return "\"" + node.text.substr(0, 60) + "\"";
+    case Node::Kind::integer:
+    case Node::Kind::real: return fmt::format("{:.9g}", node.number);
+    case Node::Kind::boolean: return node.boolean ? "true" : "false";
+    default: return words(node.kind);
+  }
+}
+
 std::string canonical(const Node& node) {
   switch (node.kind) {
     case Node::Kind::text: return "\"" + node.text + "\"";

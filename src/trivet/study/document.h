@@ -27,6 +27,9 @@ struct Node {
 
 [[nodiscard]] const char* words(Node::Kind kind);
 
+/// A value for a message: numbers as such, texts in quotes, shortened; the kind of what is neither.
+[[nodiscard]] std::string shown(const Node& node);
+
 /// The value written out, equal for equal values.
 [[nodiscard]] std::string canonical(const Node& node);
 

@@ -41,22 +41,54 @@ Json lines(const DesignMap& map, const std::vector<MapLine>& all) {
   return list;
 }
 
-/// null where a design has no margin or no limit reaches it.
-Json designs(const DesignMap& map) {
-  Json margin = Json::array(), governing = Json::array();
-  for (const DesignOutcome& outcome : map.outcomes) {
-    margin.push_back(outcome.known() ? json::number(std::stod(fmt::format("{}", outcome.margin))) : Json(nullptr));
-    governing.push_back(std::isinf(outcome.margin) ? Json("none") : outcome.known() ? Json(outcome.governing) : outcome.governing == DesignOutcome::no_model ? Json("no model") : Json("not computed"));
+/// Hands a text on in pieces.
+class Pieces {
+ public:
+  explicit Pieces(const TextSink& sink) : sink_(sink) {}
+  std::string& text() {
+    if (text_.size() >= piece) hand_on();
+    return text_;
   }
-  return {{"order", "row after row of y, x running"}, {"margin", std::move(margin)}, {"governing", std::move(governing)}};
+  void hand_on() {
+    sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t piece = 1 << 16;
+  const TextSink& sink_;
+  std::string text_;
+};
+
+/// Margins and governing rules; null where a design has no margin or no rule limits it.
+void write_grid(const DesignMap& map, Pieces& out) {
+  out.text() += "{\"order\":\"row after row of y, x running\",\"margin\":[";
+  const char* separator = "";
+  for (const DesignOutcome& outcome : map.outcomes) {
+    if (outcome.known() && std::isfinite(outcome.margin)) fmt::format_to(std::back_inserter(out.text()), "{}{}", separator, outcome.margin);
+    else (out.text() += separator) += "null";
+    separator = ",";
+  }
+  out.text() += "],\"governing\":[";
+  separator = "";
+  for (const DesignOutcome& outcome : map.outcomes) {
+    out.text() += separator;
+    if (!outcome.known()) out.text() += outcome.governing == DesignOutcome::no_model ? "\"no model\"" : "\"not computed\"";
+    else if (std::isinf(outcome.margin)) out.text() += "\"none\"";
+    else fmt::format_to(std::back_inserter(out.text()), "{}", outcome.governing);
+    separator = ",";
+  }
+  out.text() += "]}";
 }
+
+Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
 
 Json mark(const DesignMap& map, const MapMark& m) {
   Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"words", verdict_words(map, m)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.kept();
   result["margin"] = json::number(m.judged->governing.margin);
-  result["governing"] = m.judged->governing.rule;
+  result["governing"] = governing(m.judged->governing.margin, m.judged->governing.rule);
   result["rules"] = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];
@@ -70,11 +102,7 @@ Json mark(const DesignMap& map, const MapMark& m) {
   return result;
 }
 
-}  // namespace
-
-namespace json {
-
-Json design_map(const DesignMap& map) {
+Json without_grid(const DesignMap& map) {
   Json result{{"case", map.case_name}, {"x", axis(map.request.x)}, {"y", axis(map.request.y)}};
   result["band"] = map.request.band ? Json{map.request.band->from, map.request.band->to} : Json(nullptr);
   result["rules"] = rules(map);
@@ -86,38 +114,67 @@ Json design_map(const DesignMap& map) {
   if (map.best) {
     const DesignPoint p = map.point(*map.best);
     const DesignOutcome& outcome = map.outcomes[*map.best];
-    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", std::isinf(outcome.margin) ? Json("none") : Json(outcome.governing)}, {"kept", outcome.kept()}};
+    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", governing(outcome.margin, outcome.governing)}, {"kept", outcome.kept()},
+                      {"without_bound", map.without_bound}};
   }
   result["marks"] = Json::array();
   for (const MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
   result["way"] = map.report.words();
+  result["evaluation"] = {{"proven", map.report.proven}, {"redone", map.report.redone}, {"one_by_one", map.report.one_by_one}};
   result["missing"] = Json::array();
-  for (const MissingReason& reason : map.report.missing) result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}});
-  result["grid"] = designs(map);
+  for (const MissingReason& reason : map.report.missing) {
+    const DesignPoint p = map.point(reason.first);
+    result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}, {"first", {p.x, p.y}}});
+  }
   return result;
 }
 
-}  // namespace json
+}  // namespace
 
-std::string map_json(const Project& project, const DesignMap& map) {
-  Json result = json::design_map(map);
-  const Case* variant = project.find(map.case_name);
-  result["warnings"] = json::warnings(variant ? variant->warnings : foundation::Problems());
-  return result.dump() + "\n";
+Json json::design_map(const DesignMap& map) {
+  Json result = without_grid(map);
+  std::string grid;
+  const TextSink sink = [&](std::string_view piece) { grid += piece; };
+  Pieces pieces(sink);
+  write_grid(map, pieces);
+  pieces.hand_on();
+  result["grid"] = Json::parse(grid);
+  return result;
 }
 
-std::string map_csv(const DesignMap& map) {
+void write_map_json(const Project& project, const DesignMap& map, const TextSink& sink) {
+  Json result = without_grid(map);
+  const Case* variant = project.find(map.case_name);
+  result["warnings"] = json::warnings(variant ? variant->warnings : foundation::Problems());
+  std::string head = result.dump();
+  head.pop_back();
+  Pieces pieces(sink);
+  pieces.text() += head + ",\"grid\":";
+  write_grid(map, pieces);
+  pieces.text() += "}\n";
+  pieces.hand_on();
+}
+
+void write_map_csv(const DesignMap& map, const TextSink& sink) {
   const auto head = [](const MapAxis& a) { return csv_field(a.unit.empty() ? a.name : a.name + " [" + a.unit + "]"); };
-  std::string text = head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
+  Pieces pieces(sink);
+  pieces.text() += head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
   std::vector<std::string> words;
   for (const MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
     const DesignPoint p = map.point(k);
     const DesignOutcome& o = map.outcomes[k];
+    std::string& text = pieces.text();
     fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
     if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
     else text += o.governing == DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
+  pieces.hand_on();
+}
+
+std::string map_csv(const DesignMap& map) {
+  std::string text;
+  write_map_csv(map, [&](std::string_view piece) { text += piece; });
   return text;
 }
 

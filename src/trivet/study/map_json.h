@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "trivet/study/design_map.h"
 
 namespace trivet::study {
 
+/// Takes a text piece by piece, so that the text of a million designs never stands in memory as a whole.
+using TextSink = std::function<void(std::string_view)>;
+
 /// The whole map; contract in docs/map.md.
-[[nodiscard]] std::string map_json(const Project& project, const DesignMap& map);
+void write_map_json(const Project& project, const DesignMap& map, const TextSink& sink);
 
 /// One row per design of the grid: both numbers, margin, governing rule, kept.
+void write_map_csv(const DesignMap& map, const TextSink& sink);
+
+/// The same as one text.
 [[nodiscard]] std::string map_csv(const DesignMap& map);
 
 }  // namespace trivet::study

@@ -16,6 +16,9 @@ constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, 
 /// The path must lead to a number of the model, or to a key that is not written because its default holds.
 void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
+  if (path.find('[') != std::string::npos)
+    return static_cast<void>(reader.error("parameter", shown, "entries of an array have no path, and parts are named, not counted",
+                                          "name a number that stands alone: \"elements.mount.scale\" in place of its matrix, \"bodies.machine.mass\""));
   const std::vector<std::string> keys = path_keys(path);
   const std::vector<std::string> parts = {"bodies", "elements", "excitations", "damping", "foundations"};
   if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
@@ -35,7 +38,8 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
     node = next;
   }
   if (!written_number(*node))
-    reader.error("parameter", shown, fmt::format("{} stands there, not a number", words(node->kind)), "name one number; entries of an array have no path");
+    reader.error("parameter", shown, fmt::format("{} stands there, not a number", node->kind == Node::Kind::text ? study::shown(*node) : words(node->kind)),
+                 "name one number; entries of an array have no path");
 }
 
 std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string& key) {
@@ -46,7 +50,7 @@ std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string
   }
   const auto number = written_number(*node);
   const bool good = number && std::isfinite(number->value) && std::abs(number->value) <= largest_number;
-  if (!good) reader.error(key, words(node->kind), "an end of the range is a number, or a text with a unit", "for instance from = 0.5, or from = \"5 mm\"");
+  if (!good) reader.error(key, shown(*node), "an end of the range is a finite number up to 1e30, or a text of a number and a unit", "for instance from = 0.5, or from = \"5 mm\"");
   return good ? number : std::nullopt;
 }
 
@@ -64,7 +68,7 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
   axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
   if (from && to && from->unit != to->unit)
-    reader.error("to", fmt::format("in \"{}\", from in \"{}\"", to->unit, from->unit), "both ends of a range have the same unit", "write them alike");
+    reader.error("to", fmt::format("from = {}, to = {}", shown(*table->find("from")), shown(*table->find("to"))), "both ends of a range have the same unit, or both none", "write them alike");
   else if (from && to) {
     axis.from = from->value;
     axis.to = to->value;
@@ -87,7 +91,7 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
     for (const assembly::Quantity quantity : derivatives) {
       const auto si = to_si(value.text, *names.component(name, quantity));
       if (!si) continue;
-      if (!(*si > 0)) reader.error(name, "\"" + value.text.substr(0, 60) + "\"", "a limit is > 0", "change it");
+      if (!(*si > 0)) reader.error(name, shown(value), "a limit is > 0", "change it");
       limits.push_back({name, quantity, *si});
       return;
     }
@@ -97,11 +101,11 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
       const std::string unit = si_unit(*names.component(name, quantity));
       if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : ", ") + unit;
     }
-    reader.error(name, "\"" + value.text.substr(0, 60) + "\"", "its unit does not measure this answer", "a unit that converts to one of " + units);
+    reader.error(name, shown(value), "its unit does not measure this answer", "a unit that converts to one of " + units);
     return;
   }
   const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
-  if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g}", *amplitude), "a limit is > 0", "change it");
+  if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0", "change it");
   if (amplitude) limits.push_back({name, usual, *amplitude});
 }
 
@@ -114,7 +118,7 @@ std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& na
     const std::string& name = table->keys[i];
     const Node& value = *reader.node(name);
     if (!names.component(name, usual)) {
-      reader.error(name, "no such answer", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"", "check the name");
+      refuse_limit(reader, names, name);
     } else if (value.kind == Node::Kind::array && value.items.empty()) {
       reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
     } else if (value.kind == Node::Kind::array) {
@@ -132,6 +136,10 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
   if (!words) return;
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, request.quantity)) continue;
+    if (names.is_guided(word)) {
+      map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "the `free` of its body leaves this coordinate out, so that it does not move", "name a free coordinate, or remove it");
+      continue;
+    }
     const std::string guess = foundation::nearest_name(word, names.groups());
     map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
@@ -156,7 +164,8 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   const Node* table = analyses.table("map");
   if (!table) return;
   if (mentioned.harmonic_excitations.empty())
-    analyses.error("map", "no harmonic excitation in the model", "amplitudes need a force that drives them", "add [excitations.NAME] with type = \"harmonic\"");
+    analyses.error("map", "no harmonic excitation in the model" + (other_excitations(mentioned).empty() ? "" : ": " + other_excitations(mentioned)),
+                   "a map judges amplitudes under harmonic forces (types harmonic, base, unbalance)", "add [excitations.NAME] with type = \"harmonic\"");
   TableReader reader(*table, "analyses.map", root.problems());
   MapRequest request;
   if (result.response) {
@@ -175,7 +184,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   if (static_cast<double>(request.x.points) * request.y.points > most_designs)
     reader.error("x", fmt::format("{} × {} designs", request.x.points, request.y.points), fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
   if (reader.node("band")) request.band = read_band(reader, "band");
-  if (reader.node("excitations")) request.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
+  if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, mentioned);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity) request.quantity = derivatives[*quantity == "velocity" ? 1 : *quantity == "acceleration" ? 2 : 0];
   request.limits = read_limits_of_map(reader, names, request.quantity);
@@ -195,7 +204,9 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     request.cases = *cases;
   }
   const Node* limits = reader.table("limits");
-  if (request.no_peak.empty() && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
+  const Node* no_peak = reader.node("no_peak");
+  const bool asks_for_peaks = no_peak && !(no_peak->kind == Node::Kind::array && no_peak->items.empty());  // readable or not
+  if (!asks_for_peaks && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
     reader.error("", "neither limits nor no_peak", "a map shows where designs keep rules", "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
   request.limits_of_file = !reader.has("limits");
   reader.finish();

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "trivet/study/changes.h"
+#include "trivet/study/design_parameter.h"
 #include "trivet/study/document.h"
 #include "trivet/study/foundation_reader.h"
 #include "trivet/study/part_readers.h"
@@ -49,6 +51,57 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems);
+
+/// The model of a document, without what is asked of it.
+Node without_questions(Node document) {
+  for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
+    if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
+      document.items.erase(document.items.begin() + (at - document.keys.begin()));
+      document.keys.erase(at);
+    }
+  return document;
+}
+
+/// The first error that changes bring beside those known.
+std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes, const foundation::Problems& known) {
+  foundation::Problems found;
+  for (const Node& change : changes) apply_changes(model, change, "", found);
+  std::string title;
+  static_cast<void>(read_case(model, "", title, found));
+  for (const foundation::Problem& problem : found.list()) {
+    const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) { return p.subject == problem.subject && p.rule == problem.rule; });
+    if (problem.severity == foundation::Severity::error && !old) return problem;
+  }
+  return std::nullopt;
+}
+
+/// A number that no design of a map can take (a second law of damping, a unit of something else) is wrong as such: the model can be read with it nowhere
+/// in its range, nor at 1, nor together with the other number.
+void check_numbers_of_map(const Node& document, const MapRequest& map, foundation::Problems& problems) {
+  const Node model = without_questions(document);
+  const auto changed = [](const MapAxis& axis, double value) { return change_of(path_keys(axis.parameter), value, axis.unit); };
+  for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
+    const std::string subject = std::string("analyses.map.") + key;
+    const auto unread = [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map.x") || p.subject.starts_with("analyses.map.y"); };
+    if (path_keys(axis->parameter).empty() || std::any_of(problems.list().begin(), problems.list().end(), unread)) continue;
+    std::vector<std::vector<Node>> designs;
+    for (const double value : {axis->from, axis->to, axis->at(0.5), 1.0}) designs.push_back({changed(*axis, value)});
+    for (const double a : {axis->from, axis->to})
+      for (const double b : {other->from, other->to}) designs.push_back({changed(*axis, a), changed(*other, b)});
+    std::optional<foundation::Problem> first;
+    bool possible = false;
+    for (std::size_t d = 0; d < designs.size() && !possible; ++d) {
+      const auto problem = brought(model, designs[d], problems);
+      possible = !problem;
+      if (!first) first = problem;
+    }
+    if (possible) continue;
+    problems.error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"", fmt::format("the model takes no such number: {} = {}; {}", first->subject, first->finding, first->rule), first->remedy)
+        .origin = deepest(document, subject + ".parameter").origin;
+  }
+}
+
 /// Reads one variant of the document. Everything found goes to `problems`; a result only without errors.
 std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems) {
   foundation::Problems reading;
@@ -73,6 +126,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   locate(physical, document);
   all.add(physical);
+  if (analyses.map) check_numbers_of_map(document, *analyses.map, all);
   const bool good = !all.has_errors();
   all.sort_by_origin();
   problems.add(all);
@@ -112,12 +166,7 @@ const Case* Project::find(const std::string& name) const {
 }
 
 foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
-  Node document = variant.document;
-  for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
-    if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
-      document.items.erase(document.items.begin() + (at - document.keys.begin()));
-      document.keys.erase(at);
-    }
+  Node document = without_questions(variant.document);
   foundation::Problems problems;
   for (const Node& change : changes) apply_changes(document, change, "", problems);
   std::string title;

@@ -15,16 +15,6 @@ namespace {
 /// Deviation of a given rotation matrix from orthonormality that is taken for rounding of its digits.
 constexpr double orthonormal_within = 1e-9;
 
-std::string shown(const Node& node) {
-  switch (node.kind) {
-    case Node::Kind::text: return "\"" + node.text.substr(0, 60) + "\"";
-    case Node::Kind::integer:
-    case Node::Kind::real: return fmt::format("{:.9g}", node.number);
-    case Node::Kind::boolean: return node.boolean ? "true" : "false";
-    default: return words(node.kind);
-  }
-}
-
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;

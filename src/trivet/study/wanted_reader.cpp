@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace trivet::study {
 
@@ -23,10 +24,12 @@ ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.element
 
 bool ResultNames::is_group(const std::string& name) const { return std::find(groups_.begin(), groups_.end(), name) != groups_.end(); }
 
+bool ResultNames::is_guided(const std::string& name) const { return std::find(guided_.begin(), guided_.end(), name) != guided_.end(); }
+
 std::optional<Quantity> ResultNames::component(const std::string& name, assembly::Quantity wanted) const {
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
   static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
-  if (std::find(guided_.begin(), guided_.end(), name) != guided_.end()) return std::nullopt;
+  if (is_guided(name)) return std::nullopt;
   for (const std::string& group : motions_)
     for (std::size_t j = 0; j < 6; ++j)
       if (name == group + "." + model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
@@ -53,15 +56,62 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
   of = *words;
 }
 
+namespace {
+
+void refuse_excitation(TableReader& reader, const std::string& name, const std::vector<std::string>& known, const std::string& kind) {
+  const std::string guess = foundation::nearest_name(name, known);
+  reader.error("excitations", "\"" + name.substr(0, 60) + "\"", "no " + kind + " excitation has this name",
+               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+}
+
+}  // namespace
+
 std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind) {
   const auto names = reader.texts("excitations");
   if (!names) return {};
   for (const std::string& name : *names)
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      const std::string guess = foundation::nearest_name(name, known);
-      reader.error("excitations", "\"" + name.substr(0, 60) + "\"", "no " + kind + " excitation has this name",
-                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
-    }
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse_excitation(reader, name, known, kind);
+  return *names;
+}
+
+void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name) {
+  if (names.is_guided(name))
+    reader.error(name, "guided", "the `free` of its body leaves this coordinate out, so that it does not move", "limit a free coordinate or the force of an element, or add it to `free`");
+  else
+    reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"", "check the name");
+}
+
+namespace {
+
+std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const Mentioned& mentioned) {
+  return {{"orders", &mentioned.order_excitations}, {"random", &mentioned.random_excitations}, {"time", &mentioned.time_excitations}, {"constant", &mentioned.constant_excitations}};
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+}  // namespace
+
+std::string other_excitations(const Mentioned& mentioned) {
+  std::string text;
+  for (const auto& [type, names] : by_other_types(mentioned))
+    for (const std::string& name : *names)
+      if (!holds(mentioned.harmonic_excitations, name)) text += (text.empty() ? "\"" : ", \"") + name.substr(0, 60) + "\" is of type " + type;
+  return text;
+}
+
+std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned) {
+  const auto names = reader.texts("excitations");
+  if (!names) return {};
+  const auto type_of = [&](const std::string& name) -> std::string {
+    for (const auto& [type, others] : by_other_types(mentioned))
+      if (holds(*others, name) && !holds(mentioned.harmonic_excitations, name)) return type;
+    return "";
+  };
+  for (const std::string& name : *names)
+    if (const std::string type = type_of(name); !type.empty())
+      reader.error("excitations", "\"" + name.substr(0, 60) + "\", of type " + type, "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
+    else if (!holds(mentioned.harmonic_excitations, name))
+      refuse_excitation(reader, name, mentioned.harmonic_excitations, "harmonic");
   return *names;
 }
 

@@ -20,6 +20,9 @@ class ResultNames {
   /// What a full name (group, dot, component) measures, if it is one.
   [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const;
 
+  /// A coordinate that the `free` of its body leaves out: it does not move.
+  [[nodiscard]] bool is_guided(const std::string& name) const;
+
  private:
   std::vector<std::string> motions_, forces_, groups_, guided_;
 };
@@ -30,8 +33,17 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
 /// `of`, `quantity` and `excitations`, the latter out of the known names; `kind` says what they are.
 void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known, const std::string& kind, Wanted& wanted);
 
+/// A limit on what is no answer with components.
+void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name);
+
 /// `excitations` alone.
 [[nodiscard]] std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind);
+
+/// Harmonic ones alone; those of other types are refused as such.
+[[nodiscard]] std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned);
+
+/// What the model has in place of harmonic excitations: "engine" is of type orders, …; empty if nothing.
+[[nodiscard]] std::string other_excitations(const Mentioned& mentioned);
 
 /// `key = [from, to]` in rad/s or with units, 0 ≤ from < to.
 [[nodiscard]] std::optional<response::Band> read_band(TableReader& reader, const std::string& key);

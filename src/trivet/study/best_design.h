@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "trivet/study/design_outcome.h"
+#include "trivet/study/drawn_grid.h"
+
+namespace trivet::study {
+
+struct BestDesign {
+  std::size_t design = 0;
+  std::size_t without_bound = 0;   ///< designs that no rule limits; where there are any, the best is one of these
+};
+
+/// The design with the largest margin, the first of equals. Where no rule limits several designs their margins tell nothing: then the one in the
+/// midst of them, farthest (in shares of the axes) from every design with a finite margin and from the frame; of fine grids the drawn designs are
+/// candidates. None if no design is known.
+[[nodiscard]] std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes);
+
+}  // namespace trivet::study
