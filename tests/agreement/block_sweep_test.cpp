@@ -172,6 +172,13 @@ TEST(BlockSweep, GraphsOfEveryShapeAgreeWithExtendedPrecision) {
     }
 }
 
+TEST(BlockSweep, NoCoordinatesHaveNoResponse) {
+  const Eigen::MatrixXd none(0, 0);
+  const numerics::SweepResult found = by_blocks({none, none, none, {}, true}, numerics::Load(0), {1.0, 2.0});
+  EXPECT_EQ(found.response.size(), 0);
+  EXPECT_EQ(found.backward_error, Eigen::VectorXd::Zero(2));
+}
+
 TEST(BlockSweep, LossFactorsAndLoadsThatVaryWithFrequencyAreFollowed) {
   Assembly random(4);
   DynamicMatrices m = random.bodies(Sizes(4, 6), ring(4), 0.02);

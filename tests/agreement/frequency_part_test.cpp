@@ -34,7 +34,7 @@ class Springs {
       system_.K(rows, rows) += 1000 * stiffness;
       system_.B(rows, rows) += 5 * stiffness;
     }
-    for (const Index first : {Index(0), Index(8), n / 2}) {
+    for (const Index first : {Index(0), Index(n - 6), n / 2 - 2}) {
       groups_.push_back(range(first, first + 3));
       for (const Index row : range(n - 3, n)) groups_.back().push_back(row);
       stiffness_.push_back(800 * positive(6));
@@ -109,7 +109,7 @@ std::vector<double> frequencies(Index count) {
 
 TEST(FrequencyPart, SmallAndLargeSystemsAgreeWithOneFrequencyAfterAnother) {
   const std::vector<double> omega = frequencies(41);
-  for (const Index n : {12, 20, 60})
+  for (const Index n : {11, 20, 60})
     for (const bool symmetric : {true, false})
       for (const bool every : {true, false}) {
         const Springs springs(n, symmetric);

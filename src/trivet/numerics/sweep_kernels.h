@@ -54,9 +54,6 @@ struct Batch {
 /// @return whether all are allowed
 [[nodiscard]] bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch);
 
-/// The same for any n and with `extra`.
-[[nodiscard]] bool solve_symmetric(const Coefficients& z, const Batch& batch);
-
 /// LU with partial pivoting, lane by lane by masks, any n, symmetric or not. error: 1 where a pivot is negligible, else 0.
 [[nodiscard]] bool solve_pivoted(const Coefficients& z, const Batch& batch);
 

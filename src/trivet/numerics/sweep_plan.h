@@ -11,12 +11,11 @@
 namespace trivet::numerics {
 
 enum class SweepSolver {
-  aimed,      ///< n ≤ 6, the load a real direction times a factor: loops written out, no forward substitution
-  fixed,      ///< n ≤ 6, any load: loops written out
-  symmetric,  ///< n < `fewest_for_blocks`, also with a part that depends on ω
-  blocks,     ///< any more, also with such a part: by bodies, skipping what does not couple
-  pivoted,    ///< unsymmetric
-  alone       ///< unsymmetric, many coordinates with a part that depends on ω: one frequency at a time, for the sake of memory
+  aimed,    ///< n ≤ 6, the load a real direction times a factor: loops written out, no forward substitution
+  fixed,    ///< n ≤ 6, any load: loops written out
+  blocks,   ///< n > 6, or a part that depends on ω: by bodies, skipping what does not couple
+  pivoted,  ///< unsymmetric
+  alone     ///< unsymmetric, many coordinates with a part that depends on ω: one frequency at a time, for the sake of memory
 };
 
 /// One system in coordinates of unit mass diagonal. Every solver for a sweep is chosen here.
