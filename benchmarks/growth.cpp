@@ -73,10 +73,12 @@ int main() {
       (void)numerics::design_modes(designs, options);
     };
   });
-  grows("bodies of a chain, 2 … 50", {2, 5, 10, 20, 50}, [&](double size) -> std::function<void()> {
+  grows("bodies of a chain at 2000 frequencies, 2 … 50", {2, 5, 10, 20, 50}, [&](double size) -> std::function<void()> {
     const numerics::DynamicMatrices chain = chain_of(static_cast<int>(size));
     Eigen::VectorXd load = Eigen::VectorXd::Zero(chain.size());
     load.tail(6) = m.load;
-    return [&one_thread, chain, load, omega = even_frequencies(2000, 60)] { (void)numerics::sweep(chain, load, omega, one_thread); };
+    return [&one_thread, chain, load, omega = even_frequencies(2000, 60), planes = numerics::SweepPlanes()]() mutable {
+      numerics::sweep(chain, load, omega, planes, one_thread);
+    };
   });
 }

@@ -187,10 +187,10 @@ TEST(Sweep, APartThatDependsOnFrequencyActsLikeTheSameMatrix) {
   const Eigen::MatrixXd share = random_system(8, 3).K;
   rest.K -= share;
   const Eigen::VectorXcd more = random_vector(8, 6);
-  const FrequencyPart part = [&](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd& h) {
+  const FrequencyPart part{[&](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd& h) {
     z += share.cast<Complex>();
     h += omega * more;
-  };
+  }};
   Load load(random_vector(8, 1)), both = load;
   both.add({1, 0, Complex(0, -1) * more});
   const std::vector<double> omega = frequencies(90, 0.1);

@@ -4,20 +4,14 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/symmetric_entries.h"
 
 namespace trivet::numerics {
 
-/// An entry of Z(ω), and by symmetry the one across the diagonal, to which something is added that is given for each frequency.
-struct FreeEntry {
-  Eigen::Index row = 0, column = 0;
-};
+/// For each row of a symmetric matrix the columns where it has entries, ascending.
+using Couplings = std::vector<std::vector<int>>;
 
-/// Which entries of a symmetric matrix may differ from 0.
-using Couplings = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
-
-/// Where one of the matrices has an entry.
-[[nodiscard]] Couplings couplings(const DynamicMatrices& matrices);
+[[nodiscard]] Couplings couplings(Eigen::Index rows, const std::vector<SymmetricEntry>& entries);
 
 /// In which order blocks of rows of a symmetric matrix are eliminated, and which blocks the elimination fills. Found once for all frequencies.
 struct BlockElimination {
@@ -38,9 +32,12 @@ struct BlockElimination {
 /// Complex multiply-adds of one factorisation and one solution.
 [[nodiscard]] double multiply_adds(const BlockElimination& elimination);
 
-/// First rows of the blocks that make the elimination cheapest, out of those given with the matrices if any, else blocks of six, of three, and runs
+/// What they take together with the visits to blocks, in multiply-adds of six by six.
+[[nodiscard]] double cost(const BlockElimination& elimination);
+
+/// First rows of the blocks that make the elimination cheapest, out of those given if any, else blocks of six, of three, and runs
 /// of neighbouring rows with much the same couplings.
-[[nodiscard]] BlockElimination cheapest_block_elimination(const DynamicMatrices& matrices, const std::vector<bool>& loaded,
-                                                         const std::vector<FreeEntry>& free = {});
+/// @param given  see `DynamicMatrices::blocks`
+[[nodiscard]] BlockElimination cheapest_block_elimination(const Couplings& couplings, const std::vector<Eigen::Index>& given, const std::vector<bool>& loaded);
 
 }  // namespace trivet::numerics

@@ -52,36 +52,31 @@ HWY_INLINE void assemble_with_mass(int entries, const Given& given, const Freque
 }
 
 /// Two packs of frequencies go side by side: while one waits for a pivot, the other works.
-inline constexpr int passes = 2;
+inline constexpr int passes = BlockPlan::passes;
 
-/// LDLᵀ of packed lower triangles in place, the inverses of the pivots on the diagonal. `smallest` is the least |pivot|² so far.
+/// LDLᵀ of packed lower triangles in place, the inverses of the pivots on the diagonal. `smallest` are the least |pivot|² so far.
 template <int fixed>
-HWY_NOINLINE void factor(int size, ComplexPack* HWY_RESTRICT first, ComplexPack* HWY_RESTRICT second, Pack* HWY_RESTRICT smallest) {
+HWY_NOINLINE void factor(int size, ComplexPack* HWY_RESTRICT first, ComplexPack* HWY_RESTRICT second, Pack& first_smallest, Pack& second_smallest) {
   const int n = fixed > 0 ? fixed : std::min(size, largest_kernel_block);
   ComplexPack* const a[passes] = {first, second};
+  Pack* const smallest[passes] = {&first_smallest, &second_smallest};
   constexpr int most = largest_kernel_block * (largest_kernel_block + 1) / 2;
   ComplexPack plain[passes][most], l[passes][most];
-#pragma GCC unroll 8
-  for (int j = 0; j < n; ++j) {
+  TRIVET_UNROLL for (int j = 0; j < n; ++j) {
     ComplexPack d[passes];
-#pragma GCC unroll 2
-    for (int p = 0; p < passes; ++p) {
+    TRIVET_UNROLL for (int p = 0; p < passes; ++p) {
       ComplexPack pivot = a[p][packed(j, j)];
-#pragma GCC unroll 8
-      for (int k = 0; k < j; ++k) pivot = subtract_product(pivot, l[p][packed(j, k)], plain[p][packed(j, k)]);
+      TRIVET_UNROLL for (int k = 0; k < j; ++k) pivot = subtract_product(pivot, l[p][packed(j, k)], plain[p][packed(j, k)]);
       const Pack square = squared_modulus(pivot);
-      smallest[p] = hn::Min(smallest[p], square);
+      *smallest[p] = hn::Min(*smallest[p], square);
       const Pack over = hn::Div(all(1.0), square);
       d[p] = {hn::Mul(pivot.re, over), hn::Neg(hn::Mul(pivot.im, over))};
       a[p][packed(j, j)] = d[p];
     }
-#pragma GCC unroll 8
-    for (int i = j + 1; i < n; ++i)
-#pragma GCC unroll 2
-      for (int p = 0; p < passes; ++p) {
+    TRIVET_UNROLL for (int i = j + 1; i < n; ++i)
+      TRIVET_UNROLL for (int p = 0; p < passes; ++p) {
         ComplexPack x = a[p][packed(i, j)];
-#pragma GCC unroll 8
-        for (int k = 0; k < j; ++k) x = subtract_product(x, l[p][packed(i, k)], plain[p][packed(j, k)]);
+        TRIVET_UNROLL for (int k = 0; k < j; ++k) x = subtract_product(x, l[p][packed(i, k)], plain[p][packed(j, k)]);
         plain[p][packed(i, j)] = x;
         l[p][packed(i, j)] = x * d[p];
         a[p][packed(i, j)] = l[p][packed(i, j)];
@@ -102,26 +97,20 @@ HWY_NOINLINE void divide_rows(int size, const ComplexPack* HWY_RESTRICT l, Compl
                               const Pack& omega) {
   const int columns = fixed > 0 ? fixed : std::min(size, largest_kernel_block);
   ComplexPack w[rows][largest_kernel_block];
-#pragma GCC unroll 8
-  for (int c = 0; c < columns; ++c)
-#pragma GCC unroll 8
-    for (int r = 0; r < rows; ++r) {
+  TRIVET_UNROLL for (int c = 0; c < columns; ++c)
+    TRIVET_UNROLL for (int r = 0; r < rows; ++r) {
       const int k = r * columns + c;
       if constexpr (given) w[r][c] = {all(K[k]), hn::Mul(omega, all(B[k]))};
       else w[r][c] = a[k];
     }
-#pragma GCC unroll 8
-  for (int k = 0; k < columns; ++k) {
-#pragma GCC unroll 8
-    for (int r = 0; r < rows; ++r) {
+  TRIVET_UNROLL for (int k = 0; k < columns; ++k) {
+    TRIVET_UNROLL for (int r = 0; r < rows; ++r) {
       plain[r * columns + k] = w[r][k];
       a[r * columns + k] = w[r][k] * l[packed(k, k)];
     }
-#pragma GCC unroll 8
-    for (int c = k + 1; c < columns; ++c) {
+    TRIVET_UNROLL for (int c = k + 1; c < columns; ++c) {
       const ComplexPack factor = l[packed(c, k)];
-#pragma GCC unroll 8
-      for (int r = 0; r < rows; ++r) w[r][c] = subtract_product(w[r][c], w[r][k], factor);
+      TRIVET_UNROLL for (int r = 0; r < rows; ++r) w[r][c] = subtract_product(w[r][c], w[r][k], factor);
     }
   }
 }
@@ -152,26 +141,19 @@ HWY_NOINLINE void subtract_tile(int size, const ComplexPack* HWY_RESTRICT left, 
                                 const Given& matrices, int offset, const Frequencies& at) {
   const int inner = fixed > 0 ? fixed : size;
   ComplexPack sum[high][wide];
-#pragma GCC unroll 4
-  for (int r = 0; r < high; ++r)
-#pragma GCC unroll 4
-    for (int s = 0; s < (lower ? r + 1 : wide); ++s) {
+  TRIVET_UNROLL for (int r = 0; r < high; ++r)
+    TRIVET_UNROLL for (int s = 0; s < (lower ? r + 1 : wide); ++s) {
       const int k = offset + lines.at(r) + s;
       if constexpr (given) sum[r][s] = {hn::NegMulAdd(at.square, all(matrices.A[k]), all(matrices.K[k])), hn::Mul(at.omega, all(matrices.B[k]))};
       else sum[r][s] = target[k];
     }
-#pragma GCC unroll 8
-  for (int c = 0; c < inner; ++c)
-#pragma GCC unroll 4
-    for (int s = 0; s < wide; ++s) {
+  TRIVET_UNROLL for (int c = 0; c < inner; ++c)
+    TRIVET_UNROLL for (int s = 0; s < wide; ++s) {
       const ComplexPack factor = right[s * inner + c];
-#pragma GCC unroll 4
-      for (int r = lower ? s : 0; r < high; ++r) sum[r][s] = subtract_product(sum[r][s], left[r * inner + c], factor);
+      TRIVET_UNROLL for (int r = lower ? s : 0; r < high; ++r) sum[r][s] = subtract_product(sum[r][s], left[r * inner + c], factor);
     }
-#pragma GCC unroll 4
-  for (int r = 0; r < high; ++r)
-#pragma GCC unroll 4
-    for (int s = 0; s < (lower ? r + 1 : wide); ++s) target[offset + lines.at(r) + s] = sum[r][s];
+  TRIVET_UNROLL for (int r = 0; r < high; ++r)
+    TRIVET_UNROLL for (int s = 0; s < (lower ? r + 1 : wide); ++s) target[offset + lines.at(r) + s] = sum[r][s];
 }
 
 /// target −= left rightᵀ, rows × columns.
@@ -206,11 +188,9 @@ HWY_INLINE void subtract_lower(int rows, int inner, const ComplexPack* HWY_RESTR
 /// x ← L⁻¹x
 HWY_INLINE void forward(int n, const ComplexPack* HWY_RESTRICT l, ComplexPack* HWY_RESTRICT x) {
   ComplexPack y[largest_kernel_block];
-#pragma GCC unroll 8
-  for (int i = 0; i < n; ++i) {
+  TRIVET_UNROLL for (int i = 0; i < n; ++i) {
     y[i] = x[i];
-#pragma GCC unroll 8
-    for (int k = 0; k < i; ++k) y[i] = subtract_product(y[i], l[packed(i, k)], y[k]);
+    TRIVET_UNROLL for (int k = 0; k < i; ++k) y[i] = subtract_product(y[i], l[packed(i, k)], y[k]);
     x[i] = y[i];
   }
 }
@@ -219,9 +199,17 @@ HWY_INLINE void forward(int n, const ComplexPack* HWY_RESTRICT l, ComplexPack* H
 HWY_INLINE void forward_below(int rows, int columns, const ComplexPack* HWY_RESTRICT l, const ComplexPack* HWY_RESTRICT x, ComplexPack* HWY_RESTRICT below) {
   for (int r = 0; r < rows; ++r) {
     ComplexPack sum = below[r];
-#pragma GCC unroll 8
-    for (int c = 0; c < columns; ++c) sum = subtract_product(sum, l[r * columns + c], x[c]);
+    TRIVET_UNROLL for (int c = 0; c < columns; ++c) sum = subtract_product(sum, l[r * columns + c], x[c]);
     below[r] = sum;
+  }
+}
+
+/// target −= z x for a symmetric z, its packed lower triangle given.
+HWY_INLINE void subtract_symmetric(int n, const ComplexPack* HWY_RESTRICT z, const ComplexPack* HWY_RESTRICT x, ComplexPack* HWY_RESTRICT target) {
+  for (int r = 0; r < n; ++r) {
+    ComplexPack sum = target[r];
+    for (int c = 0; c < n; ++c) sum = subtract_product(sum, z[packed_of(r, c)], x[c]);
+    target[r] = sum;
   }
 }
 
@@ -229,8 +217,7 @@ HWY_INLINE void forward_below(int rows, int columns, const ComplexPack* HWY_REST
 HWY_INLINE void backward_below(int rows, int columns, const ComplexPack* HWY_RESTRICT l, const ComplexPack* HWY_RESTRICT below, ComplexPack* HWY_RESTRICT sum) {
   for (int r = 0; r < rows; ++r) {
     const ComplexPack x = below[r];
-#pragma GCC unroll 8
-    for (int c = 0; c < columns; ++c) sum[c] = subtract_product(sum[c], l[r * columns + c], x);
+    TRIVET_UNROLL for (int c = 0; c < columns; ++c) sum[c] = subtract_product(sum[c], l[r * columns + c], x);
   }
 }
 
@@ -252,12 +239,9 @@ template <bool imaginary>
 HWY_INLINE void add_transposed(int rows, int columns, const double* M, const Pack* by, const ComplexPack* const* x, Small& sum) {
   for (int r = 0; r < rows; ++r) {
     ComplexPack v[passes];
-#pragma GCC unroll 2
-    for (int p = 0; p < passes; ++p) v[p] = by[p] * x[p][r];
-#pragma GCC unroll 8
-    for (int c = 0; c < columns; ++c)
-#pragma GCC unroll 2
-      for (int p = 0; p < passes; ++p) sum.x[p][c] = add_real<imaginary>(sum.x[p][c], M[r * columns + c], v[p]);
+    TRIVET_UNROLL for (int p = 0; p < passes; ++p) v[p] = by[p] * x[p][r];
+    TRIVET_UNROLL for (int c = 0; c < columns; ++c)
+      TRIVET_UNROLL for (int p = 0; p < passes; ++p) sum.x[p][c] = add_real<imaginary>(sum.x[p][c], M[r * columns + c], v[p]);
   }
 }
 
@@ -280,16 +264,13 @@ HWY_INLINE void subtract_given(int rows, int columns, const Given& given, const 
 
 /// x ← D⁻¹x
 HWY_INLINE void divide_by_pivots(int n, const ComplexPack* HWY_RESTRICT l, ComplexPack* HWY_RESTRICT x) {
-#pragma GCC unroll 8
-  for (int i = 0; i < n; ++i) x[i] = x[i] * l[packed(i, i)];
+  TRIVET_UNROLL for (int i = 0; i < n; ++i) x[i] = x[i] * l[packed(i, i)];
 }
 
 /// x ← L⁻ᵀx
 HWY_INLINE void backward(int n, const ComplexPack* HWY_RESTRICT l, ComplexPack* HWY_RESTRICT x) {
-#pragma GCC unroll 8
-  for (int i = n - 1; i > 0; --i)
-#pragma GCC unroll 8
-    for (int k = 0; k < i; ++k) x[k] = subtract_product(x[k], l[packed(i, k)], x[i]);
+  TRIVET_UNROLL for (int i = n - 1; i > 0; --i)
+    TRIVET_UNROLL for (int k = 0; k < i; ++k) x[k] = subtract_product(x[k], l[packed(i, k)], x[i]);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <numeric>
 #include <utility>
 
 namespace trivet::numerics {
@@ -15,10 +15,10 @@ std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 /// Writes the plan of one elimination.
 class Planner {
  public:
-  Planner(const DynamicMatrices& m, const BlockElimination& elimination, const std::vector<FreeEntry>& free) : m_(m), e_(elimination), given_free_(free) {}
+  Planner(const BlockElimination& elimination, std::vector<SymmetricEntry> entries) : e_(elimination), entries_(std::move(entries)) {}
 
   BlockPlan plan(const Load* load, const Eigen::VectorXd& scale) {
-    plan_.rows = at(m_.size());
+    plan_.rows = e_.rows.size();
     plan_.given_load = load == nullptr;
     plan_.multiply_adds = multiply_adds(e_);
     for (const Eigen::Index row : e_.rows) {
@@ -26,8 +26,9 @@ class Planner {
       plan_.scale.push_back(scale(row));
     }
     add_load(load);
-    place_free();
+    put_in_order();
     for (int j = 0; j < e_.count(); ++j) add_column_blocks(j);
+    add_values();
     for (int j = 0; j < e_.count(); ++j) mark_kept(j);
     place_kept();
     touched_.assign(plan_.blocks.size(), false);
@@ -53,66 +54,75 @@ class Planner {
     }
   }
 
-  /// Free entries by their place in the order of elimination, lower triangle.
-  void place_free() {
-    std::vector<std::size_t> turn(plan_.rows);
-    for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = i;
-    for (std::size_t k = 0; k < given_free_.size(); ++k) {
-      const std::size_t a = turn[at(given_free_[k].row)], b = turn[at(given_free_[k].column)];
-      free_at_[{std::max(a, b), std::min(a, b)}] = k;
+  /// Rows and columns of the entries by their place in the order of elimination, lower triangle again.
+  void put_in_order() {
+    std::vector<Eigen::Index> turn(plan_.rows);
+    for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = static_cast<Eigen::Index>(i);
+    for (SymmetricEntry& e : entries_) {
+      const Eigen::Index a = turn[at(e.row)], b = turn[at(e.column)];
+      e.row = std::max(a, b), e.column = std::min(a, b);
     }
-  }
-
-  /// Those in the block (i, j).
-  void add_free(int i, int j, BlockPlan::Block& block) {
-    block.free_first = plan_.free.size();
-    std::size_t entry = 0;
-    for (std::size_t r = at(e_.first[at(i)]); r < at(e_.first[at(i) + 1]); ++r)
-      for (std::size_t c = at(e_.first[at(j)]); c < (i == j ? r + 1 : at(e_.first[at(j) + 1])); ++c, ++entry)
-        if (const auto found = free_at_.find({r, c}); found != free_at_.end()) {
-          free_number_[{r, c}] = static_cast<int>(plan_.free.size());
-          plan_.free.push_back({entry, found->second, plan_.scale[r] * plan_.scale[c]});
-        }
-    block.free_end = plan_.free.size();
-  }
-
-  /// Values of one matrix in the block (i, j). Returns whether there are any.
-  bool add_values(const Eigen::MatrixXd& matrix, int i, int j) {
-    const std::size_t before = plan_.values.size();
-    bool any = false;
-    for (Eigen::Index r = e_.first[at(i)]; r < e_.first[at(i) + 1]; ++r)
-      for (Eigen::Index c = e_.first[at(j)]; c < (i == j ? r + 1 : e_.first[at(j) + 1]); ++c) {
-        plan_.values.push_back(matrix(e_.rows[at(r)], e_.rows[at(c)]));
-        any = any || plan_.values.back() != 0;
-      }
-    if (!any) plan_.values.resize(before);
-    return any;
+    for (int j = 0; j < e_.count(); ++j) block_of_row_.insert(block_of_row_.end(), at(e_.size(j)), j);
   }
 
   void add_block(int i, int j) {
     BlockPlan::Block block;
     block.rows = e_.size(i), block.columns = e_.size(j), block.diagonal = i == j;
-    block.values = plan_.values.size();
-    block.has_K = add_values(m_.K, i, j);
-    block.has_loss = m_.lossy() && add_values(m_.K_loss, i, j);
-    block.has_B = add_values(m_.B, i, j);
-    block.has_A = add_values(m_.A, i, j);
-    if (!free_at_.empty()) add_free(i, j, block);
-    block.kept = i == j || block.has_free();
-    number_[{i, j}] = static_cast<int>(plan_.blocks.size());
     plan_.blocks.push_back(block);
   }
 
+  /// The diagonal one, then those below it.
   void add_column_blocks(int j) {
+    first_of_column_.push_back(static_cast<int>(plan_.blocks.size()));
     add_block(j, j);
     for (const int i : e_.below[at(j)]) add_block(i, j);
+  }
+
+  [[nodiscard]] int number(int i, int j) const {
+    if (i == j) return first_of_column_[at(j)];
+    const std::vector<int>& below = e_.below[at(j)];
+    return first_of_column_[at(j)] + 1 + static_cast<int>(std::lower_bound(below.begin(), below.end(), i) - below.begin());
+  }
+
+  void add_values() {
+    std::vector<int> block_of_entry;
+    for (const SymmetricEntry& e : entries_) {
+      block_of_entry.push_back(number(block_of_row_[at(e.row)], block_of_row_[at(e.column)]));
+      BlockPlan::Block& block = plan_.blocks[at(block_of_entry.back())];
+      block.has_K |= e.K != 0, block.has_loss |= e.loss != 0, block.has_B |= e.B != 0, block.has_A |= e.A != 0;
+      block.free_end += e.free >= 0 ? 1 : 0;  // their number, for the moment
+    }
+    std::size_t values = 0, free = 0;
+    for (BlockPlan::Block& block : plan_.blocks) {
+      block.values = values;
+      values += at(block.entries()) * at(block.has_K + block.has_loss + block.has_B + block.has_A);
+      block.kept = block.diagonal || block.has_free();
+      block.free_first = free;
+      free += block.free_end;
+      block.free_end = block.free_first;
+    }
+    plan_.values.assign(values, 0);
+    plan_.free.resize(free);
+    for (std::size_t k = 0; k < entries_.size(); ++k) put(entries_[k], plan_.blocks[at(block_of_entry[k])]);
+  }
+
+  void put(SymmetricEntry& e, BlockPlan::Block& block) {
+    const Eigen::Index i = e.row - e_.first[at(block_of_row_[at(e.row)])], j = e.column - e_.first[at(block_of_row_[at(e.column)])];
+    const Eigen::Index entry = block.diagonal ? i * (i + 1) / 2 + j : i * block.columns + j;
+    std::size_t to = block.values + at(entry);
+    for (const auto& [has, value] : {std::pair(block.has_K, e.K), {block.has_loss, e.loss}, {block.has_B, e.B}, {block.has_A, e.A}}) {
+      if (has) plan_.values[to] = value, to += at(block.entries());
+    }
+    if (e.free < 0) return;
+    plan_.free[block.free_end] = {at(entry), at(e.free), plan_.scale[at(e.row)] * plan_.scale[at(e.column)], at(e.row), at(e.column)};
+    e.free = static_cast<int>(block.free_end++);
   }
 
   /// Blocks from which something is subtracted before they divide.
   void mark_kept(int j) {
     const std::vector<int>& below = e_.below[at(j)];
     for (std::size_t left = 0; left < below.size(); ++left)
-      for (std::size_t right = 0; right <= left; ++right) plan_.blocks[at(number_.at({below[left], below[right]}))].kept = true;
+      for (std::size_t right = 0; right <= left; ++right) plan_.blocks[at(number(below[left], below[right]))].kept = true;
   }
 
   void place_kept() {
@@ -130,21 +140,21 @@ class Planner {
 
   void add_column(int j) {
     BlockPlan::Column column;
-    column.size = e_.size(j), column.row = at(e_.first[at(j)]), column.diagonal = number_.at({j, j});
+    column.size = e_.size(j), column.row = at(e_.first[at(j)]), column.diagonal = number(j, j);
     column.first = first_touch(column.diagonal);
     column.loaded = loaded_[at(j)];
     column.below_first = plan_.below.size(), column.update_first = plan_.updates.size();
     std::size_t entries = 0;
     const std::vector<int>& below = e_.below[at(j)];
     for (const int i : below) {
-      const int block = number_.at({i, j});
+      const int block = number(i, j);
       plan_.below.push_back({block, at(e_.first[at(i)]), first_touch(block) && plan_.blocks[at(block)].kept, entries});
       entries += at(plan_.blocks[at(block)].entries());
       if (column.loaded) loaded_[at(i)] = true;
     }
     for (std::size_t left = 0; left < below.size(); ++left)
       for (std::size_t right = 0; right <= left; ++right) {
-        const int target = number_.at({below[left], below[right]});
+        const int target = number(below[left], below[right]);
         plan_.updates.push_back({target, column.below_first + left, column.below_first + right, first_touch(target)});
       }
     column.below_end = plan_.below.size(), column.update_end = plan_.updates.size();
@@ -152,17 +162,19 @@ class Planner {
     plan_.columns.push_back(column);
   }
 
+  /// Both triangles by rows.
   void add_entries() {
-    plan_.entry_first.push_back(0);
-    for (const Eigen::Index i : e_.rows) {
-      for (std::size_t c = 0; c < plan_.rows; ++c) {
-        const Eigen::Index j = e_.rows[c];
-        BlockPlan::Entry entry{c, m_.A(i, j), m_.B(i, j), m_.K(i, j), m_.lossy() ? m_.K_loss(i, j) : 0.0};
-        const std::size_t r = plan_.entry_first.size() - 1;
-        if (const auto found = free_number_.find({std::max(r, c), std::min(r, c)}); found != free_number_.end()) entry.free = found->second;
-        if (entry.A != 0 || entry.B != 0 || entry.K != 0 || entry.loss != 0 || entry.free >= 0) plan_.entries.push_back(entry);
-      }
-      plan_.entry_first.push_back(plan_.entries.size());
+    plan_.entry_first.assign(plan_.rows + 1, 0);
+    for (const SymmetricEntry& e : entries_) {
+      ++plan_.entry_first[at(e.row) + 1];
+      if (e.row != e.column) ++plan_.entry_first[at(e.column) + 1];
+    }
+    std::partial_sum(plan_.entry_first.begin(), plan_.entry_first.end(), plan_.entry_first.begin());
+    plan_.entries.resize(plan_.entry_first.back());
+    std::vector<std::size_t> next = plan_.entry_first;
+    for (const SymmetricEntry& e : entries_) {
+      plan_.entries[next[at(e.row)]++] = {at(e.column), e.A, e.B, e.K, e.loss, e.free};
+      if (e.row != e.column) plan_.entries[next[at(e.column)]++] = {at(e.row), e.A, e.B, e.K, e.loss, e.free};
     }
   }
 
@@ -170,13 +182,13 @@ class Planner {
     using Part = double BlockPlan::Entry::*;
     for (const Part part : {&BlockPlan::Entry::A, &BlockPlan::Entry::B, &BlockPlan::Entry::K, &BlockPlan::Entry::loss}) {
       std::size_t largest = 0;
-      double most = -1;
+      double most = 0;
       for (std::size_t i = 0; i < plan_.rows; ++i) {
         double sum = 0;
         for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) sum += std::abs(plan_.entries[k].*part);
         if (sum > most) most = sum, largest = i;
       }
-      if (std::find(plan_.large_rows.begin(), plan_.large_rows.end(), largest) == plan_.large_rows.end()) plan_.large_rows.push_back(largest);
+      if (most > 0 && std::find(plan_.large_rows.begin(), plan_.large_rows.end(), largest) == plan_.large_rows.end()) plan_.large_rows.push_back(largest);
     }
   }
 
@@ -201,13 +213,10 @@ class Planner {
       }
   }
 
-  const DynamicMatrices& m_;
   const BlockElimination& e_;
-  const std::vector<FreeEntry>& given_free_;
+  std::vector<SymmetricEntry> entries_;
   BlockPlan plan_;
-  std::map<std::pair<int, int>, int> number_;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> free_at_;
-  std::map<std::pair<std::size_t, std::size_t>, int> free_number_;
+  std::vector<int> block_of_row_, first_of_column_;
   std::vector<bool> loaded_, touched_;
 };
 
@@ -219,8 +228,10 @@ BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Ei
     for (const LoadTerm& term : load->terms())
       for (Eigen::Index i = 0; i < term.value.size(); ++i)
         if (term.value(i) != 0.0) loaded[at(i)] = true;
-  const BlockElimination elimination = cheapest_block_elimination(matrices, loaded, free);
-  return Planner(matrices, elimination, free).plan(load, scale);
+  std::vector<SymmetricEntry> entries = symmetric_entries(matrices, scale);
+  add_free(free, entries);
+  const BlockElimination elimination = cheapest_block_elimination(couplings(matrices.size(), entries), matrices.blocks, loaded);
+  return Planner(elimination, std::move(entries)).plan(load, scale);
 }
 
 }  // namespace trivet::numerics

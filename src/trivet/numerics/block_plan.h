@@ -7,6 +7,7 @@
 
 #include "trivet/numerics/block_elimination.h"
 #include "trivet/numerics/load.h"
+#include "trivet/numerics/symmetric_entries.h"
 
 namespace trivet::numerics {
 
@@ -22,6 +23,7 @@ struct BlockPlan {
     std::size_t place = 0;        ///< of one that is kept, among the factors
     std::size_t free_first = 0, free_end = 0;  ///< in `free`
     [[nodiscard]] bool has_free() const { return free_end > free_first; }
+    [[nodiscard]] bool is_filled() const { return !(has_A || has_B || has_K || has_loss || has_free()); }  ///< by the elimination only
     [[nodiscard]] int entries() const { return diagonal ? rows * (rows + 1) / 2 : rows * columns; }
   };
   /// A block below the diagonal of a column; those of one column follow each other.
@@ -48,6 +50,7 @@ struct BlockPlan {
     std::size_t entry = 0;                ///< within the block
     std::size_t number = 0;               ///< which of the free entries
     double scale = 1;                     ///< it is multiplied by this
+    std::size_t row = 0, column = 0;
   };
   struct LoadRow {
     std::size_t row = 0;
@@ -82,10 +85,18 @@ struct BlockPlan {
   std::vector<double> weight, weighted_A, weighted_B, weighted_K, weighted_loss;
   bool given_load = false;                        ///< the right side is given for each frequency
   double multiply_adds = 0;
+
+  static constexpr int passes = 2;      ///< packs of frequencies that are solved side by side
+  static constexpr int together = 64;   ///< frequencies whose solutions are written together: lines of each plane, not numbers
+  static constexpr std::size_t pack = 16;  ///< numbers in a complex pack of the widest lanes
+  /// Complex packs for one pass beside its solutions.
+  [[nodiscard]] std::size_t packs() const { return factors + 2 * widest + (given_load ? 2 : 1) * rows + load.size() + free.size(); }
+  /// Numbers that a solver needs.
+  [[nodiscard]] std::size_t memory() const { return passes * packs() * pack + 2 * together * rows; }
 };
 
-/// @param scale  see `BlockPlan::scale`
-/// @param load   in the same coordinates as the matrices; null: given for each frequency, anywhere
+/// Of symmetric matrices, q = scale · q̃.
+/// @param load   in the coordinates q̃; null: given for each frequency, anywhere
 /// @param free   each at most once, on one side of the diagonal
 [[nodiscard]] BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Eigen::VectorXd& scale, const std::vector<FreeEntry>& free);
 

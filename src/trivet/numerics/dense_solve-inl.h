@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dense complex systems of any size, one frequency per lane: LDLᵀ without pivoting, LU with partial pivoting by masks, residuals.
+// Dense complex systems of any size, one frequency per lane: LU with partial pivoting by masks, residuals.
 // Include after hwy/foreach_target.h only.
 #if defined(TRIVET_NUMERICS_DENSE_SOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_DENSE_SOLVE_INL_H_
@@ -49,56 +49,6 @@ struct PackSystem {
   HWY_INLINE ComplexPack load(int i) const { return load_pack(batch.load, i * batch.load.stride + at); }
   HWY_INLINE void store(int i, const ComplexPack& q) const { store_pack(all(batch.scale[i]) * q, batch.q, i * batch.q.stride + at); }
 };
-
-/// Column j of rows i, i+1 … of L and of U = DLᵀ; a few rows at once share what they read.
-template <int rows>
-HWY_INLINE void eliminate(const PackSystem& s, PackArray& l, PackArray& u, int i, int j, Pack& norm) {
-  const int n = s.z.n;
-  ComplexPack x[rows];
-  TRIVET_UNROLL for (int r = 0; r < rows; ++r) {
-    x[r] = s.entry(i + r, j);
-    norm = hn::MulAdd(all(i + r == j ? 1.0 : 2.0), squared_modulus(x[r]), norm);
-  }
-  for (int k = 0; k < j; ++k) {
-    const ComplexPack right = u[j * n + k];
-    TRIVET_UNROLL for (int r = 0; r < rows; ++r) x[r] = subtract_product(x[r], l[(i + r) * n + k], right);
-  }
-  TRIVET_UNROLL for (int r = 0; r < rows; ++r) u.set((i + r) * n + j, x[r]);
-}
-
-HWY_INLINE LaneMask solve_symmetric_pack(const PackSystem& s, PackArray& l, PackArray& u, PackArray& q) {
-  const int n = s.z.n;
-  Growth growth{hn::Zero(Lanes()), hn::Zero(Lanes())};
-  Pack norm = hn::Zero(Lanes());
-  for (int j = 0; j < n; ++j) {
-    int i = j;
-    for (; i + 4 <= n; i += 4) eliminate<4>(s, l, u, i, j, norm);
-    for (; i < n; ++i) eliminate<1>(s, l, u, i, j, norm);
-    const ComplexPack d = u[j * n + j], by = inverse(d);
-    Pack column = squared_modulus(d);
-    for (i = j + 1; i < n; ++i) {
-      const ComplexPack x = u[i * n + j];
-      column = hn::Add(column, squared_modulus(x));
-      l.set(i * n + j, x * by);
-    }
-    l.set(j * n + j, by);
-    const Pack reciprocal = squared_modulus(by);
-    growth.reciprocals = hn::Add(growth.reciprocals, reciprocal);
-    growth.squares = hn::MulAdd(hn::Mul(column, column), reciprocal, growth.squares);
-  }
-  for (int i = 0; i < n; ++i) {
-    ComplexPack x = s.load(i);
-    for (int k = 0; k < i; ++k) x = subtract_product(x, l[i * n + k], q[k]);
-    q.set(i, x);
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    ComplexPack x = q[i] * l[i * n + i];
-    for (int k = i + 1; k < n; ++k) x = subtract_product(x, l[k * n + i], q[k]);
-    q.set(i, x);
-    s.store(i, x);
-  }
-  return trusted(growth, norm, n);
-}
 
 /// Exchanges x and y in the lanes of a mask.
 HWY_INLINE void exchange(const LaneMask& where, PackArray& array, int a, int b) {

@@ -8,7 +8,7 @@ namespace trivet::numerics {
 std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
-    if (A.row(i).cwiseAbs().maxCoeff() > 0) rows.push_back(i);
+    if (A(i, i) != 0 || !A.row(i).isZero(0)) rows.push_back(i);
   return rows;
 }
 

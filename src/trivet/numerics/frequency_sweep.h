@@ -14,8 +14,15 @@ namespace trivet::numerics {
 /// Backward error above which a frequency is solved anew with pivoting: ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal.
 inline constexpr double accepted_backward_error = 1e-14;
 
-/// What depends on ω in its own way: adds to Z (n × n) and to h (n) at one ω. Called on several threads at once.
-using FrequencyPart = std::function<void(double omega, Eigen::MatrixXcd& Z, Eigen::VectorXcd& h)>;
+/// What depends on ω in its own way.
+struct FrequencyPart {
+  /// Adds to Z (n × n) and to h (n) at one ω. Called on several threads at once.
+  std::function<void(double omega, Eigen::MatrixXcd& Z, Eigen::VectorXcd& h)> add;
+  /// Rows of Z that each of its elements couples: it changes Z nowhere else. Empty: it couples all rows.
+  std::vector<std::vector<Eigen::Index>> coupled_rows = {};
+
+  explicit operator bool() const { return static_cast<bool>(add); }
+};
 
 struct SweepOptions {
   /// Compute the backward error of every solution. Otherwise the growth of the factors
@@ -49,18 +56,17 @@ struct SweepPlanes : SweepCounts {
   Eigen::ArrayXd backward_error;    ///< of each; empty unless asked for
 };
 
-
 /// Symmetric matrices: LDLᵀ without pivoting, one frequency per lane; what grows too much or misses `accepted_backward_error` is redone by
 /// LU with partial pivoting. Unsymmetric matrices: LU throughout. See docs/decisions/no-pivoting-first.md.
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, const SweepOptions& options = {});
 
 /// With a part that depends on ω in its own way; Z as a whole is symmetric if `matrices.symmetric`.
+/// @throws InvalidInput if the part adds to Z where it says that it does not
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part, const std::vector<double>& omega,
                                 const SweepOptions& options = {});
 
 /// Where no backward errors are asked for, many frequencies under a constant load are summed over poles, if these can be proven (pole_sweep.h);
 /// otherwise, and where a share of the sums that is put back misses `accepted_backward_error`, solved directly.
 void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options = {});
-
 
 }  // namespace trivet::numerics

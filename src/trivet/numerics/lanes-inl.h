@@ -14,6 +14,14 @@
 #undef TRIVET_LANES
 #define TRIVET_LANES __attribute__((always_inline)) HWY_ATTR
 
+// Before a loop that is written out where the compiler optimises; the instrumented build keeps it: to write them all out takes it minutes.
+#undef TRIVET_UNROLL
+#ifdef NDEBUG
+#define TRIVET_UNROLL _Pragma("GCC unroll 8")
+#else
+#define TRIVET_UNROLL
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 

@@ -28,17 +28,6 @@ bool solve_fixed(const Coefficients& z, const sweep_kernels::Aim* aim, const Bat
   return aim ? fixed<true>(z, aim, batch) : fixed<false>(z, nullptr, batch);
 }
 
-bool solve_symmetric(const Coefficients& z, const Batch& batch) {
-  PackArray l(z.n * z.n), u(z.n * z.n), q(z.n);
-  bool all_good = true;
-  for (long at = 0; at < batch.count; at += lane_count()) {
-    const LaneMask good = solve_symmetric_pack(PackSystem(z, batch, at), l, u, q);
-    store_pack(hn::IfThenZeroElse(good, all(1.0)), batch.error + at);
-    all_good = all_good && hn::AllTrue(Lanes(), good);
-  }
-  return all_good;
-}
-
 bool solve_pivoted(const Coefficients& z, const Batch& batch) {
   PackArray lu(z.n * z.n), q(z.n);
   bool all_good = true;
@@ -117,14 +106,12 @@ Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size
 namespace trivet::numerics {
 
 TRIVET_VARIANTS(solve_fixed);
-TRIVET_VARIANTS(solve_symmetric);
 TRIVET_VARIANTS(solve_pivoted);
 TRIVET_VARIANTS(backward_errors);
 TRIVET_VARIANTS(raise_maxima);
 
 namespace sweep_kernels {
 bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) { return TRIVET_DISPATCH(solve_fixed)(z, aim, batch); }
-bool solve_symmetric(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_symmetric)(z, batch); }
 bool solve_pivoted(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_pivoted)(z, batch); }
 void backward_errors(const Coefficients& z, const Batch& batch) { TRIVET_DISPATCH(backward_errors)(z, batch); }
 void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/planes.h"
 
 namespace trivet::numerics::sweep_kernels {
 
@@ -20,13 +21,6 @@ inline constexpr int most_fixed = 6;
 inline constexpr double growth_allowed = 16;
 /// Share of the norm below which a pivot is nothing but round-off.
 constexpr double negligible_pivot(int n) { return 16 * n * std::numeric_limits<double>::epsilon(); }
-
-/// Complex numbers of a batch: entry k of frequency f at [k · stride + f].
-struct Planes {
-  double* re = nullptr;
-  double* im = nullptr;
-  long stride = 0;
-};
 
 /// Z(ω) = K + iK_loss + iωB − ω²A in scaled coordinates, all n × n in rows.
 struct Coefficients {
@@ -59,9 +53,6 @@ struct Batch {
 /// error: set to 1 where `growth_allowed` or a negligible pivot forbids the result.
 /// @return whether all are allowed
 [[nodiscard]] bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch);
-
-/// The same for any n and with `extra`.
-[[nodiscard]] bool solve_symmetric(const Coefficients& z, const Batch& batch);
 
 /// LU with partial pivoting, lane by lane by masks, any n, symmetric or not. error: 1 where a pivot is negligible, else 0.
 [[nodiscard]] bool solve_pivoted(const Coefficients& z, const Batch& batch);

@@ -37,7 +37,7 @@ void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::ve
   for (std::size_t at = 0; at < omega.size(); at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
     const auto count = static_cast<long>(std::min(omega.size() - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
     const int singular = workspace.counts().singular;
-    const sweep_kernels::Planes q = workspace.solve(&omega[at], count, options.every_backward_error);
+    const Planes q = workspace.solve(&omega[at], count, options.every_backward_error);
     workspace.raise_maxima(q, square.data(), where.data());
     for (long f = 0; f < count && workspace.counts().singular > singular; ++f)
       if (std::isnan(q.re[f]) && square[0] < infinity) {

@@ -14,18 +14,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-// Written out where the compiler optimises; the instrumented build keeps its loops: to write them out takes it minutes.
-#undef TRIVET_UNROLL
-#ifdef NDEBUG
-#define TRIVET_UNROLL _Pragma("GCC unroll 16")
-#else
-#define TRIVET_UNROLL
-#endif
-
 HWY_INLINE Pack load_pack(const double* from) { return hn::LoadU(Lanes(), from); }
 HWY_INLINE void store_pack(const Pack& pack, double* to) { hn::StoreU(pack, Lanes(), to); }
-HWY_INLINE ComplexPack load_pack(const sweep_kernels::Planes& planes, long at) { return {load_pack(planes.re + at), load_pack(planes.im + at)}; }
-HWY_INLINE void store_pack(const ComplexPack& z, const sweep_kernels::Planes& planes, long at) {
+HWY_INLINE ComplexPack load_pack(const Planes& planes, long at) { return {load_pack(planes.re + at), load_pack(planes.im + at)}; }
+HWY_INLINE void store_pack(const ComplexPack& z, const Planes& planes, long at) {
   store_pack(z.re, planes.re + at);
   store_pack(z.im, planes.im + at);
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace trivet::numerics {
+
+/// Complex numbers of many frequencies: number k of frequency f at [k · stride + f].
+struct Planes {
+  double* re = nullptr;
+  double* im = nullptr;
+  Eigen::Index stride = 0;
+};
+
+}  // namespace trivet::numerics
