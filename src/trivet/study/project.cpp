@@ -51,7 +51,7 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
-std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems);
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems, const Case* base = nullptr);
 
 /// The model of a document, without what is asked of it.
 Node without_questions(Node document) {
@@ -102,8 +102,8 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, foundatio
   }
 }
 
-/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors.
-std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems) {
+/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems, const Case* base) {
   foundation::Problems reading;
   TableReader root(document, "", reading);
   model::Description description;
@@ -126,7 +126,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   locate(physical, document);
   all.add(physical);
-  if (analyses.map) check_numbers_of_map(document, *analyses.map, all);
+  if (analyses.map && (!base || !(base->analyses.map == analyses.map))) check_numbers_of_map(document, *analyses.map, all);
   const bool good = !all.has_errors();
   all.sort_by_origin();
   problems.add(all);
@@ -218,7 +218,7 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
       foundation::Problems of_case;
       apply_changes(variant, change, "", of_case);
       std::string title;
-      auto variant_case = read_case(variant, name, title, of_case);
+      auto variant_case = read_case(variant, name, title, of_case, project.cases.empty() ? nullptr : &project.base());
       add_of_case(of_case, of_base, name, problems);
       if (!variant_case || project.cases.empty()) continue;
       variant_case->changes = setting_lines;
