@@ -26,6 +26,7 @@ class Springs {
  public:
   Springs(Index n, bool symmetric) : n_(n), generator_(static_cast<unsigned>(n)), load_(n) {
     system_ = {Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, symmetric};
+    for (Index i = 0; i < n; ++i) system_.A(i, i) = 1 + static_cast<double>(i % 4);  // masses and inertias are not alike
     std::vector<Index> rows;
     for (Index first = 0; first < n; first += 6) {
       system_.blocks.push_back(first);
@@ -138,10 +139,10 @@ TEST(FrequencyPart, OneThatAddsBesideItsRowsIsRefused) {
 }
 
 TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
-  // Body one stands on springs that vanish at ω = 10 together with its mass; damping and couplings hold it.
+  // It balances the mass of one coordinate that has no stiffness nor damping of its own; couplings hold it.
   DynamicMatrices m = Springs(20, true).constant();
   m.K(19, 19) = m.B(19, 19) = 0;
-  const FrequencyPart part{[](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd&) { z(19, 19) += omega * omega; }, {{19}}};
+  const FrequencyPart part{[mass = m.A(19, 19)](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd&) { z(19, 19) += omega * omega * mass; }, {{19}}};
   const Load load(Eigen::VectorXcd::Ones(20));
   const std::vector<double> omega = {9.5, 10};
   const SweepResult found = sweep(m, load, part, omega);

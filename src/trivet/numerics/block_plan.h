@@ -91,8 +91,8 @@ struct BlockPlan {
   static constexpr std::size_t pack = 16;  ///< numbers in a complex pack of the widest lanes
   /// Complex packs for one pass beside its solutions.
   [[nodiscard]] std::size_t packs() const { return factors + 2 * widest + (given_load ? 2 : 1) * rows + load.size() + free.size(); }
-  /// Numbers that a solver needs.
-  [[nodiscard]] std::size_t memory() const { return passes * packs() * pack + 2 * together * rows; }
+  /// Numbers that a solver needs, some even for no rows: empty arrays begin somewhere, too.
+  [[nodiscard]] std::size_t memory() const { return pack + passes * packs() * pack + 2 * together * rows; }
 };
 
 /// Of symmetric matrices, q = scale · q̃.

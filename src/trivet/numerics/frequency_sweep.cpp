@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/pieces.h"
 #include "trivet/numerics/pole_sweep.h"
-#include "trivet/numerics/sweep_plan.h"
+#include "trivet/numerics/sweep_workspace.h"
 
 namespace trivet::numerics {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 
 namespace trivet::numerics {
 
@@ -10,6 +11,11 @@ struct Planes {
   double* re = nullptr;
   double* im = nullptr;
   Eigen::Index stride = 0;
+
+  void put(Eigen::Index at, const std::complex<double>& value) const {
+    re[at] = value.real();
+    im[at] = value.imag();
+  }
 };
 
 }  // namespace trivet::numerics

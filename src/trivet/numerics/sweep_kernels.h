@@ -14,6 +14,7 @@ namespace trivet::numerics::sweep_kernels {
 /// Frequencies in the widest pack: batches are filled up to a multiple of it, those of `solve_fixed` to a multiple of two packs.
 inline constexpr long widest_pack = 8;
 inline constexpr long granule = 2 * widest_pack;
+constexpr long filled_up(long count, long whole) { return (count + whole - 1) / whole * whole; }
 /// Coordinates up to which loops are written out.
 inline constexpr int most_fixed = 6;
 

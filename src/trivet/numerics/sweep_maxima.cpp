@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
-#include "trivet/numerics/sweep_plan.h"
+#include "trivet/numerics/sweep_workspace.h"
 
 namespace trivet::numerics {
 namespace {
