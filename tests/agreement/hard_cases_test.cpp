@@ -51,7 +51,7 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
   for (const HardCase& hard : hard_cases()) {
     assembly::Assembled assembled{assembly::Layout(model::Description{}), hard.m, {}, {}, {}};
     std::vector<assembly::Channel> channels;
-    for (int j = 0; j < 6; ++j) channels.push_back({"q" + std::to_string(j), "m", j % 3, Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6), {}, {}, 0});
+    for (int j = 0; j < 6; ++j) channels.push_back({{Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6)}, "q" + std::to_string(j), "m", j % 3, {}, {}, 0});
     modal::Modes modes;
     modal::Roots roots;
     roots.poles = numerics::roots_of_companion(hard.m).lambda;

@@ -10,27 +10,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// What terms of a channel make of coordinates, and the sum of the magnitudes of its parts.
-std::pair<Complex, double> weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
-                                    const Eigen::VectorXcd& q, Complex omega) {
-  const Complex i(0, 1);
-  const Eigen::Index n = q.size();
-  const Complex y = on_displacement.head(n).cwiseProduct(q).sum() + i * omega * on_velocity.head(n).cast<Complex>().cwiseProduct(q).sum() -
-                    omega * omega * on_acceleration.head(n).cast<Complex>().cwiseProduct(q).sum();
-  const Eigen::VectorXd size = q.cwiseAbs();
-  return {y, on_displacement.head(n).cwiseAbs().dot(size) + std::abs(omega) * on_velocity.head(n).cwiseAbs().dot(size) +
-                 std::norm(omega) * on_acceleration.head(n).cwiseAbs().dot(size)};
-}
-
 /// A channel, and the sum of the magnitudes of its terms. `g`: motion of the ground, no rows if it rests.
 std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q,
                                  const Eigen::VectorXcd& g, Complex omega, double near) {
-  auto [y, possible] = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, q, omega);
-  if (g.size() > 0 && !channel.ground.empty()) {
-    const auto [of_ground, possible_of_ground] = weighted(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration, g, omega);
-    y += of_ground;
-    possible += possible_of_ground;
-  }
+  numerics::ObservedCurve curve = channel.curve();
+  curve.derivative = 0;  // comes last, on the dynamic forces too
+  const Eigen::RowVectorXcd at = Eigen::RowVectorXcd::Constant(1, omega);
+  Complex y = numerics::curve_values(curve, q, g, at).value();
+  double possible = numerics::possible_amplitudes(curve, q.cwiseAbs(), g.cwiseAbs(), at.cwiseAbs()).value();
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
