@@ -91,10 +91,13 @@ CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& 
 }
 
 CurveSeries squared_modulus(const Eigen::RowVectorXcd& y, int power) {
-  CurveSeries result{std::vector<double>(static_cast<std::size_t>(y.size()), 0.0), power};
-  for (Eigen::Index k = 0; k < y.size(); ++k)
-    for (Eigen::Index j = 0; j <= k; ++j)
-      result.square[static_cast<std::size_t>(k)] += y(j).real() * y(k - j).real() + y(j).imag() * y(k - j).imag();
+  const auto count = static_cast<std::size_t>(y.size());
+  CurveSeries result{std::vector<double>(count, 0.0), power};
+  const Eigen::RowVectorXd re = y.real(), im = y.imag();
+  const double *a = re.data(), *b = im.data();
+  double* square = result.square.data();
+  for (std::size_t j = 0; j < count; ++j)
+    for (std::size_t k = 0; k + j < count; ++k) square[j + k] += a[j] * a[k] + b[j] * b[k];
   return result;
 }
 
