@@ -7,9 +7,9 @@
 #include "trivet/numerics/circle_search.h"
 #include "trivet/numerics/disc_search.h"
 #include "trivet/numerics/peak_count.h"
+#include "trivet/numerics/peak_refinement.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/response/frequency_response.h"
-#include "trivet/response/peak_refinement.h"
 
 namespace trivet::response {
 namespace {
@@ -31,14 +31,6 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
   double end = std::max(options.search_to, well_above * highest);
   for (const assembly::ElementMap& map : assembled.elements) end = std::min(end, map.defined_to);
   return end;
-}
-
-/// Panels laid out by the poles of the response.
-numerics::AxisSearch search_constant(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                                     const Eigen::VectorXcd& poles, double end, const foundation::Progress& progress) {
-  const double to = loading.longest_delay() > 0 ? end : infinity;
-  return numerics::search_by_discs({assembled.matrices, assembly::right_side(assembled, loading), loading.motion}, assembly::curves(channels), poles,
-                                   {0, to, progress});
 }
 
 /// Samples on circles, as far as every element is defined.
@@ -74,9 +66,11 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
             const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
   const bool loaded = !loading.vanishes(), exact = assembled.frequency_dependent();
   const double end = search_end(assembled, modes, roots, options);
+  const numerics::Load right_side = assembly::right_side(assembled, loading);
+  const numerics::DrivenSystem system{assembled.matrices, right_side, loading.motion};  // constant elements
   const foundation::Progress first_half = [&](std::string_view task, double fraction) { foundation::report_progress(progress, task, 0.5 * fraction); };
   numerics::AxisSearch found = exact ? search_exact(assembled, channels, loading, roots.poles, end, first_half)
-                                     : search_constant(assembled, channels, loading, roots.poles, end, first_half);
+                                     : numerics::search_by_discs(system, assembly::curves(channels), roots.poles, {0, loading.longest_delay() > 0 ? end : infinity, first_half});
   Peaks result;
   result.searched_from = found.from;
   result.searched_to = found.to;
@@ -122,9 +116,9 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       Peak peak{c, t.angular_frequency, t.amplitude, numerics::prominence(heights, i + 1), {}, {}, t.uncertainty, 0, false};
       if (!(peak.prominence > options.min_prominence * finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
-        const RefinedPeak refined = exact            ? RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, numerics::circle_accuracy * t.amplitude, true}
-                                    : options.refine ? refine_peak(assembled, channels[c], loading, t.angular_frequency, t.reach)
-                                                     : RefinedPeak{};
+        const numerics::RefinedPeak refined = exact ? numerics::RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, numerics::circle_accuracy * t.amplitude, true}
+                                              : options.refine ? numerics::refine_peak(system, channels[c].curve(), t.angular_frequency, t.reach)
+                                                               : numerics::RefinedPeak{};
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;
           peak.angular_frequency = refined.angular_frequency;
