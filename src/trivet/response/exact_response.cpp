@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/exact_response.h"
 
-#include <Eigen/LU>
+#include <cmath>
 #include <limits>
 #include <tuple>
+
+#include "trivet/numerics/pivoted_solution.h"
 
 namespace trivet::response {
 namespace {
@@ -54,22 +56,11 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXcd z = scale_.asDiagonal() * assembled_.dynamic_stiffness(omega, near) * scale_.asDiagonal();
   const Eigen::VectorXcd load = scale_.asDiagonal() * assembly::exact_right_side(assembled_, loading_, omega, near);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
-  Eigen::VectorXcd q = lu.solve(load);
-  q += lu.solve(load - z * q);
-  const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
-  const double negligible = 4 * static_cast<double>(z.rows()) * std::numeric_limits<double>::epsilon();
+  numerics::PivotedSolution solution = numerics::pivoted_solution(z, load, true);
   const auto count = static_cast<Eigen::Index>(channels_.size());
-  ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)}, q,
-                     std::numeric_limits<double>::infinity(), nan};
-  if (!q.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= negligible * norm) {
-    sample.coordinates.setConstant(nan);
-    return sample;
-  }
-  const double size = norm * q.cwiseAbs().maxCoeff() + load.cwiseAbs().maxCoeff();
-  sample.backward_error = size > 0 ? (load - z * q).cwiseAbs().maxCoeff() / size : 0;
-  sample.condition = 1 / lu.rcond();
-  sample.coordinates = scale_.asDiagonal() * q;
+  ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)},
+                     scale_.asDiagonal() * solution.x, solution.condition, solution.backward_error};
+  if (std::isnan(solution.backward_error)) return sample;
   static_cast<ExactValues&>(sample) = exact_values(assembled_, channels_, loading_, sample.coordinates, omega, near);
   return sample;
 }
