@@ -11,6 +11,7 @@
 #include "trivet/numerics/disc_search.h"
 #include "trivet/numerics/instruction_set.h"
 #include "trivet/numerics/peak_count.h"
+#include "trivet/numerics/system_roots.h"
 
 namespace trivet {
 namespace {
@@ -23,7 +24,7 @@ struct Searched {
   int peaks = 0;
 };
 
-Searched by_discs(const numerics::BandCurve& curve) {
+Searched summary(const numerics::SearchedCurve& curve) {
   std::vector<double> heights = {curve.at_start};
   for (const numerics::Extremum& e : curve.extrema) heights.push_back(e.amplitude);
   heights.push_back(curve.at_end);
@@ -31,10 +32,14 @@ Searched by_discs(const numerics::BandCurve& curve) {
   return {highest, numerics::prominent_peaks(heights, 1e-6 * highest).peaks};
 }
 
-std::vector<numerics::ObservedRow> coordinates(Eigen::Index n, int derivative) {
-  std::vector<numerics::ObservedRow> rows;
-  for (Eigen::Index j = 0; j < n; ++j) rows.push_back({Eigen::VectorXd::Unit(n, j), {}, derivative});
-  return rows;
+/// All coordinates of one design.
+std::vector<numerics::SearchedCurve> by_discs(const numerics::Designs& designs, Eigen::Index d, int derivative, double from, double to) {
+  const Eigen::Index n = designs.coordinates();
+  std::vector<numerics::ObservedCurve> curves;
+  for (Eigen::Index j = 0; j < n; ++j) curves.push_back(numerics::observed_curve({Eigen::VectorXd::Unit(n, j), {}, derivative}));
+  const numerics::DynamicMatrices m = test::matrices_of(designs, d);
+  const numerics::Load load(designs.load.row(d).matrix().transpose().cast<std::complex<double>>()), nothing(Eigen::Index{0});
+  return numerics::search_by_discs({m, load, nothing}, curves, numerics::poles(numerics::system_roots(m)), {from, to}).curves;
 }
 
 void expect_agreement(const numerics::Designs& designs, const numerics::DesignPeakOptions& options, int every, double tolerance) {
@@ -42,9 +47,9 @@ void expect_agreement(const numerics::Designs& designs, const numerics::DesignPe
   const Eigen::Index n = designs.coordinates();
   const int derivative = options.derivative.empty() ? 0 : options.derivative[0];
   for (Eigen::Index d = 0; d < designs.count(); d += every) {
-    const auto curves = numerics::search_by_discs(test::matrices_of(designs, d), designs.load.row(d).matrix().transpose(), coordinates(n, derivative), options.from, options.to);
+    const auto curves = by_discs(designs, d, derivative, options.from, options.to);
     for (Eigen::Index j = 0; j < n; ++j) {
-      const Searched expected = by_discs(curves[static_cast<std::size_t>(j)]);
+      const Searched expected = summary(curves[static_cast<std::size_t>(j)]);
       EXPECT_NEAR(peaks.highest(d, j), expected.highest, tolerance * expected.highest) << "design " << d << ", coordinate " << j;
       if (options.count_peaks) {
         EXPECT_EQ(peaks.peaks(d, j), expected.peaks) << "design " << d << ", coordinate " << j;

@@ -8,8 +8,8 @@
 #include "support/matchers.h"
 #include "trivet/numerics/frequency_sweep.h"
 #include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/peak_refinement.h"
 #include "trivet/numerics/refined_solution.h"
-#include "trivet/response/peak_refinement.h"
 #include "trivet/response/peaks.h"
 
 namespace {
@@ -51,7 +51,7 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
   for (const HardCase& hard : hard_cases()) {
     assembly::Assembled assembled{assembly::Layout(model::Description{}), hard.m, {}, {}, {}};
     std::vector<assembly::Channel> channels;
-    for (int j = 0; j < 6; ++j) channels.push_back({"q" + std::to_string(j), "m", j % 3, Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6), {}, {}, 0});
+    for (int j = 0; j < 6; ++j) channels.push_back({{Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6)}, "q" + std::to_string(j), "m", j % 3, {}, {}, 0});
     modal::Modes modes;
     modal::Roots roots;
     roots.poles = numerics::roots_of_companion(hard.m).lambda;
@@ -63,7 +63,8 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
       EXPECT_TRUE(peak.refined) << hard.name;
       const double step = std::max(64 * peak.frequency_uncertainty, 1e-6 * peak.angular_frequency);
       for (const double side : {-step, step}) {
-        const response::RefinedPeak beside = response::refine_peak(assembled, channels[peak.curve], load(), peak.angular_frequency + side, 0);
+        const numerics::Load driving(load()), nothing(Eigen::Index{0});
+        const numerics::RefinedPeak beside = numerics::refine_peak({hard.m, driving, nothing}, channels[peak.curve].curve(), peak.angular_frequency + side, 0);
         EXPECT_LE(beside.amplitude, peak.amplitude * (1 + 1e-12) + peak.amplitude_uncertainty) << hard.name << " near " << peak.angular_frequency;
       }
     }

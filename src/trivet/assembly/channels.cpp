@@ -265,7 +265,7 @@ class Builder {
 
   Channel empty(std::string name, std::string unit, int derivative) const {
     const Eigen::Index n = assembled_.layout.size();
-    return {std::move(name), std::move(unit), derivative, Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), {}, {}, 0};
+    return {{Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}, std::move(name), std::move(unit), derivative, {}, {}, 0};
   }
 
   const model::System& system_;
@@ -274,6 +274,12 @@ class Builder {
 };
 
 }  // namespace
+
+std::vector<numerics::ObservedCurve> curves(const std::vector<Channel>& channels) {
+  std::vector<numerics::ObservedCurve> result;
+  for (const Channel& channel : channels) result.push_back(channel.curve());
+  return result;
+}
 
 std::vector<std::string> channel_words(const model::Description& description) {
   std::vector<std::string> words = {"coordinates", "ground", "base"};

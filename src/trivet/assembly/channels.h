@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
+#include "trivet/numerics/observed_curve.h"
 
 namespace trivet::assembly {
 
@@ -17,27 +18,23 @@ struct DynamicForce {
   Eigen::Matrix<double, 1, 12> row;
 };
 
-/// What the motion of the ground adds to an answer, like the terms of a channel; empty where it adds nothing.
-struct GroundTerms {
-  Eigen::VectorXcd on_displacement;
-  Eigen::VectorXd on_velocity, on_acceleration;
-  [[nodiscard]] bool empty() const { return on_displacement.size() == 0; }
-};
-
 /// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity − ω² on_acceleration)ᵀ q, and
 /// the same of the ground coordinates g.
-/// With loss factors `on_displacement` is complex (ω > 0); static answers use its real part.
-struct Channel {
+/// With loss factors `on_displacement` is complex (ω > 0); static answers use its real part. Elements with mass bring `on_acceleration`.
+struct Channel : numerics::CurveTerms {
   std::string name;  ///< "body.x", "body.point.rz", "element.force.x", "ground.moment.z"
   std::string unit;  ///< SI
   int derivative = 0;
-  Eigen::VectorXcd on_displacement;
-  Eigen::VectorXd on_velocity;
-  Eigen::VectorXd on_acceleration;          ///< inertia forces of elements with mass
   std::vector<DynamicForce> dynamic_forces; ///< of frequency-dependent elements; not in the terms above
-  GroundTerms ground;
+  numerics::CurveTerms ground;              ///< what the motion of the ground adds; empty where that is nothing
   double at_rest = 0;                       ///< what preload and gravity on the element's own mass add to a static force
+
+  /// All but the dynamic forces.
+  [[nodiscard]] numerics::ObservedCurve curve() const { return {*this, ground, derivative}; }
 };
+
+/// Of every channel.
+[[nodiscard]] std::vector<numerics::ObservedCurve> curves(const std::vector<Channel>& channels);
 
 /// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", "base" (the rigid motion of
 /// the whole foundation), BODY.relative and BODY.POINT.relative (less that motion), ELEMENT.deflection (end K against N beyond a rigid motion, in

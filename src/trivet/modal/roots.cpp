@@ -8,9 +8,7 @@
 #include <limits>
 
 #include "trivet/modal/exact_roots.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/massless.h"
-#include "trivet/numerics/quadratic_roots.h"
+#include "trivet/numerics/system_roots.h"
 
 namespace trivet::modal {
 namespace {
@@ -18,69 +16,8 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Extended-precision refinement costs n³ per root; beyond this size a double eigensolver has to do.
-constexpr Eigen::Index largest_refined = 60;
-
 /// A double real root splits into a pair with |Im λ| ≈ √ε |λ|: within this it is critical, not oscillating.
 const double critical_split = 8 * std::sqrt(epsilon);
-
-numerics::QuadraticRoots undamped_roots(const numerics::GeneralizedModes& modes) {
-  const Eigen::Index n = modes.lambda.size();
-  numerics::QuadraticRoots result;
-  result.lambda.resize(2 * n);
-  result.vectors.resize(modes.shapes.rows(), 2 * n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Complex root = std::sqrt(Complex(-modes.lambda(i), 0));
-    result.lambda(2 * i) = root;
-    result.lambda(2 * i + 1) = -root;
-    result.vectors.col(2 * i) = result.vectors.col(2 * i + 1) = modes.shapes.col(i).cast<Complex>();
-  }
-  return result;
-}
-
-/// Roots, and how small one must be to stand for a free motion: exactly 0 where the solver splits free motions off.
-struct AllRoots {
-  numerics::QuadraticRoots roots;
-  double at_rest = 0;
-};
-
-/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`, two for each free motion,
-/// however fast the fastest of the others is.
-double rest_limit(const numerics::QuadraticRoots& roots, Eigen::Index most) {
-  if (most == 0) return 0;
-  Eigen::VectorXd size = roots.lambda.cwiseAbs();
-  std::sort(size.begin(), size.end());
-  return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
-}
-
-AllRoots all_roots(const numerics::DynamicMatrices& m) {
-  if (const numerics::WithoutIdle kept = numerics::without_idle(m); kept.any) {
-    AllRoots result = all_roots(kept.matrices);
-    result.roots.vectors = (kept.recovery * result.roots.vectors).eval();
-    return result;
-  }
-  const numerics::MassiveSystem massive = numerics::massive_system(m);
-  const bool massless = massive.A.rows() < m.size();
-  const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, m.symmetric);
-  const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
-  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
-  numerics::QuadraticRoots result;
-  const bool basis_is_orthonormal = !massless && modes.route == numerics::ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
-  if (basis_is_orthonormal) {
-    const Eigen::MatrixXd& phi = modes.shapes;
-    const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd();
-    Eigen::MatrixXd damping = phi.transpose() * m.B * phi;
-    // A rigid motion that no damper resists: its projected damping is a difference that should vanish exactly.
-    const Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.B.cwiseAbs() * phi.cwiseAbs();
-    damping = (damping.array().abs() <= 64 * double(m.size()) * epsilon * available.array()).select(0.0, damping);
-    result = numerics::roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
-    result.vectors = (phi * result.vectors).eval();
-  } else {
-    result = massless ? numerics::roots_with_massless(m) : numerics::roots_of_companion(m);
-  }
-  if (m.size() <= largest_refined) numerics::refine_roots(m, result);
-  return {result, basis_is_orthonormal ? 0 : rest_limit(result, 2 * (modes.lambda.array() == 0).count())};
-}
 
 Root classified(const Complex& lambda, double scale, double at_rest) {
   Root root;
@@ -158,16 +95,16 @@ const char* name(RootKind kind) {
 
 Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes) {
   const numerics::DynamicMatrices& m = assembled.matrices;
-  auto [raw, at_rest] = all_roots(m);
+  numerics::SystemRoots all = numerics::system_roots(m);
+  numerics::QuadraticRoots& raw = all.roots;
   std::vector<bool> inexact(static_cast<std::size_t>(raw.lambda.size()), false);
   const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(m.A).size());
   const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
   Roots result;
-  if (assembled.frequency_dependent()) make_exact(assembled, at_rest, raw, result.remarks, inexact);
-  result.poles = raw.lambda;
+  if (assembled.frequency_dependent()) make_exact(assembled, all.at_rest, raw, result.remarks, inexact);
+  result.poles = numerics::poles(all);
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
-    Root root = classified(raw.lambda(k), scale, at_rest);
-    if (root.kind == RootKind::rigid) result.poles(k) = 0;
+    Root root = classified(raw.lambda(k), scale, all.at_rest);
     // With a loss factor only the half plane that belongs to ω > 0 has a meaning.
     if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
     root.exact = !inexact[static_cast<std::size_t>(k)];

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
@@ -10,6 +12,7 @@
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/peak_count.h"
 #include "trivet/numerics/root_table.h"
+#include "trivet/numerics/system_roots.h"
 
 namespace trivet::numerics {
 namespace {
@@ -54,22 +57,24 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
   return result;
 }
 
-ChannelPeaks peaks_of_curve(const BandCurve& curve, const PeakQuestion& question) {
-  ChannelPeaks answer{curve.at_start, question.from, 0, 0};
-  double top = std::isfinite(curve.at_start) ? curve.at_start : 0;
+ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const PeakQuestion& question) {
+  const auto height = [](double y) { return std::isnan(y) ? std::numeric_limits<double>::infinity() : y; };  // Z is singular
+  const double start = height(curve.at_start), end = height(curve.at_end);
+  ChannelPeaks answer{start, question.from, 0, 0};
+  double top = std::isfinite(start) ? start : 0;
   const auto see = [&](double amplitude, double omega) {
     if (std::isfinite(amplitude)) top = std::max(top, amplitude);
     if (!(amplitude > answer.highest)) return;
     answer.highest = amplitude;
     answer.highest_at = omega;
   };
-  std::vector<double> heights = {curve.at_start};
+  std::vector<double> heights = {start};
   for (const Extremum& e : curve.extrema) {
     heights.push_back(e.amplitude);
     if (e.maximum) see(e.amplitude, e.angular_frequency);
   }
-  see(curve.at_end, question.to);
-  heights.push_back(curve.at_end);
+  see(end, question.to);
+  heights.push_back(end);
   if (!question.count_peaks) return answer;
   const PeakCount count = prominent_peaks(heights, question.min_prominence * top);
   answer.peaks = count.peaks;
@@ -147,9 +152,13 @@ class Piece {
   }
 
   void by_discs(Eigen::Index d) {
-    std::vector<BandCurve> curves;
+    std::vector<ObservedCurve> rows;
+    std::ranges::transform(question_.rows, std::back_inserter(rows), observed_curve);
+    const DynamicMatrices m = matrices(d);
+    const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
+    std::vector<SearchedCurve> curves;
     try {
-      curves = search_by_discs(matrices(d), load(d), question_.rows, question_.from, question_.to);
+      curves = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {question_.from, question_.to}).curves;
     } catch (const foundation::NotComputable&) {  // one design is no reason to lose the others
       status(d) = DesignStatus::undecided;
       return;

@@ -2,38 +2,34 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
+#include "trivet/foundation/interruption.h"
 #include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/extremum.h"
+#include "trivet/numerics/load.h"
+#include "trivet/numerics/observed_curve.h"
 
 namespace trivet::numerics {
 
-/// y = s^derivative (on_displacement + s on_velocity)ᵀ q, s = iω.
-struct ObservedRow {
-  Eigen::VectorXd on_displacement;
-  Eigen::VectorXd on_velocity;  ///< or empty
-  int derivative = 0;
+/// Z(s) q = load(s), and what else curves are made of.
+struct DrivenSystem {
+  const DynamicMatrices& matrices;
+  const Load& load;
+  const Load& given;   ///< without terms if nothing is
 };
 
-/// A local extremum of |y(ω)| at ω > 0.
-struct Extremum {
-  double angular_frequency = 0;  ///< [rad/s]
-  double amplitude = 0;          ///< infinite at an undamped natural frequency
-  bool maximum = false;
+struct DiscSearchOptions {
+  double from = 0;                                      ///< [rad/s]
+  double to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite if the load is delayed: then extrema up to a panel beyond it are told too
+  foundation::Progress progress = {};
 };
 
-/// One curve on a band: values at its ends and what lies between, ascending, maxima and minima in turn.
-struct BandCurve {
-  double at_start = 0;
-  double at_end = 0;             ///< the limit if the band has no end
-  std::vector<Extremum> extrema;
-  bool complete = true;          ///< false: somewhere no series could be had
-};
-
-/// All extrema of |y| for from < ω < to (which may be infinite) under a constant real load: the axis is covered by discs free of poles, on each
-/// |y|² is a Taylor series whose derivative is searched for sign changes by bisection with bounds. Needs poles only for the size of
-/// the discs, so that defective ones do no harm. A must be regular.
-[[nodiscard]] std::vector<BandCurve> search_by_discs(const DynamicMatrices& matrices, const Eigen::VectorXd& load, const std::vector<ObservedRow>& rows,
-                                                     double from, double to);
+/// All extrema of |y| strictly inside a band: the axis is covered by discs free of poles, on each |y|² is a Taylor series whose derivative is
+/// searched for sign changes by bisection with bounds. Poles are needed only for the size of the discs, so that defective ones do no harm.
+/// @param poles  all of the response, iω = λ
+[[nodiscard]] AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const Eigen::VectorXcd& poles,
+                                         const DiscSearchOptions& options = {});
 
 }  // namespace trivet::numerics

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace trivet::numerics {
 namespace {
@@ -56,6 +57,12 @@ int Load::highest_power() const {
 Eigen::VectorXcd Load::at(std::complex<double> omega) const {
   Eigen::VectorXcd h = Eigen::VectorXcd::Zero(size_);
   for (const LoadTerm& term : terms_) h += term.factor(omega) * term.value;
+  return h;
+}
+
+Eigen::MatrixXcd Load::at(const std::vector<double>& omega) const {
+  Eigen::MatrixXcd h(size_, vanishes() ? 0 : std::ssize(omega));
+  for (Eigen::Index i = 0; i < h.cols(); ++i) h.col(i) = at(omega[static_cast<std::size_t>(i)]);
   return h;
 }
 

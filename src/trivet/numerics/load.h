@@ -41,6 +41,8 @@ class Load {
   [[nodiscard]] Eigen::VectorXcd at(std::complex<double> omega) const;
   /// The same with every term by its magnitude: what h could be.
   [[nodiscard]] Eigen::VectorXd possible(double omega) const;
+  /// h(iω) of several ω, one column each; none if the load vanishes.
+  [[nodiscard]] Eigen::MatrixXcd at(const std::vector<double>& omega) const;
   /// Rows of another load: the first of them, or scaled.
   [[nodiscard]] Load head(Eigen::Index rows) const;
   [[nodiscard]] Load scaled(const Eigen::VectorXd& by) const;

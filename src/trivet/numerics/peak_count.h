@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 
 namespace trivet::numerics {
+
+/// Height of a peak among the heights along a curve, its ends first and last, above the higher of the two minima that part it from higher
+/// ground or from an end. Infinite for an infinite height.
+[[nodiscard]] double prominence(std::span<const double> heights, std::size_t peak);
 
 struct PeakCount {
   int peaks = 0;
@@ -12,8 +17,7 @@ struct PeakCount {
   double closest = std::numeric_limits<double>::infinity();  ///< how near a prominence comes to `least`: smallest |prominence / least − 1|
 };
 
-/// Peaks among the heights along a curve, its ends first and last, whose prominence (height above the higher of the two minima that part
-/// them from higher ground or from an end) exceeds `least`. Infinite heights count always.
+/// Peaks among the heights along a curve, its ends first and last, whose prominence exceeds `least`. Infinite heights count always.
 [[nodiscard]] PeakCount prominent_peaks(std::span<const double> heights, double least);
 
 }  // namespace trivet::numerics

@@ -152,8 +152,14 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
   const ExtendedMatrix K = matrices.complex_stiffness().cast<ExtendedComplex>();
   const double scale = roots.lambda.size() ? roots.lambda.cwiseAbs().maxCoeff() : 0;
   const Eigen::VectorXd weight = d.cwiseInverse();
+  const Eigen::VectorXcd starts = roots.lambda;
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     if (std::abs(roots.lambda(k)) == 0) continue;
+    if (k > 0 && !matrices.lossy() && starts(k).imag() < 0 && starts(k) == std::conj(starts(k - 1))) {  // the other one of a pair
+      roots.lambda(k) = std::conj(roots.lambda(k - 1));
+      roots.vectors.col(k) = roots.vectors.col(k - 1).conjugate();
+      continue;
+    }
     const bool real = roots.lambda(k).imag() == 0 && !matrices.lossy();
     ExtendedComplex lambda = roots.lambda(k);
     ExtendedVector v = (weight.asDiagonal() * roots.vectors.col(k)).cast<ExtendedComplex>();

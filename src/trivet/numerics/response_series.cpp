@@ -9,16 +9,19 @@ namespace {
 
 /// Coefficients of (Z0 + Z1 τ + Z2 τ²)⁻¹ Σ h_j τʲ.
 Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2, const Eigen::MatrixXcd& h) {
+  const Eigen::Index n = h.rows();
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(Z0);
-  Eigen::MatrixXcd q(h.rows(), h.cols());
-  q.col(0) = lu.solve(h.col(0));
-  q.col(0) += lu.solve(h.col(0) - Z0 * q.col(0));
+  Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], for the last two coefficients one above the other
+  step << Z2, Z1;
+  step = (-lu.solve(step)).eval();
+  Eigen::MatrixXcd q = Eigen::MatrixXcd::Zero(n, h.cols() + 1);  // before the first coefficient stands a zero
+  q.col(1) = lu.solve(h.col(0));
+  q.col(1) += lu.solve(h.col(0) - Z0 * q.col(1));
   for (Eigen::Index j = 1; j < h.cols(); ++j) {
-    Eigen::VectorXcd right = h.col(j) - Z1 * q.col(j - 1);
-    if (j > 1) right -= Z2 * q.col(j - 2);
-    q.col(j) = lu.solve(right);
+    q.col(j + 1).noalias() = step * Eigen::Map<const Eigen::VectorXcd>(q.col(j - 1).data(), 2 * n);
+    if (!h.col(j).isZero(0)) q.col(j + 1) += lu.solve(h.col(j));
   }
-  return q;
+  return q.rightCols(h.cols());
 }
 
 /// iᵏ.

@@ -2,55 +2,58 @@
 #include "trivet/numerics/sign_changes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace trivet::numerics {
 namespace {
 
-std::vector<double> derivative(std::span<const double> c) {
-  std::vector<double> d;
-  for (std::size_t k = 1; k < c.size(); ++k) d.push_back(static_cast<double>(k) * c[k]);
+/// g and its first derivatives at a point over 1!, 2!, 3!; bounds on |τ| ≤ reach for what is left of Taylor's series and for round-off.
+struct Local {
+  double g = 0, first = 0, second = 0, third = 0;
+  double fourth = 0;  ///< no fourth derivative over 4! is larger
+  double noise = 0;
+};
+
+/// Horner's scheme for all of them at once: each waits for its own last step only.
+Local around(std::span<const double> c, double at, double reach) {
+  Local d;
+  double most = 0, most_first = 0, most_second = 0, most_third = 0;
+  for (std::size_t k = c.size(); k-- > 0;) {
+    d.third = d.third * at + d.second;
+    d.second = d.second * at + d.first;
+    d.first = d.first * at + d.g;
+    d.g = d.g * at + c[k];
+    d.fourth = d.fourth * reach + most_third;
+    most_third = most_third * reach + most_second;
+    most_second = most_second * reach + most_first;
+    most_first = most_first * reach + most;
+    most = most * reach + std::abs(c[k]);
+  }
+  d.noise = 8 * std::numeric_limits<double>::epsilon() * most;
   return d;
 }
 
-/// Σ |c_k| rᵏ: no value of the polynomial on |τ| ≤ r is larger.
-double majorant(std::span<const double> c, double r) {
-  double sum = 0;
-  for (std::size_t k = c.size(); k-- > 0;) sum = sum * r + std::abs(c[k]);
-  return sum;
-}
-
-/// Derivatives that enter a bound by their value in the middle of an interval; the next one enters by its majorant.
-constexpr std::size_t local_orders = 4;
-
 class Search {
  public:
-  Search(std::span<const double> g, std::vector<SignChange>& found) : g_(g), found_(found) {
-    derivatives_.emplace_back(g.begin(), g.end());
-    while (derivatives_.size() <= local_orders) derivatives_.push_back(derivative(derivatives_.back()));
-  }
+  Search(std::span<const double> g, std::vector<SignChange>& found) : g_(g), found_(found) {}
 
   void between(double lower, double upper) {
     const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
-    const double reach = std::max(std::abs(lower), std::abs(upper));
-    const double noise = 8 * std::numeric_limits<double>::epsilon() * majorant(g_, reach);
-    std::array<double, local_orders + 1> d{};
-    for (std::size_t k = 0; k < local_orders; ++k) d[k] = polynomial_value(derivatives_[k], middle);
-    d[local_orders] = majorant(derivatives_[local_orders], reach);
+    const Local d = around(g_, middle, std::max(std::abs(lower), std::abs(upper)));
     // |g − g(middle)| and |g' − g'(middle)| on the interval, by Taylor's formula.
-    const double change = half * (std::abs(d[1]) + half / 2 * (std::abs(d[2]) + half / 3 * (std::abs(d[3]) + half / 4 * d[4])));
-    const double change_of_slope = half * (std::abs(d[2]) + half / 2 * (std::abs(d[3]) + half / 3 * d[4]));
-    if (std::abs(d[0]) > change + noise) {
-      settle(lower, d[0] > 0 ? 1 : -1);
-    } else if (std::abs(d[1]) > change_of_slope && half * std::abs(d[1]) > 4 * noise) {
-      settle(lower, sign(polynomial_value(g_, lower), noise));
-      const int after = sign(polynomial_value(g_, upper), noise);
+    const double second = std::abs(d.second), third = std::abs(d.third);
+    const double change = half * (std::abs(d.first) + half * (second + half * (third + half * d.fourth)));
+    const double change_of_slope = half * (2 * second + half * (3 * third + half * 4 * d.fourth));
+    if (std::abs(d.g) > change + d.noise) {
+      settle(lower, d.g > 0 ? 1 : -1);
+    } else if (std::abs(d.first) > change_of_slope && half * std::abs(d.first) > 4 * d.noise) {
+      settle(lower, sign(polynomial_value(g_, lower), d.noise));
+      const int after = sign(polynomial_value(g_, upper), d.noise);
       if (after == 0) return open(upper - half * 1e-3);
-      if (sign_ != 0 && after != sign_) bisect(lower, upper, noise / std::abs(d[1]));
+      if (sign_ != 0 && after != sign_) close_in(lower, upper, middle - d.g / d.first, d.noise / std::abs(d.first));
       settle(upper, after);
-    } else if (std::abs(d[0]) + change <= 4 * noise || half < 1e-13) {
+    } else if (std::abs(d.g) + change <= 4 * d.noise || half < 1e-13) {
       open(lower);
     } else {
       between(lower, middle);
@@ -77,21 +80,28 @@ class Search {
     unclear_ = true;
   }
 
-  void bisect(double lower, double upper, double uncertainty) {
+  /// Newton's steps where g is monotonic; a step that leaves what is known to hold the zero halves it instead.
+  void close_in(double lower, double upper, double at, double uncertainty) {
+    constexpr int most_steps = 80;
     const bool falling = sign_ > 0;
-    double a = lower, b = upper;
-    for (int i = 0; i < 80 && b - a > 0; ++i) {
-      const double middle = 0.5 * (a + b);
-      if (middle == a || middle == b) break;
-      ((polynomial_value(g_, middle) > 0) == falling ? a : b) = middle;
+    for (int i = 0; i < most_steps; ++i) {
+      if (!(at > lower && at < upper)) at = 0.5 * (lower + upper);
+      double g = 0, slope = 0;
+      for (std::size_t k = g_.size(); k-- > 0;) {
+        slope = slope * at + g;
+        g = g * at + g_[k];
+      }
+      ((g > 0) == falling ? lower : upper) = at;
+      const double next = at - g / slope;
+      if (!(std::abs(next - at) > std::numeric_limits<double>::epsilon() * std::abs(at))) break;
+      at = next;
     }
-    found_.push_back({0.5 * (a + b), falling, uncertainty});
+    found_.push_back({at, falling, uncertainty});
     sign_ = falling ? -1 : 1;
     unclear_ = false;
   }
 
   std::span<const double> g_;
-  std::vector<std::vector<double>> derivatives_;
   std::vector<SignChange>& found_;
   int sign_ = 0;
   bool unclear_ = false;

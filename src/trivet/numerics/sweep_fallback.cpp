@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What SweepWorkspace does where a solution without pivoting is not accepted.
-#include <Eigen/LU>
-#include <limits>
+#include <cmath>
 
+#include "trivet/numerics/pivoted_solution.h"
 #include "trivet/numerics/sweep_workspace.h"
 
 namespace trivet::numerics {
@@ -95,21 +95,10 @@ void SweepWorkspace::redo_alone(long f, const Planes& q) {
     z += plan_->scale_.asDiagonal() * z_part * plan_->scale_.asDiagonal();
     h += plan_->scale_.cwiseProduct(h_part);
   }
-  const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
-  Eigen::VectorXcd x = lu.solve(h);
-  x += lu.solve(h - z * x);
-  double& error = error_.data()[f];
-  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= sweep_kernels::negligible_pivot(plan_->size()) * norm) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    x.setConstant({nan, nan});
-    error = nan;
-    ++counts_.singular;
-  } else {
-    const double possible = norm * x.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff();
-    error = possible > 0 ? (h - z * x).cwiseAbs().maxCoeff() / possible : 0;
-  }
-  for (Eigen::Index i = 0; i < n; ++i) q.put(i * q.stride + f, plan_->scale_(i) * x(i));
+  const PivotedSolution solution = pivoted_solution(z, h);
+  error_.data()[f] = solution.backward_error;
+  if (std::isnan(solution.backward_error)) ++counts_.singular;
+  for (Eigen::Index i = 0; i < n; ++i) q.put(i * q.stride + f, plan_->scale_(i) * solution.x(i));
 }
 
 }  // namespace trivet::numerics

@@ -15,13 +15,6 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
-/// (iω y)' = i y + iω y', (iω y)'' = 2i y' + iω y''.
-template <typename T>
-Jet<T> time_derivative(const Jet<T>& y, double omega) {
-  const Complex i(0, 1);
-  return {T(i * omega * y[0]), T(i * (y[0] + omega * y[1])), T(i * (2.0 * y[1] + omega * y[2]))};
-}
-
 /// X of Z_ii X = −Z_ib with derivatives: how inner coordinates follow, Z_i· R = 0 for R = [I; X].
 Jet<MatrixXcd> follow(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
@@ -42,19 +35,6 @@ auto product(const Jet<A>& a, const Jet<B>& b) {
   return Jet<T>{T(a[0] * b[0]), T(a[1] * b[0] + a[0] * b[1]), T(a[2] * b[0] + 2.0 * (a[1] * b[1]) + a[0] * b[2])};
 }
 
-Complex with(const VectorXcd& row, const VectorXcd& column) { return row.cwiseProduct(column).sum(); }
-
-/// cᵀq.
-Jet<Complex> dot(const Jet<VectorXcd>& c, const Jet<VectorXcd>& q) {
-  return {with(c[0], q[0]), with(c[1], q[0]) + with(c[0], q[1]), with(c[2], q[0]) + 2.0 * with(c[1], q[1]) + with(c[0], q[2])};
-}
-
-/// c0 + iω c1 − ω² c2.
-Jet<VectorXcd> terms(const VectorXcd& c0, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration, double omega) {
-  const VectorXcd c1 = Complex(0, 1) * on_velocity.cast<Complex>(), c2 = -on_acceleration.cast<Complex>();
-  return {VectorXcd(c0 + omega * c1 + omega * omega * c2), VectorXcd(c1 + 2 * omega * c2), VectorXcd(2.0 * c2)};
-}
-
 /// Z x = b with derivatives.
 Jet<VectorXcd> solution(const Eigen::PartialPivLU<MatrixXcd>& lu, const Jet<MatrixXcd>& z, const Jet<VectorXcd>& b) {
   const auto solve = [&](const VectorXcd& right) {
@@ -62,11 +42,7 @@ Jet<VectorXcd> solution(const Eigen::PartialPivLU<MatrixXcd>& lu, const Jet<Matr
     x += lu.solve(right - z[0] * x);
     return x;
   };
-  Jet<VectorXcd> x;
-  x[0] = solve(b[0]);
-  x[1] = solve(b[1] - z[1] * x[0]);
-  x[2] = solve(b[2] - 2.0 * (z[1] * x[1]) - z[2] * x[0]);
-  return x;
+  return numerics::solution_jet<double>(solve, z, b);
 }
 
 /// D with D Z D of comparable entries: metres and radians.
@@ -128,35 +104,18 @@ void Dynamics::add(double weight, const Dynamics& other) {
   }
 }
 
-Jet<VectorXcd> load_jet(const numerics::Load& load, double omega) {
-  const Complex s(0, omega);
-  Jet<VectorXcd> h;
-  for (VectorXcd& part : h) part = VectorXcd::Zero(load.size());
-  for (const numerics::LoadTerm& term : load.terms()) {
-    // f = s^p e^{−sτ}: f' = (p/s − τ) f, f'' = ((p/s − τ)² − p/s²) f, and s' = i.
-    const Complex f = numerics::integer_power(s, term.power) * std::exp(-s * term.delay);
-    const Complex ratio = static_cast<double>(term.power) / s - term.delay;
-    h[0] += f * term.value;
-    h[1] += Complex(0, 1) * ratio * f * term.value;
-    h[2] -= (ratio * ratio - static_cast<double>(term.power) / (s * s)) * f * term.value;
-  }
-  return h;
-}
-
 Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading, double omega,
                   const ElementJets& jets) {
-  const Complex i(0, 1);
   const numerics::DynamicMatrices& m = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
   const Eigen::Index n = m.size();
-  const MatrixXcd a = m.A.cast<Complex>(), b = m.B.cast<Complex>();
   Dynamics result;
-  result.stiffness = {m.at(omega), MatrixXcd(i * b - 2 * omega * a), MatrixXcd(-2.0 * a)};
-  result.load = load_jet(assembly::right_side(assembled, loading).head(n), omega);
-  result.channel = terms(channel.on_displacement.head(n), channel.on_velocity.head(n), channel.on_acceleration.head(n), omega);
+  result.stiffness = numerics::stiffness_jet(m, omega);
+  result.load = numerics::load_jet(assembly::right_side(assembled, loading).head(n), omega);
+  result.channel = numerics::terms_jet(channel, n, omega);
   const bool moving = !loading.motion.vanishes();
-  const Jet<VectorXcd> ground = load_jet(loading.motion, omega);
+  const Jet<VectorXcd> ground = numerics::load_jet(loading.motion, omega);
   if (moving && !channel.ground.empty())
-    result.direct = dot(terms(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration, omega), ground);
+    result.direct = numerics::dot<double>(numerics::terms_jet(channel.ground, loading.motion.size(), omega), ground);
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     if (!jets[e]) continue;
     const assembly::ElementMap& map = assembled.elements[e];
@@ -181,8 +140,8 @@ Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel&
     }
   }
   for (int d = 0; d < channel.derivative; ++d) {
-    result.channel = time_derivative(result.channel, omega);
-    result.direct = time_derivative(result.direct, omega);
+    result.channel = numerics::time_derivative(result.channel, omega);
+    result.direct = numerics::time_derivative(result.direct, omega);
   }
   return result;
 }
@@ -208,7 +167,7 @@ Dynamics body_dynamics(const Dynamics& all, Eigen::Index kept) {
     inner_channel[k] = all.channel[k].tail(inner);
   }
   // Inner coordinates that a load moves by themselves while the bodies stand.
-  const Jet<Complex> direct = dot(inner_channel, solution(inner_stiffness[0].partialPivLu(), inner_stiffness, inner_load));
+  const Jet<Complex> direct = numerics::dot<double>(inner_channel, solution(inner_stiffness[0].partialPivLu(), inner_stiffness, inner_load));
   const auto channel = product(row, right);
   Dynamics result;
   result.stiffness = product(upper, right);
@@ -225,7 +184,7 @@ Motion motion(const Dynamics& given) {
   const Dynamics s = scaled(given, d);
   Motion result;
   result.coordinates = solution(factors(s.stiffness[0]), s.stiffness, s.load);
-  result.value = dot(s.channel, result.coordinates);
+  result.value = numerics::dot<double>(s.channel, result.coordinates);
   for (std::size_t k = 0; k < 3; ++k) result.value[k] += given.direct[k];
   for (VectorXcd& x : result.coordinates) x = d.asDiagonal() * x;
   return result;

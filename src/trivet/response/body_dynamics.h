@@ -9,20 +9,16 @@
 
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/numerics/jet.h"
 
 namespace trivet::response {
 
-/// A quantity with its first and second derivative by ω [rad/s].
-template <typename T>
-using Jet = std::array<T, 3>;
+using numerics::Jet;
 
 /// D(ω) of the elements that depend on frequency in their own way; nothing for the others.
 using ElementJets = std::vector<std::optional<Jet<elements::Matrix12c>>>;
 [[nodiscard]] Jet<elements::Matrix12c> element_jet(const assembly::ElementMap& map, double omega);
 [[nodiscard]] ElementJets element_jets(const assembly::Assembled& assembled, double omega);
-
-/// h of a load at ω, delays included.
-[[nodiscard]] Jet<Eigen::VectorXcd> load_jet(const numerics::Load& load, double omega);
 
 /// One answer as the system sees it at ω: Z q = h, y = cᵀq + direct, the time derivatives of the channel included. A moving ground is part
 /// of h and of `direct`.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/channel_terms.h"
 
-#include <cmath>
-
 #include "trivet/response/exact_response.h"
 #include "trivet/response/steady_solution.h"
 
@@ -18,16 +16,6 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
     if (on_displacement(i) != 0.0 || on_velocity(i) != 0 || on_acceleration(i) != 0)
       terms.push_back({i, {on_displacement(i), on_velocity(i), on_acceleration(i)}});
   return terms;
-}
-
-/// Adds the terms for coordinates x at s = iω to a value and to the sum of magnitudes.
-void add_terms(const std::vector<ChannelTerm>& terms, const Eigen::Ref<const Eigen::VectorXcd>& x, double omega, Complex& value,
-               double& possible) {
-  for (const ChannelTerm& term : terms) {
-    const auto& [displacement, velocity, acceleration] = term.by_power;
-    value += (displacement + Complex(0, omega) * velocity - omega * omega * acceleration) * x(term.row);
-    possible += (std::abs(displacement) + omega * std::abs(velocity) + omega * omega * std::abs(acceleration)) * std::abs(x(term.row));
-  }
 }
 
 AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
@@ -57,19 +45,14 @@ AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::ve
                              const assembly::Loading& loading, const std::vector<double>& omega) {
   if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
-  AnswerSamples result{Eigen::MatrixXcd::Zero(count, points), Eigen::MatrixXd::Zero(count, points)};
-  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
-  const std::vector<ChannelTerms> terms = channel_terms(channels);
-  for (Eigen::Index i = 0; i < points; ++i) {
-    const double w = omega[static_cast<std::size_t>(i)];
-    const Eigen::VectorXcd g = loading.motion.vanishes() ? Eigen::VectorXcd() : loading.motion.at(w);
-    for (Eigen::Index c = 0; c < count; ++c) {
-      const ChannelTerms& channel = terms[static_cast<std::size_t>(c)];
-      add_terms(channel.free, q.col(i), w, result.value(c, i), result.possible(c, i));
-      if (g.size() > 0) add_terms(channel.ground, g, w, result.value(c, i), result.possible(c, i));
-      result.value(c, i) *= numerics::integer_power(Complex(0, w), channel.derivative);
-      result.possible(c, i) *= std::pow(w, channel.derivative);
-    }
+  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response, ground = loading.motion.at(omega);
+  const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
+  const Eigen::MatrixXd size = q.cwiseAbs(), ground_size = ground.cwiseAbs();
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const numerics::ObservedCurve curve = channels[static_cast<std::size_t>(c)].curve();
+    result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
+    result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
   }
   return result;
 }

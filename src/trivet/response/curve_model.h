@@ -53,13 +53,6 @@ struct CurveModelOptions {
                                      const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
                                      const CurveModelOptions& options = {}, const foundation::Progress& progress = {});
 
-/// An extremum of a curve, refined where it is a peak.
-struct Extremum {
-  double angular_frequency = 0;  ///< [rad/s]
-  double amplitude = 0;          ///< of a minimum near 0 only to the square root of round-off
-  bool maximum = false;
-};
-
 /// Per curve, ascending: all finite extrema inside a band, with the refined frequencies and heights of the peaks.
 [[nodiscard]] std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band);
 

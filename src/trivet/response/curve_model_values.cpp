@@ -32,12 +32,12 @@ std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band)
   std::vector<std::vector<Extremum>> result(peaks.turnings.size());
   const auto inside = [&](double w, double amplitude) { return w >= band.from && w <= band.to && std::isfinite(amplitude); };
   for (std::size_t c = 0; c < peaks.turnings.size(); ++c)
-    for (const Turning& t : peaks.turnings[c]) {
-      Extremum extremum{t.angular_frequency, t.amplitude, t.maximum};
+    for (const Extremum& t : peaks.turnings[c]) {
+      Extremum extremum = t;
       for (const Peak& peak : peaks.list)
         if (peak.curve == c && t.maximum && std::abs(peak.angular_frequency - t.angular_frequency) <= t.reach && std::isfinite(peak.amplitude) &&
             std::abs(peak.amplitude - t.amplitude) <= 1e-6 * t.amplitude)
-          extremum = {peak.angular_frequency, peak.amplitude, true};
+          extremum = {peak.angular_frequency, peak.amplitude, true, t.reach, peak.frequency_uncertainty};
       if (inside(extremum.angular_frequency, extremum.amplitude)) result[c].push_back(extremum);
     }
   return result;

@@ -31,7 +31,7 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
   const bool diverges = starts_late && amplitude_at(0) > 5 * amplitude_at(2);
   consider(diverges ? infinity : amplitude_at(0), band.from);
   consider(amplitude_at(1), end);
-  for (const Turning& t : found.turnings[curve])
+  for (const Extremum& t : found.turnings[curve])
     if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) consider(t.amplitude, t.angular_frequency);
   for (const Peak& peak : found.list)
     if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to) consider(peak.amplitude, peak.angular_frequency);

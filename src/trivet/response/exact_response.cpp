@@ -1,36 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/exact_response.h"
 
-#include <Eigen/LU>
+#include <cmath>
 #include <limits>
 #include <tuple>
+
+#include "trivet/numerics/pivoted_solution.h"
 
 namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// What terms of a channel make of coordinates, and the sum of the magnitudes of its parts.
-std::pair<Complex, double> weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
-                                    const Eigen::VectorXcd& q, Complex omega) {
-  const Complex i(0, 1);
-  const Eigen::Index n = q.size();
-  const Complex y = on_displacement.head(n).cwiseProduct(q).sum() + i * omega * on_velocity.head(n).cast<Complex>().cwiseProduct(q).sum() -
-                    omega * omega * on_acceleration.head(n).cast<Complex>().cwiseProduct(q).sum();
-  const Eigen::VectorXd size = q.cwiseAbs();
-  return {y, on_displacement.head(n).cwiseAbs().dot(size) + std::abs(omega) * on_velocity.head(n).cwiseAbs().dot(size) +
-                 std::norm(omega) * on_acceleration.head(n).cwiseAbs().dot(size)};
-}
-
 /// A channel, and the sum of the magnitudes of its terms. `g`: motion of the ground, no rows if it rests.
 std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q,
                                  const Eigen::VectorXcd& g, Complex omega, double near) {
-  auto [y, possible] = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, q, omega);
-  if (g.size() > 0 && !channel.ground.empty()) {
-    const auto [of_ground, possible_of_ground] = weighted(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration, g, omega);
-    y += of_ground;
-    possible += possible_of_ground;
-  }
+  numerics::ObservedCurve curve = channel.curve();
+  curve.derivative = 0;  // comes last, on the dynamic forces too
+  const Eigen::RowVectorXcd at = Eigen::RowVectorXcd::Constant(1, omega);
+  Complex y = numerics::curve_values(curve, q, g, at).value();
+  double possible = numerics::possible_amplitudes(curve, q.cwiseAbs(), g.cwiseAbs(), at.cwiseAbs()).value();
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
@@ -67,22 +56,11 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXcd z = scale_.asDiagonal() * assembled_.dynamic_stiffness(omega, near) * scale_.asDiagonal();
   const Eigen::VectorXcd load = scale_.asDiagonal() * assembly::exact_right_side(assembled_, loading_, omega, near);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
-  Eigen::VectorXcd q = lu.solve(load);
-  q += lu.solve(load - z * q);
-  const double norm = z.cwiseAbs().rowwise().sum().maxCoeff();
-  const double negligible = 4 * static_cast<double>(z.rows()) * std::numeric_limits<double>::epsilon();
+  numerics::PivotedSolution solution = numerics::pivoted_solution(z, load, true);
   const auto count = static_cast<Eigen::Index>(channels_.size());
-  ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)}, q,
-                     std::numeric_limits<double>::infinity(), nan};
-  if (!q.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= negligible * norm) {
-    sample.coordinates.setConstant(nan);
-    return sample;
-  }
-  const double size = norm * q.cwiseAbs().maxCoeff() + load.cwiseAbs().maxCoeff();
-  sample.backward_error = size > 0 ? (load - z * q).cwiseAbs().maxCoeff() / size : 0;
-  sample.condition = 1 / lu.rcond();
-  sample.coordinates = scale_.asDiagonal() * q;
+  ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)},
+                     scale_.asDiagonal() * solution.x, solution.condition, solution.backward_error};
+  if (std::isnan(solution.backward_error)) return sample;
   static_cast<ExactValues&>(sample) = exact_values(assembled_, channels_, loading_, sample.coordinates, omega, near);
   return sample;
 }

@@ -14,31 +14,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// (iω)^derivative, exact in its zeros.
-Complex derivative_factor(double omega, int derivative) {
-  if (derivative == 1) return {0, omega};
-  if (derivative == 2) return {-omega * omega, 0};
-  return {1, 0};
-}
-
-/// Columns of coordinates, weighted by the terms of a channel.
-Eigen::RowVectorXcd weighted(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity, const Eigen::VectorXd& on_acceleration,
-                             const Eigen::MatrixXcd& q, const Eigen::RowVectorXd& omega) {
-  Eigen::RowVectorXcd y = on_displacement.transpose() * q;
-  if (!on_velocity.isZero(0))
-    y += Complex(0, 1) * (on_velocity.transpose().cast<Complex>() * q).cwiseProduct(omega.cast<Complex>());
-  if (!on_acceleration.isZero(0))
-    y -= (on_acceleration.transpose().cast<Complex>() * q).cwiseProduct(omega.cwiseAbs2().cast<Complex>());
-  return y;
-}
-
-Eigen::VectorXcd curve_values(const assembly::Channel& channel, const Eigen::MatrixXcd& q, const Eigen::MatrixXcd& g, const Eigen::RowVectorXd& omega) {
-  Eigen::RowVectorXcd y = weighted(channel.on_displacement, channel.on_velocity, channel.on_acceleration, q, omega);
-  if (!channel.ground.empty() && g.size() > 0) y += weighted(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration, g, omega);
-  for (Eigen::Index i = 0; i < y.size(); ++i) y(i) *= derivative_factor(omega(i), channel.derivative);
-  return y.transpose();
-}
-
 void note_error(double error, double omega, SolutionCheck& check) {
   if (std::isnan(error)) check.undefined_at.push_back(omega);
   if (error > check.worst_backward_error) {
@@ -67,10 +42,7 @@ FrequencyResponse frequency_response(const assembly::Assembled& assembled, const
   const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
   Eigen::MatrixXcd ground, exact;
   if (assembled.frequency_dependent()) exact = exact_curves(assembled, channels, loading, solved.response, angular_frequency);
-  else if (!loading.motion.vanishes()) {
-    ground.resize(loading.motion.size(), omega.size());
-    for (Eigen::Index i = 0; i < omega.size(); ++i) ground.col(i) = loading.motion.at(omega(i));
-  }
+  else ground = loading.motion.at(angular_frequency);
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
   result.solves = static_cast<int>(angular_frequency.size());
@@ -78,7 +50,7 @@ FrequencyResponse frequency_response(const assembly::Assembled& assembled, const
     const assembly::Channel& channel = channels[c];
     Eigen::VectorXcd values;
     if (assembled.frequency_dependent()) values = exact.row(static_cast<Eigen::Index>(c)).transpose();
-    else values = curve_values(channel, solved.response, ground, omega);
+    else values = numerics::curve_values(channel.curve(), solved.response, ground, omega.cast<Complex>()).transpose();
     result.curves.push_back({channel.name, channel.unit, std::move(values)});
   }
   result.check.fallbacks = solved.fallbacks;

@@ -11,9 +11,11 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/roots.h"
-#include "trivet/response/axis_walk.h"
+#include "trivet/numerics/extremum.h"
 
 namespace trivet::response {
+
+using numerics::Extremum;
 
 /// A resonance peak: a strict local maximum of |y(ω)| at ω > 0.
 struct Peak {
@@ -45,7 +47,7 @@ struct CurveSummary {
 struct Peaks {
   std::vector<Peak> list;               ///< by curve, then ascending
   std::vector<CurveSummary> curves;
-  std::vector<std::vector<Turning>> turnings;  ///< per curve: all extrema
+  std::vector<std::vector<Extremum>> turnings;  ///< per curve: all extrema
   double searched_from = 0;             ///< [rad/s]
   double searched_to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite where elements depend on frequency in their own way, or the load is delayed
   bool from_circles = false;            ///< frequency-dependent elements

@@ -47,9 +47,8 @@ Eigen::Index component(const std::string& name, bool of_force) {
 
 /// Σ weight · channel over the components of one word.
 assembly::Channel combined(const std::vector<assembly::Channel>& parts, const spatial::Vector6& weights, const std::string& name) {
-  assembly::Channel sum{name, "1", 0, Eigen::VectorXcd::Zero(parts.front().on_displacement.size()),
-                        Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
-                        Eigen::VectorXd::Zero(parts.front().on_acceleration.size()), {}, {}, 0};
+  assembly::Channel sum{{Eigen::VectorXcd::Zero(parts.front().on_displacement.size()), Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
+                         Eigen::VectorXd::Zero(parts.front().on_acceleration.size())}, name, "1", 0, {}, {}, 0};
   for (const assembly::Channel& part : parts) {
     const double weight = weights(component(part.name, part.unit.starts_with("N")));
     if (weight == 0) continue;
@@ -162,7 +161,7 @@ std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Tr
     Crossover& crossover = result.emplace_back(Crossover{transmission.channels[c].name, 0.0, peaks.searched_to});
     if (peaks.curves[c].vanishes) continue;
     std::vector<std::pair<double, double>> places = {{peaks.searched_from, size(peaks.searched_from)}};
-    for (const Turning& t : peaks.turnings[c]) places.emplace_back(t.angular_frequency, t.amplitude);
+    for (const Extremum& t : peaks.turnings[c]) places.emplace_back(t.angular_frequency, t.amplitude);
     double far = peaks.searched_to;
     if (std::isinf(far)) far = far_above * std::max({places.back().first, peaks.searched_from, 1.0});
     places.emplace_back(far, size(far));

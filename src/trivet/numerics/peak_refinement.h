@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/assembly/channels.h"
-#include "trivet/assembly/loads.h"
+#include "trivet/numerics/disc_search.h"
 
-namespace trivet::response {
+namespace trivet::numerics {
 
 /// A maximum after Newton steps on d|y|²/dω in extended precision.
 struct RefinedPeak {
@@ -16,7 +15,6 @@ struct RefinedPeak {
 };
 
 /// Starts at `omega`; gives up (converged = false, values at `omega`) if a step leaves [omega − reach, omega + reach].
-[[nodiscard]] RefinedPeak refine_peak(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading,
-                                      double omega, double reach);
+[[nodiscard]] RefinedPeak refine_peak(const DrivenSystem& system, const ObservedCurve& curve, double omega, double reach);
 
-}  // namespace trivet::response
+}  // namespace trivet::numerics

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/system_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/massless.h"
+
+namespace trivet::numerics {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Extended-precision refinement costs n³ per root; beyond this size a double eigensolver has to do.
+constexpr Eigen::Index largest_refined = 60;
+
+QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
+  const Eigen::Index n = modes.lambda.size();
+  QuadraticRoots result;
+  result.lambda.resize(2 * n);
+  result.vectors.resize(modes.shapes.rows(), 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Complex root = std::sqrt(Complex(-modes.lambda(i), 0));
+    result.lambda(2 * i) = root;
+    result.lambda(2 * i + 1) = -root;
+    result.vectors.col(2 * i) = result.vectors.col(2 * i + 1) = modes.shapes.col(i).cast<Complex>();
+  }
+  return result;
+}
+
+/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`, two for each free motion,
+/// however fast the fastest of the others is.
+double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
+  if (most == 0) return 0;
+  Eigen::VectorXd size = roots.lambda.cwiseAbs();
+  std::sort(size.begin(), size.end());
+  return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
+}
+
+}  // namespace
+
+SystemRoots system_roots(const DynamicMatrices& m) {
+  if (const WithoutIdle kept = without_idle(m); kept.any) {
+    SystemRoots result = system_roots(kept.matrices);
+    result.roots.vectors = (kept.recovery * result.roots.vectors).eval();
+    return result;
+  }
+  const MassiveSystem massive = massive_system(m);
+  const bool massless = massive.A.rows() < m.size();
+  const GeneralizedModes modes = generalized_modes(massive.K, massive.A, m.symmetric);
+  const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
+  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
+  QuadraticRoots result;
+  const bool basis_is_orthonormal = !massless && modes.route == ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
+  if (basis_is_orthonormal) {
+    const Eigen::MatrixXd& phi = modes.shapes;
+    const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd();
+    Eigen::MatrixXd damping = phi.transpose() * m.B * phi;
+    // A rigid motion that no damper resists: its projected damping is a difference that should vanish exactly.
+    const Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.B.cwiseAbs() * phi.cwiseAbs();
+    damping = (damping.array().abs() <= 64 * double(m.size()) * epsilon * available.array()).select(0.0, damping);
+    result = roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
+    result.vectors = (phi * result.vectors).eval();
+  } else {
+    result = massless ? roots_with_massless(m) : roots_of_companion(m);
+  }
+  if (m.size() <= largest_refined) refine_roots(m, result);
+  return {result, basis_is_orthonormal ? 0 : rest_limit(result, 2 * (modes.lambda.array() == 0).count())};
+}
+
+Eigen::VectorXcd poles(const SystemRoots& of) {
+  return (of.roots.lambda.array().abs() <= of.at_rest).select(Complex(0), of.roots.lambda);
+}
+
+}  // namespace trivet::numerics
