@@ -20,7 +20,7 @@ Matrix with_carried(const Matrix& b, const Matrix& a, const Eigen::MatrixXd& q, 
 }
 
 assembly::Channel with_carried(assembly::Channel channel, Eigen::Index ground, const Eigen::MatrixXd& q, double round_off) {
-  assembly::GroundTerms& g = channel.ground;
+  numerics::CurveTerms& g = channel.ground;
   if (g.empty()) g = {Eigen::VectorXcd::Zero(ground), Eigen::VectorXd::Zero(ground), Eigen::VectorXd::Zero(ground)};
   const auto carried = [&](const auto& on_ground, const auto& on_coordinates) {
     using Row = Eigen::Matrix<typename std::decay_t<decltype(on_ground)>::Scalar, 1, Eigen::Dynamic>;
