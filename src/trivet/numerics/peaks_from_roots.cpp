@@ -149,7 +149,7 @@ class LaneStore {
 /// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
 template <typename Size>
 HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
-  constexpr int most_steps = 4;
+  constexpr int steps_at_most = 4;
   constexpr double settled = 1e-13;
   SquarePoles<Size> poles;
   SquaredResponse f;
@@ -166,10 +166,10 @@ HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
     Pack x = from_table(numbers[0], 0), missed;
     const Pack lower = from_table(numbers[1], 0), upper = from_table(numbers[2], 0);
     Slopes s = slopes_at(poles, f, x);
-    for (int i = 0; i <= most_steps; ++i) {
+    for (int i = 0; i <= steps_at_most; ++i) {
       const Pack step = step_to_extremum(s);
       missed = hn::Abs(hn::Mul(s.first, step));
-      if (i == most_steps || hn::AllTrue(Lanes(), hn::Le(missed, hn::Mul(all(settled), s.value)))) break;
+      if (i == steps_at_most || hn::AllTrue(Lanes(), hn::Le(missed, hn::Mul(all(settled), s.value)))) break;
       x = hn::Max(lower, hn::Min(upper, hn::Add(x, step)));
       s = slopes_at(poles, f, x);
     }

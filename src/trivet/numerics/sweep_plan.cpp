@@ -76,24 +76,20 @@ void SweepPlan::choose_solver() {
 /// With T = I − e_n ratioᵀ after an exchange of `last` with n: Tᵀh = h_n e_n.
 void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
   const Eigen::Index n = matrices_.size();
-  Eigen::PermutationMatrix<Eigen::Dynamic> exchange(n);
-  exchange.setIdentity();
-  std::swap(exchange.indices()(last), exchange.indices()(n - 1));
-  Eigen::VectorXd ratio = Eigen::VectorXd::Zero(n);
   aim_.order.resize(static_cast<std::size_t>(n));
   aim_.ratio.resize(static_cast<std::size_t>(n));
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    aim_.order[at] = exchange.indices()(i);
-    if (i < n - 1) ratio(i) = (term.value(aim_.order[at]) / term.value(last)).real();
-    aim_.ratio[at] = ratio(i);
+    aim_.order[at] = static_cast<int>(i == last ? n - 1 : i == n - 1 ? last : i);
+    aim_.ratio[at] = i < n - 1 ? (term.value(aim_.order[at]) / term.value(last)).real() : 0;
   }
-  const auto carried = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
+  const auto carried = [&](Eigen::MatrixXd x) {
     if (x.size() == 0) return x;
-    Eigen::MatrixXd y = exchange.transpose() * x * exchange;
-    y -= ratio * y.row(n - 1).eval();
-    y -= y.col(n - 1).eval() * ratio.transpose();
-    return y;
+    x.row(last).swap(x.row(n - 1));
+    x.col(last).swap(x.col(n - 1));
+    for (Eigen::Index i = 0; i < n - 1; ++i) x.row(i) -= aim_.ratio[static_cast<std::size_t>(i)] * x.row(n - 1);
+    for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[static_cast<std::size_t>(j)] * x.col(n - 1);
+    return x;
   };
   solved_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K), carried(matrices_.K_loss), true});
   solver_ = SweepSolver::aimed;
