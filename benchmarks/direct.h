@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/sweep_plan.h"
+#include "trivet/numerics/sweep_workspace.h"
 
 namespace trivet::benchmarks {
 
@@ -21,8 +21,8 @@ inline void solve_directly(const numerics::DynamicMatrices& matrices, const nume
   numerics::SweepWorkspace workspace(plan);
   for (long at = 0; at < count; at += numerics::SweepWorkspace::chunk) {
     const long taken = std::min(numerics::SweepWorkspace::chunk, count - at);
-    const numerics::sweep_kernels::Planes to{result.re.data() + at, result.im.data() + at, count};
-    const numerics::sweep_kernels::Planes q = workspace.solve(&omega[static_cast<std::size_t>(at)], taken, false, to);
+    const numerics::Planes to{result.re.data() + at, result.im.data() + at, count};
+    const numerics::Planes q = workspace.solve(&omega[static_cast<std::size_t>(at)], taken, false, to);
     for (long j = 0; j < matrices.size() && q.re != to.re; ++j) {  // a chunk that is not full
       std::copy_n(q.re + j * q.stride, taken, to.re + j * to.stride);
       std::copy_n(q.im + j * q.stride, taken, to.im + j * to.stride);

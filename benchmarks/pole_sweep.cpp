@@ -38,8 +38,8 @@ void sweep(std::size_t count, const char* size, int turns) {
   constexpr double flops = 360;  // six pairs: 6 for the denominator, 6 for its inverse, 8 for each of six coordinates
   const std::string question = "sweep by poles of six coordinates";
   const auto medians = measure({question, size, "frequency", error},
-          {here("Trivet, poles known", items, known, flops),
-           here("Trivet, with set-up", items, complete),
+          {here("Trivet, with set-up", items, complete),
+           here("Trivet, poles known", items, known, flops),
            here("Trivet, squared amplitudes, poles known", items, [&] { ready->squared_moduli(omega, squares); }),
            octave.way("modal", "Octave, poles vectorised", items),
            octave.way("modal_in_pieces", "Octave, poles vectorised, in pieces", items, 45),
@@ -48,13 +48,13 @@ void sweep(std::size_t count, const char* size, int turns) {
            here("Eigen, fixed 6×6 pivoted LU", items, eigen, 0, 100)},
           turns);
   if (count == 10000) {
-    record(question, "10,000 frequencies with set-up / without", medians[1] / medians[0], "", "≤ 1.3", medians[1] <= 1.3 * medians[0]);
+    record(question, "10,000 frequencies with set-up / without", medians[0] / medians[1], "", "≤ 1.3", medians[0] <= 1.3 * medians[1]);
   } else {
     std::vector<double> stores;
     for (int i = 0; i < 7; ++i) stores.push_back(streaming_store_bandwidth());
     std::sort(stores.begin(), stores.end());
     record(question, "stores past the caches, one core", 1e-9 * stores[3], "GB/s", "", true);
-    record(question, "part of that by 1,000,000 frequencies, 96 byte each", 100 * 96 / medians[0] / stores[3], "%", "", true);
+    record(question, "part of that by 1,000,000 frequencies, 96 byte each", 100 * 96 / medians[1] / stores[3], "%", "", true);
   }
 }
 

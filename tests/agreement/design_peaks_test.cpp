@@ -9,6 +9,7 @@
 
 #include "support/random_designs.h"
 #include "trivet/numerics/disc_search.h"
+#include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/instruction_set.h"
 #include "trivet/numerics/peak_count.h"
 #include "trivet/numerics/system_roots.h"
@@ -83,7 +84,6 @@ TEST(DesignPeaks, OfOtherNumbersOfCoordinatesAreThoseOfTheSearchOnDiscs) {
   for (const int n : {2, 3, 9, 13}) expect_agreement(test::random_designs(24, n, 1e-2, 5), {}, 1, 1e-9);
 }
 
-/// An independent view that needs no poles of ours: no value on a fine grid around every natural frequency is higher.
 TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
   const numerics::Designs designs = test::random_designs(200, 6, 1e-3, 11);
   const Eigen::ArrayXXd rows = Eigen::MatrixXd::Identity(3, 6).array();
@@ -107,8 +107,10 @@ TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
   }
 }
 
+/// An independent view that needs no poles of ours: no direct solution is higher, on the whole axis and close to the undamped natural frequencies, where an error of
+/// ε/ζ is allowed for.
 TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
-  constexpr double miss = 1e-3;
+  constexpr double miss = 1e-7;
   const numerics::Designs designs = test::random_designs(20'000, 6, 1e-6, 6);
   numerics::DesignPeakOptions options;
   options.count_peaks = false;
@@ -116,7 +118,12 @@ TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
   for (Eigen::Index d = 0; d < designs.count(); d += 10) {
     const numerics::DynamicMatrices m = test::matrices_of(designs, d);
     const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
-    for (double omega = 0.01; omega < 1000; omega *= 1.07) {
+    std::vector<double> all;
+    for (double omega = 0.01; omega < 1000; omega *= 1.07) all.push_back(omega);
+    for (const double lambda : numerics::generalized_modes(m.K, m.A, false).lambda)
+      for (double away = 1e-8; away < 0.1; away *= 3)
+        for (const double side : {-1.0, 1.0}) all.push_back(std::sqrt(lambda) * (1 + side * away));
+    for (const double omega : all) {
       const Eigen::VectorXcd q = m.at(omega).partialPivLu().solve(load);
       for (Eigen::Index j = 0; j < 6; ++j) ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
     }
@@ -138,15 +145,19 @@ TEST(DesignPeaks, AreTheSameBytesFromOneAndSixteenThreads) {
 }
 
 TEST(DesignPeaks, AreThoseOfEveryInstructionSet) {
-  const numerics::Designs designs = test::random_designs(240, 6, 1e-2, 8);
-  const numerics::DesignPeaks best = numerics::design_peaks(designs);
+  const numerics::Designs designs = test::random_designs(240, 6, 1e-2, 8), light = test::random_designs(240, 6, 1e-6, 9);
+  numerics::DesignPeakOptions highest;
+  highest.count_peaks = false;
+  const numerics::DesignPeaks best = numerics::design_peaks(designs), highest_of_light = numerics::design_peaks(light, highest);
   for (const std::string& set : numerics::instruction_sets()) {
     numerics::use_instruction_set(set);
-    const numerics::DesignPeaks other = numerics::design_peaks(designs);
+    const numerics::DesignPeaks other = numerics::design_peaks(designs), other_of_light = numerics::design_peaks(light, highest);
     numerics::use_instruction_set("");
     EXPECT_LE((other.highest / best.highest - 1).abs().maxCoeff(), 1e-10) << set;
+    EXPECT_LE((other_of_light.highest / highest_of_light.highest - 1).abs().maxCoeff(), 1e-9) << set;
     EXPECT_TRUE((other.peaks == best.peaks).all()) << set;
     EXPECT_GE(std::count(other.status.begin(), other.status.end(), numerics::DesignStatus::proven), 200) << set;
+    EXPECT_GE(std::count(other_of_light.status.begin(), other_of_light.status.end(), numerics::DesignStatus::proven), 180) << set;
   }
 }
 

@@ -156,6 +156,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
   } restore;
   for (const std::string& set : numerics::instruction_sets()) {
     numerics::use_instruction_set(set);
+    int proven = 0;
     for (int n = 1; n <= 12; ++n)
       for (const double damping : {0.01, 1.0}) {
         const DynamicMatrices m = random_system(n, static_cast<unsigned>(n), damping);
@@ -164,6 +165,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
         const bool fused = set != "SSE4" && set != "SCALAR";  // without fused products light resonances cannot be checked
         if (!poles && !fused) continue;
         ASSERT_TRUE(poles) << set << ", n = " << n << ", damping " << damping;
+        ++proven;
         for (const int count : {1, 7, 8, 21}) {
           std::vector<double> omega;
           for (int i = 0; i < count; ++i) omega.push_back(3.1 * i);
@@ -181,6 +183,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
           }
         }
       }
+    EXPECT_GE(proven, 12) << set;
   }
 }
 

@@ -24,7 +24,7 @@ TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
   const assembly::Assembled assembled = assembly::assemble(system);
   ASSERT_TRUE(assembled.frequency_dependent());
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
-  std::vector<double> omega(25000);  // fewer stay on one thread
+  std::vector<double> omega(25000);
   for (std::size_t i = 0; i < omega.size(); ++i) omega[i] = 13 + 0.024 * static_cast<double>(i);
   numerics::SweepOptions one, sixteen;
   one.threads = 1;

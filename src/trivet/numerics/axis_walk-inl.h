@@ -31,6 +31,7 @@ struct WalkedCurve {
   SquaredResponse f;
   Pack best;                  ///< highest value of f seen on the band
   Pack sign;                  ///< of the slope, last known: −1, 1, or 0
+  Pack tail;                  ///< the same beyond the walk, to x = ∞; 0 if there is nothing
   Pack covered_from, covered_to;  ///< where nothing is higher than `best`, as is known already
   // of the panel at hand
   Pack p0, p1, p2;            ///< its slope at the middle is p0 + p1 (x − centre) + p2 (x − centre)² …
@@ -49,7 +50,7 @@ constexpr double most_share = 0.43;   ///< of a panel's half width in the distan
 constexpr double least_share = 1e-5;  ///< where no sign can be told on shorter panels, the walk is given up
 constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
-constexpr double round_off = 1e-15;
+constexpr double round_off = 6e-15;   ///< of a sum of C wᵐ over twelve poles and of the polynomial it goes into, against Σ |C| |w|ᵐ
 constexpr double low_share = 0.01;    ///< of what a peak must rise by: a curve that is lower has no peak that counts
 constexpr double most_doubt = 0.2;    ///< of the same: heights that round-off hides are taken as they are below
 /// The remainder of f'' against that of f' over the half panel: its terms i ≥ 5 count i times, on average fewer than 6.5 times.

@@ -12,7 +12,7 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr Eigen::Index body_coordinates = 6, planar_coordinates = 3, largest_block = 8;
+constexpr Eigen::Index body_coordinates = 6, planar_coordinates = 3, largest_block = largest_kernel_block;
 
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 

@@ -8,6 +8,9 @@
 
 namespace trivet::numerics {
 
+/// Coordinates of a block, at most: its rows stay in registers and on the stack of the kernels.
+inline constexpr int largest_kernel_block = 8;
+
 /// For each row of a symmetric matrix the columns where it has entries, ascending.
 using Couplings = std::vector<std::vector<int>>;
 

@@ -18,8 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-inline constexpr int largest_kernel_block = 8;
-
 struct Frequencies {
   Pack omega, square;
 };

@@ -66,7 +66,7 @@ HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResp
 template <typename Size>
 HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles, WalkedCurve& curve) {
   constexpr int steps = 3;
-  constexpr double settled = 1e-11, off_centre = 3;
+  constexpr double settled = 1e-11, off_centre = 3;  // so that "nothing higher" holds within that share
   const SquaredResponse& f = curve.f;
   const Resonance own = highest_resonance(pack.poles, f, above_poles);
   const Pack width = hn::Mul(all(off_centre), own.aside);

@@ -107,7 +107,7 @@ HWY_INLINE LaneMask solve_pivoted_pack(const PackSystem& s, PackArray& z, PackAr
 
 HWY_INLINE Pack backward_error(const PackSystem& s, PackArray& q) {
   const int n = s.z.n;
-  Pack residual = hn::Zero(Lanes()), norm = residual, size = residual, load = residual;
+  Pack residual = hn::Zero(Lanes()), norm = residual, size = residual, load = residual, nothing = residual;  // Max may lose what is not a number
   for (int i = 0; i < n; ++i) {
     q.set(i, all(1 / s.batch.scale[i]) * load_pack(s.batch.q, i * s.batch.q.stride + s.at));
     size = hn::Max(size, one_norm(q[i]));
@@ -123,9 +123,10 @@ HWY_INLINE Pack backward_error(const PackSystem& s, PackArray& q) {
     }
     norm = hn::Max(norm, row);
     residual = hn::Max(residual, one_norm(r));
+    nothing = hn::MulAdd(hn::Zero(Lanes()), one_norm(r), nothing);
   }
   const Pack possible = hn::MulAdd(norm, size, load);
-  return hn::IfThenElse(hn::Gt(possible, hn::Zero(Lanes())), hn::Div(residual, possible), residual);
+  return hn::Add(nothing, hn::IfThenElse(hn::Gt(possible, hn::Zero(Lanes())), hn::Div(residual, possible), residual));
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

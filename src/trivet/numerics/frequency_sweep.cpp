@@ -19,8 +19,8 @@ template <typename Target, typename Take>
 SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, const Target& target, const Take& take) {
   SweepCounts counts;
   std::mutex adding;
-  const int threads = sweep_threads(omega.size(), options.threads);
-  foundation::for_each_piece(omega.size(), {piece, threads, options.progress, "frequencies"}, [&](std::size_t first, std::size_t last) {
+  const int threads = sweep_threads(plan.weight() * omega.size(), options.threads);
+  foundation::for_each_piece(omega.size(), {plan.weight() > 1 ? piece / 4 : piece, threads, options.progress, "frequencies"}, [&](std::size_t first, std::size_t last) {
     SweepWorkspace workspace(plan);
     for (std::size_t at = first; at < last; at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
       const auto count = static_cast<long>(std::min(last - at, static_cast<std::size_t>(SweepWorkspace::chunk)));

@@ -35,7 +35,7 @@ HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, Walked
 /// same form, with poles 1/z, and one panel reaches from there to u = 0.
 /// @param complete  leaves the lanes where that is proven
 template <typename Size>
-HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
+HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
                                   LaneMask& complete) {
   constexpr int most_doublings = 40;
   const SquarePoles<Size>& poles = pack.poles;
@@ -72,6 +72,7 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, const WalkedCu
       if (hn::AllTrue(Lanes(), settled)) break;
       begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
     }
+    curves[c].tail = hn::Neg(curve.after);  // x falls as u rises
     complete = hn::And(complete, settled);
   }
   return begins;
@@ -232,6 +233,8 @@ class PackOfCurves {
     if (!question_.count_peaks) find_tops();
     first_signs(pack_, curves_.get(), channels_, question_);
     complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
+    // A slope that turned where the walk could not tell its sign, and that keeps the new one to x = ∞.
+    for (int c = 0; c < channels_; ++c) complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
     refine(LaneStore<Size>(poles, curves_.get(), channels_), found_);
   }
 
@@ -312,7 +315,7 @@ class PackOfCurves {
       residues_of(table, lane_, roots, row, r);
       WalkedCurve& curve = curves_[c];
       form_squared_response(roots, products, r, row.derivative, row.on_velocity.size() == 0, curve.f);
-      curve.best = curve.sign = hn::Zero(Lanes());
+      curve.best = curve.sign = curve.tail = hn::Zero(Lanes());
       curve.covered_from = all(1.0);
       curve.covered_to = all(-1.0);
     }
@@ -335,7 +338,7 @@ class PackOfCurves {
   void find_tops() {
     for (int c = 0; c < channels_; ++c) {
       Pack above[Size::most];
-      for (int k = 0; k < pack_.poles.count; ++k) above[k] = at_poles()[k * channels_ + c];
+      for (int k = 0; k < pack_.poles.count; ++k) above[k] = hn::IfThenZeroElse(pack_.poles.real[k], at_poles()[k * channels_ + c]);
       tops_[c] = find_top(pack_, above, curves_[c]);
     }
   }

@@ -161,8 +161,10 @@ double worst_backward_error(const EquationAtFrequencies& s) {
       norm = hn::Max(norm, row);
       residual = hn::Max(residual, one_norm(r));
     }
-    worst = hn::Max(worst, hn::Div(residual, hn::MulAdd(norm, size, load)));
-    if (!hn::AllTrue(Lanes(), hn::Lt(size, all(std::numeric_limits<double>::infinity())))) return std::numeric_limits<double>::infinity();
+    const Pack error = hn::Div(residual, hn::MulAdd(norm, size, load));
+    worst = hn::Max(worst, error);
+    // Max may lose what is not a number.
+    if (!hn::AllTrue(Lanes(), hn::And(hn::Lt(size, all(std::numeric_limits<double>::infinity())), hn::Le(error, worst)))) return std::numeric_limits<double>::infinity();
   }
   return hn::GetLane(hn::MaxOfLanes(Lanes(), worst));
 }

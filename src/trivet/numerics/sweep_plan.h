@@ -25,6 +25,8 @@ class SweepPlan {
 
   [[nodiscard]] SweepSolver solver() const { return solver_; }
   [[nodiscard]] int size() const { return static_cast<int>(scale_.size()); }
+  /// One solution beside one of six coordinates in time, to an order of magnitude: a body of many takes five times as long as one alone, laws of elements longer.
+  [[nodiscard]] std::size_t weight() const { return (size() > 6 ? static_cast<std::size_t>(size()) : 1) * (part_ ? 20U : 1U); }
 
  private:
   friend class SweepWorkspace;
@@ -44,7 +46,7 @@ class SweepPlan {
   std::vector<FreeEntry> free_;  ///< of the blocks: what the part may change
 };
 
-/// Threads for so many solutions: one where another would start later than it ends.
+/// Threads for so many solutions of six coordinates: one where another would start later than it ends.
 [[nodiscard]] inline int sweep_threads(std::size_t solutions, int wanted) { return solutions < 20000 ? 1 : wanted; }
 
 }  // namespace trivet::numerics
