@@ -75,12 +75,12 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
 std::string map_text(const study::DesignMap& map) {
   std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
   text += rules_text(map);
-  text += fmt::format("Feasible: {:.2f} % of the map{}\n", 100 * map.feasible.area, coarse_words(map));
+  text += study::feasible_words(map) + coarse_words(map) + "\n";
   if (map.best) {
     const study::DesignOutcome& best = map.outcomes[*map.best];
     text += fmt::format("{}: {}; margin {} ({})\n", best.kept() ? "Best design" : "No design keeps every rule; the nearest", point_words(map, map.point(*map.best)), margin_words(best.margin),
                         std::isinf(best.margin) ? fmt::format("no rule limits {} designs; of these the one farthest from all others and from the frame", map.without_bound)
-                                                : map.rules[best.governing].words);
+                                                : map.rules[best.governing].words + (best.margin > 0 && map.equals > 1 ? fmt::format("; in the midst of {} as good ones", map.equals) : ""));
   }
   text += shares_text(map);
   for (const study::MissingReason& reason : map.report.missing)

@@ -23,12 +23,28 @@ std::vector<study::DesignOutcome> outcomes(const study::MapGrid& grid, const std
   return all;
 }
 
-TEST(BestDesign, HasTheLargestMarginTheFirstOfEquals) {
+TEST(BestDesign, HasTheLargestMargin) {
   const study::MapGrid grid{4, 3};
-  const auto found = study::best_design(study::drawn_grid(grid), outcomes(grid, [](int i, int j) { return i == 1 || j == 2 ? 3.0F : 2.0F; }));
+  const auto found = study::best_design(study::drawn_grid(grid), outcomes(grid, [](int i, int j) { return 2 + 0.1F * float(i) - 0.01F * float(j); }));
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->design, 1u);
+  EXPECT_EQ(found->design, grid.index(3, 0));
   EXPECT_EQ(found->without_bound, 0u);
+  EXPECT_EQ(found->equals, 1u);
+}
+
+TEST(BestDesign, StandsInTheMidstOfEquals) {
+  const study::MapGrid grid{21, 21};  // a plateau from the right frame inwards
+  const auto found = study::best_design(study::drawn_grid(grid), outcomes(grid, [](int i, int j) { return i >= 12 && j >= 5 && j <= 11 ? 3.0F : 2.0F; }));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->equals, 63u);
+  EXPECT_EQ(found->design / 21, 8u);
+  EXPECT_EQ(found->without_bound, 0u);
+}
+
+TEST(BestDesign, StandsInTheMiddleOfAStrip) {
+  const study::MapGrid grid{21, 21};
+  const auto found = study::best_design(study::drawn_grid(grid), outcomes(grid, [](int i, int j) { return i == 20 && j >= 4 && j <= 14 ? 3.0F : 2.0F; }));
+  EXPECT_EQ(found->design, grid.index(20, 9));
 }
 
 TEST(BestDesign, StandsInTheMidstOfThoseWithoutBound) {

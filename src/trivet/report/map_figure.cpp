@@ -110,7 +110,7 @@ void draw_feasible(MapPicture& picture, Key& key) {
   for (const study::MapLine& line : feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
   key.heading("Feasible region");
   if (feasible.rings.empty()) return key.words("no design of this map keeps every rule", "");
-  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)", fmt::format("{:.1f} % of the map", 100 * feasible.area));
+  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)", fmt::format("{} of {} designs", picture.map.kept, picture.map.outcomes.size()));
   key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
 }
 

@@ -41,7 +41,7 @@ std::string marks_table(const study::DesignMap& map) {
 std::string map_tables(const study::Answers& answers) {
   if (!answers.map) return "";
   const study::DesignMap& map = *answers.map;
-  std::string text = fmt::format("Feasible: {:.2f} % of the map.", 100 * map.feasible.area);
+  std::string text = study::feasible_words(map) + ".";
   if (map.best) {
     const study::DesignPoint p = map.point(*map.best);
     const char* what = std::isinf(map.outcomes[*map.best].margin) ? "In the midst of the designs that no rule limits" : map.outcomes[*map.best].kept() ? "Largest margin" : "No design keeps every rule; the nearest";

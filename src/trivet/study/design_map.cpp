@@ -119,6 +119,24 @@ std::vector<MapMark> marks(const Project& project, const MapRequest& request, co
   return all;
 }
 
+/// Of two finite margins, side by side.
+bool is_steep(const DesignOutcome& a, const DesignOutcome& b) {
+  constexpr float often = 10;
+  if (!a.known() || !b.known() || std::isinf(a.margin) || std::isinf(b.margin)) return false;
+  return std::max(a.margin, b.margin) > often * std::min(a.margin, b.margin);
+}
+
+std::size_t steep_neighbours(const DesignMap& map) {
+  std::size_t steep = 0;
+  for (int j = 0; j < map.grid.ny; ++j)
+    for (int i = 0; i < map.grid.nx; ++i) {
+      const DesignOutcome& here = map.outcomes[map.grid.index(i, j)];
+      steep += i + 1 < map.grid.nx && is_steep(here, map.outcomes[map.grid.index(i + 1, j)]);
+      steep += j + 1 < map.grid.ny && is_steep(here, map.outcomes[map.grid.index(i, j + 1)]);
+    }
+  return steep;
+}
+
 void count(DesignMap& map) {
   map.shares.resize(map.rules.size());
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
@@ -133,7 +151,9 @@ void count(DesignMap& map) {
   if (const auto best = best_design(map.drawn, map.outcomes)) {
     map.best = best->design;
     map.without_bound = best->without_bound;
+    map.equals = best->equals;
   }
+  map.steep = steep_neighbours(map);
 }
 
 }  // namespace
@@ -141,6 +161,16 @@ void count(DesignMap& map) {
 DesignPoint DesignMap::point(std::size_t design) const {
   const auto nx = static_cast<std::size_t>(grid.nx);
   return value_at(request, grid.place(static_cast<int>(design % nx), static_cast<int>(design / nx)));
+}
+
+std::string feasible_words(const DesignMap& map) {
+  const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
+  const bool rounded_up = share == "100.00 %" && map.kept < map.outcomes.size();
+  std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
+  if (map.steep > 0)
+    text += fmt::format("; the margin changes more than tenfold between {} pairs of neighbours: what lies between them, a resonance of little damping for instance, may break a rule unseen; "
+                        "take more points there", map.steep);
+  return text;
 }
 
 DesignMap design_map(const Project& project, const Case& variant, const MapRequest& request, const MapOptions& options, const foundation::Progress& progress) {

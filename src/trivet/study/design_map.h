@@ -43,6 +43,8 @@ struct DesignMap {
   std::vector<MarginLine> margin_lines;     ///< straight between these
   std::optional<std::size_t> best;          ///< see best_design
   std::size_t without_bound = 0;            ///< designs that no rule limits
+  std::size_t equals = 0;                   ///< designs as good as the best
+  std::size_t steep = 0;                    ///< neighbours whose margins differ more than tenfold: what lies between them may be another thing
   std::vector<MapMark> marks;
   EvaluationReport report;
 
@@ -62,6 +64,9 @@ struct MapOptions {
 /// The base model has a map if its file asks for one. A case has one of its own where its map is another than that of the base model: other numbers, rules or
 /// frequencies. A case with another model only is a point on the map of the base model, or has none there.
 [[nodiscard]] bool has_own_map(const Project& project, const Case& variant);
+
+/// How much of the map is feasible, and what of it may have been missed between designs.
+[[nodiscard]] std::string feasible_words(const DesignMap& map);
 
 /// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
 [[nodiscard]] std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark);
