@@ -119,10 +119,11 @@ std::vector<MapMark> marks(const Project& project, const MapRequest& request, co
   return all;
 }
 
-/// Of two finite margins, side by side.
-bool is_steep(const DesignOutcome& a, const DesignOutcome& b) {
+/// Of two designs side by side that limits on amplitudes govern; the margin of a no-peak rule may change as much without any resonance between.
+bool is_steep(const DesignMap& map, const DesignOutcome& a, const DesignOutcome& b) {
   constexpr float often = 10;
-  if (!a.known() || !b.known() || std::isinf(a.margin) || std::isinf(b.margin)) return false;
+  const auto by_amplitude = [&](const DesignOutcome& d) { return d.known() && std::isfinite(d.margin) && map.rules[d.governing].kind == response::DesignRule::Kind::amplitude; };
+  if (!by_amplitude(a) || !by_amplitude(b)) return false;
   return std::max(a.margin, b.margin) > often * std::min(a.margin, b.margin);
 }
 
@@ -131,8 +132,8 @@ std::size_t steep_neighbours(const DesignMap& map) {
   for (int j = 0; j < map.grid.ny; ++j)
     for (int i = 0; i < map.grid.nx; ++i) {
       const DesignOutcome& here = map.outcomes[map.grid.index(i, j)];
-      steep += i + 1 < map.grid.nx && is_steep(here, map.outcomes[map.grid.index(i + 1, j)]);
-      steep += j + 1 < map.grid.ny && is_steep(here, map.outcomes[map.grid.index(i, j + 1)]);
+      steep += i + 1 < map.grid.nx && is_steep(map, here, map.outcomes[map.grid.index(i + 1, j)]);
+      steep += j + 1 < map.grid.ny && is_steep(map, here, map.outcomes[map.grid.index(i, j + 1)]);
     }
   return steep;
 }
