@@ -38,7 +38,7 @@ int main() {
   constexpr Eigen::Index few = 1000, many = 100000;
   const numerics::Designs designs = random_designs(few), more = random_designs(many);
   std::vector<std::array<Quad, 6>> truth;
-  for (Eigen::Index d = 0; d < 300; ++d) truth.push_back(quad_modes(unpacked(designs.K, d), unpacked(designs.A, d)));
+  for (Eigen::Index d = 0; d < 300; ++d) truth.push_back(quad_modes(numerics::unpacked(designs.K, d), numerics::unpacked(designs.A, d)));
 
   const std::vector<double> A = full_matrices(designs.A, few), K = full_matrices(designs.K, few);
   const foundation::TemporaryFolder folder;

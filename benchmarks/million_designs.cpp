@@ -28,7 +28,7 @@ double thread_seconds() {
 double worst_miss(const numerics::Designs& designs, const numerics::DesignPeaks& peaks, Eigen::Index every, long& misses) {
   double worst = 0;
   for (Eigen::Index d = 0; d < designs.count(); d += every) {
-    const numerics::DynamicMatrices m = test::matrices_of(designs, d);
+    const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
     const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
     const auto see = [&](double omega) {
       const Eigen::VectorXcd q = m.at(omega).partialPivLu().solve(load);

@@ -47,22 +47,15 @@ inline numerics::Designs random_designs(Eigen::Index count, double least = -1.5,
   return designs;
 }
 
-inline Matrix6 unpacked(const Eigen::ArrayXXd& packed, Eigen::Index row) {
-  Matrix6 x;
-  for (int i = 0, k = 0; i < 6; ++i)
-    for (int j = 0; j <= i; ++j, ++k) x(i, j) = x(j, i) = packed(row, k);
-  return x;
-}
-
 inline PaperMachine machine_of(const numerics::Designs& designs, Eigen::Index d) {
-  return {unpacked(designs.A, d), unpacked(designs.B, d), unpacked(designs.K, d), designs.load.row(0).transpose().matrix()};
+  return {numerics::unpacked(designs.A, d), numerics::unpacked(designs.B, d), numerics::unpacked(designs.K, d), designs.load.row(0).transpose().matrix()};
 }
 
 /// The first designs as full matrices one behind the other, for rivals.
 inline std::vector<double> full_matrices(const Eigen::ArrayXXd& packed, Eigen::Index count) {
   std::vector<double> all;
   for (Eigen::Index d = 0; d < count; ++d) {
-    const Matrix6 x = unpacked(packed, d);
+    const Eigen::MatrixXd x = numerics::unpacked(packed, d);
     all.insert(all.end(), x.data(), x.data() + 36);
   }
   return all;

@@ -38,7 +38,7 @@ std::vector<numerics::SearchedCurve> by_discs(const numerics::Designs& designs, 
   const Eigen::Index n = designs.coordinates();
   std::vector<numerics::ObservedCurve> curves;
   for (Eigen::Index j = 0; j < n; ++j) curves.push_back(numerics::observed_curve({Eigen::VectorXd::Unit(n, j), {}, derivative}));
-  const numerics::DynamicMatrices m = test::matrices_of(designs, d);
+  const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
   const numerics::Load load(designs.load.row(d).matrix().transpose().cast<std::complex<double>>()), nothing(Eigen::Index{0});
   return numerics::search_by_discs({m, load, nothing}, curves, numerics::poles(numerics::system_roots(m)), {from, to}).curves;
 }
@@ -116,7 +116,7 @@ TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
   options.count_peaks = false;
   const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
   for (Eigen::Index d = 0; d < designs.count(); d += 10) {
-    const numerics::DynamicMatrices m = test::matrices_of(designs, d);
+    const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
     const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
     std::vector<double> all;
     for (double omega = 0.01; omega < 1000; omega *= 1.07) all.push_back(omega);

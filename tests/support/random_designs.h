@@ -57,16 +57,4 @@ inline numerics::Designs random_designs(int count, int n, double least, unsigned
   return designs;
 }
 
-/// The matrices of one design.
-inline numerics::DynamicMatrices matrices_of(const numerics::Designs& designs, Eigen::Index design) {
-  const Eigen::Index n = designs.coordinates();
-  const auto full = [&](const Eigen::ArrayXXd& packed) -> Eigen::MatrixXd {
-    Eigen::MatrixXd matrix(n, n);
-    for (Eigen::Index i = 0, k = 0; i < n; ++i)
-      for (Eigen::Index j = 0; j <= i; ++j, ++k) matrix(i, j) = matrix(j, i) = packed(design, k);
-    return matrix;
-  };
-  return {full(designs.A), full(designs.B), full(designs.K), {}, true};
-}
-
 }  // namespace trivet::test

@@ -66,7 +66,8 @@ HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResp
 template <typename Size>
 HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles, WalkedCurve& curve) {
   constexpr int steps = 3;
-  constexpr double settled = 1e-11, off_centre = 3;  // so that "nothing higher" holds within that share
+  constexpr double settled = 1e-11;  // slope × step, as a share of the value
+  constexpr double off_centre = 3;   // half widths of its pole within which the top is looked for
   const SquaredResponse& f = curve.f;
   const Resonance own = highest_resonance(pack.poles, f, above_poles);
   const Pack width = hn::Mul(all(off_centre), own.aside);

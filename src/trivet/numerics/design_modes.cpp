@@ -94,16 +94,9 @@ TRIVET_VARIANTS(modes_of_designs);
 
 namespace {
 
-Eigen::MatrixXd symmetric(const Eigen::ArrayXXd& packed_rows, Eigen::Index design, int n) {
-  Eigen::MatrixXd matrix(n, n);
-  for (int i = 0, entry = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j, ++entry) matrix(i, j) = matrix(j, i) = packed_rows(design, entry);
-  return matrix;
-}
-
 void one_by_one(const Designs& designs, int n, Eigen::Index first, Eigen::Index last, DesignModes& result) {
   for (Eigen::Index design = first; design < last; ++design) {
-    const Eigen::MatrixXd A = symmetric(designs.A, design, n), K = symmetric(designs.K, design, n);
+    const Eigen::MatrixXd A = unpacked(designs.A, design), K = unpacked(designs.K, design);
     const bool definite = A.allFinite() && K.allFinite() && is_positive_definite(A);
     result.definite[static_cast<std::size_t>(design)] = definite;
     if (!definite) {

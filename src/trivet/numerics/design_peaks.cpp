@@ -19,13 +19,6 @@ namespace {
 
 constexpr std::size_t piece = 512;
 
-Eigen::MatrixXd full(const Eigen::ArrayXXd& packed, Eigen::Index design, Eigen::Index n) {
-  Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index i = 0, k = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j <= i; ++j, ++k) matrix(i, j) = matrix(j, i) = packed(design, k);
-  return matrix;
-}
-
 void check(const Designs& designs, const DesignPeakOptions& options) {
   const Eigen::Index n = designs.coordinates(), entries = n * (n + 1) / 2;
   const auto refuse = [](const char* rule) { throw foundation::InvalidInput(std::string("peaks of designs: ") + rule); };
@@ -94,10 +87,6 @@ class Piece {
   }
 
  private:
-  DynamicMatrices matrices(Eigen::Index d) const {
-    const Eigen::Index n = designs_.coordinates();
-    return {full(designs_.A, d, n), full(designs_.B, d, n), full(designs_.K, d, n), {}, true};
-  }
   Eigen::VectorXd load(Eigen::Index d) const { return designs_.load.row(designs_.load.rows() == 1 ? 0 : d).matrix().transpose(); }
   DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
 
@@ -135,7 +124,7 @@ class Piece {
       const std::size_t count = std::min<std::size_t>(table_lanes, designs.size() - first);
       for (std::size_t i = 0; i < table_lanes; ++i) {
         const Eigen::Index d = designs[first + std::min(i, count - 1)];
-        table_.good[i] = roots_of_states(matrices(d), load(d), table_, static_cast<int>(i));
+        table_.good[i] = roots_of_states(matrices_of(designs_, d), load(d), table_, static_cast<int>(i));
       }
       peaks_from_roots(table_, question_, answers_);
       for (std::size_t i = 0; i < count; ++i)
@@ -147,14 +136,14 @@ class Piece {
   std::vector<Eigen::Index> all_definite(Eigen::Index first, Eigen::Index last) const {
     std::vector<Eigen::Index> open;
     for (; first < last; ++first)
-      if (is_positive_definite(full(designs_.A, first, designs_.coordinates()))) open.push_back(first);
+      if (is_positive_definite(unpacked(designs_.A, first))) open.push_back(first);
     return open;
   }
 
   void by_discs(Eigen::Index d) {
     std::vector<ObservedCurve> rows;
     std::ranges::transform(question_.rows, std::back_inserter(rows), observed_curve);
-    const DynamicMatrices m = matrices(d);
+    const DynamicMatrices m = matrices_of(designs_, d);
     const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
     std::vector<SearchedCurve> curves;
     try {

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "trivet/numerics/dynamic_matrices.h"
+
 namespace trivet::numerics {
 
 /// Many systems of n coordinates with real symmetric matrices, K + iωB − ω²A each: one design per row, the packed lower
@@ -16,5 +18,11 @@ struct Designs {
   [[nodiscard]] Eigen::Index count() const { return A.rows(); }
   [[nodiscard]] Eigen::Index coordinates() const { return load.cols(); }
 };
+
+/// Row `design` of A, B or K as a matrix.
+[[nodiscard]] Eigen::MatrixXd unpacked(const Eigen::ArrayXXd& packed, Eigen::Index design);
+
+/// The system of one design.
+[[nodiscard]] DynamicMatrices matrices_of(const Designs& designs, Eigen::Index design);
 
 }  // namespace trivet::numerics

@@ -1,189 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "trivet/numerics/pole_sweep.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "trivet/numerics/pole_sweep.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "trivet/numerics/pole_sweep.h"
-#include "trivet/numerics/poles-inl.h"
-
-#ifndef TRIVET_NUMERICS_POLE_SWEEP_ONCE
-#define TRIVET_NUMERICS_POLE_SWEEP_ONCE
-namespace trivet::numerics {
-
-/// What one system needs of its modes for its roots: a root per lane, each in its own order of the modes, its own last.
-struct RootsOfSystem {
-  int n = 0;
-  double centre[12], below[12][12], above[12][12];   ///< by root: i centre + offset; centre ∓ Ω of each mode
-  double b[78][12];                                  ///< entry, root
-  double offset_re[12], offset_im[12];               ///< where they start, and end
-  double v_re[12][12], v_im[12][12];                 ///< mode, root
-  double slope_re[12], slope_im[12];
-  bool converged = false;
-};
-
-/// Real numbers of pairs of poles at some frequencies; `stride` from one coordinate to the next in re and im.
-struct PairsAtFrequencies {
-  int n = 0;
-  const double* pairs = nullptr;
-  const double* omega = nullptr;
-  Eigen::Index count = 0;
-  double *re = nullptr, *im = nullptr;  ///< without im: |q|²
-  Eigen::Index stride = 0;
-};
-
-/// Z q = h of one system at some frequencies.
-struct EquationAtFrequencies {
-  int n = 0;
-  const double *A = nullptr, *B = nullptr, *K = nullptr, *by_scale = nullptr, *load_re = nullptr, *load_im = nullptr;
-  const double *omega = nullptr, *re = nullptr, *im = nullptr;
-  Eigen::Index count = 0, stride = 0;
-};
-
-}  // namespace trivet::numerics
-#endif
-
-HWY_BEFORE_NAMESPACE();
-namespace trivet::numerics::HWY_NAMESPACE {
-
-HWY_INLINE Pack some(const double* from, Eigen::Index count) {
-  if (count >= lane_count()) return hn::LoadU(Lanes(), from);
-  HWY_ALIGN double buffer[8];
-  for (Eigen::Index lane = 0; lane < lane_count(); ++lane) buffer[lane] = from[std::min(lane, count - 1)];
-  return hn::Load(Lanes(), buffer);
-}
-
-HWY_INLINE void store(const Pack& value, double* to, Eigen::Index count) {
-  if (count >= lane_count()) return hn::StoreU(value, Lanes(), to);
-  HWY_ALIGN double buffer[8];
-  hn::Store(value, Lanes(), buffer);
-  std::copy(buffer, buffer + count, to);
-}
-
-template <typename Size>
-void roots_of_size(Size n, RootsOfSystem& s) {
-  s.converged = true;
-  for (int first = 0; first < n; first += lane_count()) {
-    const Eigen::Index count = n - first;
-    Pencil<Size> m[1];
-    Root<Size> at[1];
-    m[0].centre = some(s.centre + first, count);
-    for (int i = 0; i < n; ++i) {
-      m[0].below[i] = some(s.below[i] + first, count);
-      m[0].above[i] = some(s.above[i] + first, count);
-    }
-    for (int entry = 0; entry < n * (n + 1) / 2; ++entry) m[0].b[entry] = some(s.b[entry] + first, count);
-    at[0].offset = {some(s.offset_re + first, count), some(s.offset_im + first, count)};
-    s.converged = hn::AllTrue(Lanes(), converge(n, m, at)) && s.converged;
-    store(at[0].offset.re, s.offset_re + first, count);
-    store(at[0].offset.im, s.offset_im + first, count);
-    store(at[0].slope.re, s.slope_re + first, count);
-    store(at[0].slope.im, s.slope_im + first, count);
-    for (int i = 0; i < n; ++i) {
-      store(at[0].v[i].re, s.v_re[i] + first, count);
-      store(at[0].v[i].im, s.v_im[i] + first, count);
-    }
-  }
-}
-
-void roots_of_system(RootsOfSystem& s) { s.n == 6 ? roots_of_size(six_coordinates(), s) : roots_of_size(AtMostTwelve{s.n}, s); }
-
-/// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once more.
-template <bool complex_load, bool moduli, typename Size>
-void pairs_of_size(Size n, const PairsAtFrequencies& s) {
-  const int numbers = complex_load ? 4 * n + 3 : 2 * n + 3;
-  const double* const pairs = s.pairs;
-  for (Eigen::Index next = 0; next < s.count; next += lane_count()) {
-    const Eigen::Index f = std::min<Eigen::Index>(next, s.count - lane_count());
-    const Pack p = hn::LoadU(Lanes(), s.omega + f);
-    ComplexPack g[Size::most];  // 1/((ω_k² − p²) + ip d)
-    each(n, [&](int k) TRIVET_LANES {
-      const double* pair = pairs + k * numbers;
-      const Pack omega = all(pair[0]);
-      g[k] = quick_inverse({hn::Mul(hn::Add(hn::Sub(omega, p), all(pair[1])), hn::Add(omega, p)), hn::Mul(all(pair[2]), p)});
-    });
-    each(n, [&](int j) TRIVET_LANES {
-      const auto sum = [&](int from) TRIVET_LANES {  // Σ (c0 + ip c1) g
-        ComplexPack constant = zero(), rate = zero();
-        each(n, [&](int k) TRIVET_LANES {
-          constant = add_product(constant, all(pairs[k * numbers + from + j]), g[k]);
-          rate = add_product(rate, all(pairs[k * numbers + from + n + j]), g[k]);
-        });
-        return ComplexPack{hn::NegMulAdd(p, rate.im, constant.re), hn::MulAdd(p, rate.re, constant.im)};
-      };
-      ComplexPack q = sum(3);
-      if constexpr (complex_load) {
-        const ComplexPack imaginary = sum(3 + 2 * n);
-        q = q + ComplexPack{hn::Neg(imaginary.im), imaginary.re};
-      }
-      hn::StoreU(moduli ? squared_modulus(q) : q.re, Lanes(), s.re + j * s.stride + f);
-      if constexpr (!moduli) hn::StoreU(q.im, Lanes(), s.im + j * s.stride + f);
-    });
-  }
-}
-
-template <typename Size>
-void pairs_of(Size n, const PairsAtFrequencies& s, bool complex_load) {
-  if (s.im) return complex_load ? pairs_of_size<true, false>(n, s) : pairs_of_size<false, false>(n, s);
-  complex_load ? pairs_of_size<true, true>(n, s) : pairs_of_size<false, true>(n, s);
-}
-
-void pairs_at(const PairsAtFrequencies& s, bool complex_load) {
-  s.n == 6 ? pairs_of(six_coordinates(), s, complex_load) : pairs_of(AtMostTwelve{s.n}, s, complex_load);
-}
-
-/// The largest backward error of them, with |re| + |im| for the modulus.
-double worst_backward_error(const EquationAtFrequencies& s) {
-  const int n = s.n;
-  Pack worst = all(0.0);
-  for (Eigen::Index f = 0; f < s.count; f += lane_count()) {
-    const Pack p = some(s.omega + f, s.count - f), square = hn::Mul(p, p), rest = hn::MulSub(p, p, square);
-    ComplexPack q[12];
-    Pack size = all(0.0), residual = size, norm = size, load = size;
-    for (int j = 0; j < n; ++j) {
-      q[j] = all(s.by_scale[j]) * ComplexPack{some(s.re + j * s.stride + f, s.count - f), some(s.im + j * s.stride + f, s.count - f)};
-      size = hn::Max(size, one_norm(q[j]));
-    }
-    for (int i = 0; i < n; ++i) {
-      ComplexPack r = {all(s.load_re[i]), all(s.load_im[i])};
-      load = hn::Max(load, one_norm(r));
-      Pack row = all(0.0);
-      for (int j = 0; j < n; ++j) {
-        const Pack a = all(s.A[i * n + j]), re = hn::NegMulAdd(rest, a, hn::NegMulAdd(square, a, all(s.K[i * n + j])));  // fused: right though it cancels
-        const ComplexPack z = {re, hn::Mul(p, all(s.B[i * n + j]))};
-        row = hn::Add(row, one_norm(z));
-        r = subtract_product(r, z, q[j]);
-      }
-      norm = hn::Max(norm, row);
-      residual = hn::Max(residual, one_norm(r));
-    }
-    const Pack error = hn::Div(residual, hn::MulAdd(norm, size, load));
-    worst = hn::Max(worst, error);
-    // Max may lose what is not a number.
-    if (!hn::AllTrue(Lanes(), hn::And(hn::Lt(size, all(std::numeric_limits<double>::infinity())), hn::Le(error, worst)))) return std::numeric_limits<double>::infinity();
-  }
-  return hn::GetLane(hn::MaxOfLanes(Lanes(), worst));
-}
-
-}  // namespace trivet::numerics::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/design_modes.h"
-#include "trivet/numerics/dispatch.h"
 #include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/pole_kernels.h"
 
 namespace trivet::numerics {
-
-TRIVET_VARIANTS(roots_of_system);
-TRIVET_VARIANTS(pairs_at);
-TRIVET_VARIANTS(worst_backward_error);
-
 namespace {
 
 using Extended = long double;
@@ -235,7 +62,7 @@ std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
 /// The kernel needs as many frequencies as the widest vector has lanes.
 void pairs_at_any(PairsAtFrequencies s, bool complex_load) {
   constexpr Eigen::Index lanes = 8;
-  if (s.count >= lanes) return TRIVET_DISPATCH(pairs_at)(s, complex_load);
+  if (s.count >= lanes) return pairs_at(s, complex_load);
   const Eigen::Index count = s.count, stride = s.stride;
   if (count == 0) return;
   double *const re = s.re, *const im = s.im;
@@ -244,7 +71,7 @@ void pairs_at_any(PairsAtFrequencies s, bool complex_load) {
   Eigen::ArrayXXd some_re(lanes, s.n), some_im(lanes, s.n);
   s.omega = omega.data(), s.count = s.stride = lanes, s.re = some_re.data();
   if (im) s.im = some_im.data();
-  TRIVET_DISPATCH(pairs_at)(s, complex_load);
+  pairs_at(s, complex_load);
   for (Eigen::Index j = 0; j < s.n; ++j) {
     std::copy(&some_re(0, j), &some_re(0, j) + count, re + j * stride);
     if (im) std::copy(&some_im(0, j), &some_im(0, j) + count, im + j * stride);
@@ -285,7 +112,7 @@ bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleO
     }
   }
   if (modes.coupled) {
-    TRIVET_DISPATCH(roots_of_system)(roots);
+    roots_of_system(roots);
     if (!roots.converged) return false;
   }
   poles.resize(static_cast<std::size_t>(n));
@@ -323,6 +150,7 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
   result.pairs_.resize(3 + (result.complex_load_ ? 4 : 2) * n, n);
   Eigen::ArrayXd at_poles(n);
   Extended trace = 0, product = 1;
+  double condition = 0;
   for (int k = 0; k < n; ++k) {
     const PoleOfMode& one = poles[static_cast<std::size_t>(k)];
     PoleOfMode two{std::conj(one.lambda), one.shape.conjugate(), one.v.conjugate(), std::conj(one.slope)};
@@ -333,7 +161,7 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
     product *= square / (modes->omega[k] * modes->omega[k]);
     if (!(first.real() < 0 && second.real() < 0)) return std::nullopt;
     for (const PoleOfMode* pole : {&one, static_cast<const PoleOfMode*>(&two)})
-      result.condition_ = std::max(result.condition_, 2 * std::abs(Complex(pole->lambda)) / std::abs(pole->slope));
+      condition = std::max(condition, 2 * std::abs(Complex(pole->lambda)) / std::abs(pole->slope));
     auto pair = result.pairs_.col(k);
     pair(0) = at_poles(k) = static_cast<double>(omega);
     pair(1) = static_cast<double>(omega - pair(0));
@@ -351,7 +179,7 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
   constexpr double once = 1e-9, most_condition = 1e4;
   const double damping = modes->b.trace();
   if (!(std::abs(static_cast<double>(trace) + damping) <= once * damping && std::abs(static_cast<double>(product - 1)) <= once)) return std::nullopt;
-  if (!(result.condition_ <= most_condition)) return std::nullopt;
+  if (!(condition <= most_condition)) return std::nullopt;
   std::sort(at_poles.begin(), at_poles.end());
   Eigen::ArrayXd checked(2 * n + 1);
   for (int k = 0; k < n; ++k) {
@@ -376,7 +204,7 @@ double PoleSweep::backward_error(const Eigen::Ref<const Eigen::ArrayXd>& omega, 
   const EquationAtFrequencies equation{static_cast<int>(matrices_.size()), matrices_.A.data(), matrices_.B.data(), matrices_.K.data(),
                                        by_scale.data(), load_re.data(), load_im.data(),
                                        omega.data() + first, re.data() + first, im.data() + first, count, re.outerStride()};
-  return TRIVET_DISPATCH(worst_backward_error)(equation);
+  return worst_backward_error(equation);
 }
 
 bool PoleSweep::response(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re, Eigen::Ref<Eigen::ArrayXXd> im) const {
@@ -398,4 +226,3 @@ void PoleSweep::squared_moduli(const Eigen::Ref<const Eigen::ArrayXd>& omega, Ei
 }
 
 }  // namespace trivet::numerics
-#endif

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+
 #include "trivet/numerics/dynamic_matrices.h"
 
 namespace trivet::numerics {
@@ -13,7 +14,7 @@ namespace trivet::numerics {
 class PoleSweep {
  public:
   /// Nothing unless A is positive definite, K too, all is symmetric without loss factor, n ≤ 12, and poles and residues have been proven: each pole found
-  /// once, none near another one with which it merges (condition ≤ 1e4), and at every pole's own frequency a backward error ≤ 1e-14.
+  /// once, none near another one with which it merges (|2λ| |v|²/|vᵀ(2λ + B̃)v| ≤ 1e4; 1 where modes are apart), and at every pole's own frequency a backward error ≤ 1e-14.
   [[nodiscard]] static std::optional<PoleSweep> of(const DynamicMatrices& matrices, const Eigen::VectorXcd& load);
 
   /// q at these ω, count × n by real and imaginary parts, which the caller keeps from sweep to sweep. One in 64 frequencies is
@@ -22,9 +23,6 @@ class PoleSweep {
 
   /// |q|², count × n.
   void squared_moduli(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> result) const;
-
-  /// Largest |2λ| |v|²/|vᵀ(2λ + B̃)v|: 1 where modes are apart, without bound where poles merge.
-  [[nodiscard]] double condition() const { return condition_; }
 
  private:
   void evaluate(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re, Eigen::Ref<Eigen::ArrayXXd> im) const;
@@ -36,7 +34,6 @@ class PoleSweep {
   Eigen::VectorXd scale_;
   Eigen::ArrayXXd pairs_;          ///< by pair: ω and its small rest, −2σ, then c0 and c1 of the real load and of the imaginary one, n each
   bool complex_load_ = false;
-  double condition_ = 0;
 };
 
 }  // namespace trivet::numerics

@@ -16,18 +16,6 @@ namespace {
 constexpr std::size_t designs_together = 64;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-DynamicMatrices matrices_of(const Designs& designs, Eigen::Index design) {
-  const Eigen::Index n = designs.coordinates();
-  DynamicMatrices m{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), {}, true};
-  for (Eigen::Index i = 0, at = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j <= i; ++j, ++at) {
-      m.A(i, j) = m.A(j, i) = designs.A(design, at);
-      m.B(i, j) = m.B(j, i) = designs.B(design, at);
-      m.K(i, j) = m.K(j, i) = designs.K(design, at);
-    }
-  return m;
-}
-
 /// One row of the result.
 void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, SweepMaxima& result,
                  Eigen::Index row) {
