@@ -241,4 +241,92 @@ TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
   EXPECT_EQ(response::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
 }
 
+TEST(MissingKinds, AreMessagesWithoutTheirNumbers) {
+  EXPECT_EQ(study::without_numbers("mass = -5.25e-3 kg of mount2; a mass must be > 0"), "mass = # kg of mount2; a mass must be > #");
+  EXPECT_EQ(study::without_numbers("eigenvalues 1.5, 3 and 4e+05"), study::without_numbers("eigenvalues -2, 77.125 and 1"));
+  EXPECT_NE(study::without_numbers("element a1: 3"), study::without_numbers("element a2: 3"));
+}
+
+/// A body whose inertia breaks the triangle inequality, each design by other figures.
+TEST(DesignMap, GroupsDesignsWithoutAModelByKind) {
+  const study::Project project = test::project(R"(
+trivet = 1
+[bodies.block]
+mass = 10
+inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
+[elements.mount]
+type = "bushing"
+on = "block"
+at = [0.1, 0.2, 0.3]
+translation = [900, 1100, 1300]
+rotation = [90, 80, 70]
+damping = {proportional = 0.05}
+[excitations.force]
+type = "harmonic"
+on = "block"
+at = [0, 0, 0]
+force = [1, 2, 3]
+[analyses.map]
+x = {parameter = "bodies.block.inertia.xx", from = 1, to = 9, points = 9}
+y = {parameter = "bodies.block.mass", from = -10, to = 20, points = 7}
+no_peak = "coordinates"
+)");
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  std::size_t missing = 0;
+  for (const study::MissingReason& reason : map.report.missing) missing += reason.designs;
+  EXPECT_EQ(missing, map.unknown);
+  EXPECT_GT(map.unknown, 20u);
+  EXPECT_LE(map.report.missing.size(), 3u);
+}
+
+TEST(DesignMap, CountsDesignsByTheWayTheyWereJudged) {
+  const study::Project project = *study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {30, 30, {}});
+  EXPECT_EQ(map.report.proven + map.report.redone + map.report.one_by_one, 900u);
+  EXPECT_GT(map.report.proven, 800u);
+}
+
+const std::string with_cases = R"(
+trivet = 1
+[bodies.machine]
+mass = 10
+free = ["z"]
+[elements.spring]
+type = "bushing"
+on = "machine"
+at = [0, 0, 0]
+translation = [1000, 1000, 1000]
+damping = {proportional = 0.05}
+[excitations.force]
+type = "harmonic"
+on = "machine"
+at = [0, 0, 0]
+force = [0, 0, 10]
+[analyses.map]
+x = {parameter = "elements.spring.scale", from = 0.5, to = 2, points = 3}
+y = {parameter = "elements.spring.damping.proportional", from = 0.01, to = 0.3, points = 3}
+no_peak = "coordinates"
+[cases.point]
+elements.spring.scale = 1.5
+[cases.heavy]
+bodies.machine.mass = 20
+[cases.strict]
+analyses.map.peak_tolerance = 0
+)";
+
+TEST(DesignMap, OfACaseIsItsOwnWhereTheCaseChangesTheQuestion) {
+  const study::Project project = test::project(with_cases);
+  EXPECT_TRUE(study::has_own_map(project, project.base()));
+  EXPECT_FALSE(study::has_own_map(project, *project.find("point")));
+  EXPECT_FALSE(study::has_own_map(project, *project.find("heavy")));
+  EXPECT_TRUE(study::has_own_map(project, *project.find("strict")));
+}
+
+TEST(DesignMap, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
+  const study::Project project = test::project(with_cases, {"analyses.map.limits={\"spring.force.z\"=30}"});
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  EXPECT_EQ(map.report.one_by_one, 9u);
+  EXPECT_THAT(map.report.words(), testing::HasSubstr("rows change from design to design"));
+}
+
 }  // namespace

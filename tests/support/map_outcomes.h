@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "trivet/study/design_outcome.h"
+#include "trivet/study/map_contours.h"
+
+namespace trivet::test {
+
+inline constexpr float unlimited = std::numeric_limits<float>::infinity();
+
+/// Margins of a grid from a function of the nodes, (int i, int j) → float.
+template <typename Margin>
+std::vector<study::DesignOutcome> outcomes(const study::MapGrid& grid, const Margin& margin) {
+  std::vector<study::DesignOutcome> all;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) all.push_back({margin(i, j), 0});
+  return all;
+}
+
+}  // namespace trivet::test

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/map_outcomes.h"
+#include "trivet/study/margin_lines.h"
+
+namespace {
+
+using namespace trivet;
+using test::outcomes;
+using test::unlimited;
+
+TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
+  const study::DrawnGrid drawn = study::drawn_grid({1000, 100});
+  EXPECT_EQ(drawn.columns.size(), 241u);
+  EXPECT_EQ(drawn.rows.size(), 100u);
+  EXPECT_EQ(drawn.columns.front(), 0);
+  EXPECT_EQ(drawn.columns.back(), 999);
+  const study::MapGrid nodes = drawn.nodes();
+  for (const int k : {0, 1, 100, 239, 240}) EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[static_cast<std::size_t>(k)] / 999.0, 1e-15);
+}
+
+TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
+  const study::MapGrid grid{700, 500};
+  const auto all = outcomes(grid, [](int i, int j) { return static_cast<float>(std::exp(0.9 * i / 699 + 0.4 * j / 499)); });
+  const auto lines = study::margin_lines(study::drawn_grid(grid), all, std::exp(1.3));
+  ASSERT_FALSE(lines.empty());
+  for (const study::MarginLine& margin : lines)
+    for (const study::MapLine& line : margin.lines)
+      for (const study::MapPlace& p : line) EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, 1e-5);  // float nodes
+}
+
+TEST(MarginLines, EndBesideDesignsWithoutBound) {
+  const study::MapGrid grid{41, 41};
+  const auto all = outcomes(grid, [](int i, int j) { return i + j > 50 ? unlimited : static_cast<float>(std::exp(0.05 * i)); });
+  const auto lines = study::margin_lines(study::drawn_grid(grid), all, unlimited);
+  ASSERT_FALSE(lines.empty());
+  for (const study::MarginLine& margin : lines)
+    for (const study::MapLine& line : margin.lines)
+      for (const study::MapPlace& p : line) EXPECT_NEAR(std::exp(2 * p.x), margin.margin, 1e-5) << "a step along the border of what has no bound";
+}
+
+TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
+  const study::MapGrid grid{41, 41};
+  const auto all = outcomes(grid, [](int i, int j) { return i + j < 30 ? 0.9F : static_cast<float>(1.4 * std::exp(0.02 * i)); });  // a cliff from 0.9 to 1.4 … 3.1
+  const auto lines = study::margin_lines(study::drawn_grid(grid), all, 3.1);
+  ASSERT_FALSE(lines.empty());
+  for (const study::MarginLine& margin : lines)
+    for (const study::MapLine& line : margin.lines)
+      for (const study::MapPlace& p : line) EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
+}
+
+}  // namespace
