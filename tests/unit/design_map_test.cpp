@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/response/design_family.h"
 #include "trivet/study/design_map.h"
 #include "trivet/study/map_json.h"
@@ -126,6 +128,25 @@ TEST(DesignMap, MarksCasesThatAreDesignsOfTheMap) {
   EXPECT_TRUE(map.marks[0].of_this_model);
   EXPECT_TRUE(map.marks[1].of_this_model);
   EXPECT_FALSE(map.marks[2].of_this_model);  // its damping is another
+}
+
+/// A pad measured from 5 to 100 Hz, as rigs do.
+std::string measured_pad(const foundation::TemporaryFolder& folder) {
+  const std::string file = (folder.path() / "pad.csv").string();
+  std::ofstream(file) << "frequency_hz,k_z,k_z_loss\n5,800,80\n20,900,150\n100,1200,300\n";
+  return "[elements.pad]\ntype = \"table\"\non = \"machine\"\nat = [0, 0, 0]\naxis = \"z\"\nfile = '" + file + "'\n";
+}
+
+TEST(DesignMap, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) {
+  const foundation::TemporaryFolder folder;
+  const study::Project project = test::project(machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}, band = [\"6 Hz\", \"50 Hz\"]}\n",
+                                                       measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n[cases.heavy]\nelements.spring.scale = 1.2\nbodies.machine.mass = 20\n"));
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  ASSERT_EQ(map.marks.size(), 3u);
+  for (const study::MapMark& mark : map.marks) EXPECT_TRUE(mark.judged) << mark.name << ": " << mark.failure;
+  EXPECT_TRUE(map.marks[0].of_this_model);
+  EXPECT_TRUE(map.marks[1].of_this_model);
+  EXPECT_FALSE(map.marks[2].of_this_model);
 }
 
 TEST(DesignMap, WritesOneCsvRowPerDesign) {

@@ -167,7 +167,7 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
   const assembly::Assembled a = assembly::assemble(system), b = assembly::assemble(*there);
   if (a.layout.size() != b.layout.size()) return false;
   const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations), of_b = assembly::harmonic_loading(*there, b, request_.excitations);
-  const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.dynamic_stiffness(1, 1).rows());
+  const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.layout.before_last());
   // Three frequencies tell K, B and A apart; within what tables define.
   double lowest = std::max(set_.band.from, 1e-3 * (std::isfinite(set_.band.to) ? set_.band.to : 211.0)), highest = std::isfinite(set_.band.to) ? set_.band.to : 211.0;
   for (const assembly::Assembled* m : {&a, &b})

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/best_design.h"
@@ -96,20 +97,27 @@ std::optional<double> number_of(const Case& variant, const MapAxis& axis) {
   return written ? in_unit(*written, axis.unit) : std::nullopt;
 }
 
+/// Why some work cannot be done; empty if it was.
+std::string why_not(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const foundation::NotComputable& reason) {
+    return reason.what();
+  } catch (const foundation::InvalidInput& reason) {
+    return reason.what();
+  }
+  return "";
+}
+
 std::vector<MapMark> marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation) {
   std::vector<MapMark> all;
   for (const Case& c : project.cases) {
     const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
     MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), false, {}, ""};
     if (request.cases ? !listed : !mark.placed()) continue;
-    try {
-      mark.of_this_model = mark.placed() && evaluation.is_at(c.system, {*mark.x, *mark.y});
-      mark.judged = evaluation.judged(c.system);
-    } catch (const foundation::NotComputable& reason) {
-      mark.failure = reason.what();
-    } catch (const foundation::InvalidInput& reason) {
-      mark.failure = reason.what();
-    }
+    mark.failure = why_not([&] { mark.judged = evaluation.judged(c.system); });
+    // What cannot be compared is not known to be a design of this map.
+    static_cast<void>(why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(c.system, {*mark.x, *mark.y}); }));
     all.push_back(std::move(mark));
   }
   // The base model is a case too, but not twice in one place.
