@@ -20,6 +20,9 @@ constexpr std::size_t most_corners = 42;
 constexpr std::size_t most_samples = 100;   // of one piece: with those of its tests, 120 solves
 constexpr double apart = 1e-10;             // of ω: nearer frequencies are one
 
+/// A fit with a pole at the very frequency gives no number: nothing could be worse.
+double as_error(double difference) { return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference; }
+
 using Samples = std::map<double, Eigen::VectorXcd>;  // ω → a value per delay and curve
 
 /// Three frequencies for each pole of the band and, if `spread_too`, a few over all of it.
@@ -114,7 +117,7 @@ class Modelling {
       solve(all);
       for (const double w : wanted)
         if (const auto found = samples_.find(w); found != samples_.end())
-          if (const double off = error_of(fit, w, found->second); !(off <= error)) error = off, error_at = w;
+          if (const double off = error_of(fit, w, found->second); off > error) error = off, error_at = w;
       const bool exhausted = model_.solves >= options_.most_solves, settled = samples_.size() == before && error > options_.tolerance;
       if (error <= options_.tolerance || exhausted || settled) {
         model_.tests += tests_;
@@ -265,7 +268,7 @@ class Modelling {
     double worst = 0;
     for (Eigen::Index c = 0; c < y.size(); ++c) {
       const double size = std::max({std::abs(y(c)), near_zero_share * neighbours(c), floor(c)});
-      if (!idle_(c) && size > 0) worst = std::max(worst, std::abs(model(c) - y(c)) / size);
+      if (!idle_(c) && size > 0) worst = std::max(worst, as_error(std::abs(model(c) - y(c)) / size));
     }
     return worst;
   }
@@ -281,8 +284,8 @@ class Modelling {
         if (!extremum.maximum || !(w >= band.from && w <= band.to) || idle_(curve)) continue;
         const Eigen::VectorXcd y = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
         const double size = std::max(extremum.amplitude, floors(y)(curve));
-        const double off = std::abs(std::abs(y(curve)) - extremum.amplitude) / size;
-        if (!(off <= worst)) worst = off, doubted_extremum_ = w;
+        const double off = as_error(std::abs(std::abs(y(curve)) - extremum.amplitude) / size);
+        if (off > worst) worst = off, doubted_extremum_ = w;
         ++tests_;
       }
     return worst;
