@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -147,6 +148,30 @@ TEST(DesignMap, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond)
   EXPECT_TRUE(map.marks[0].of_this_model);
   EXPECT_TRUE(map.marks[1].of_this_model);
   EXPECT_FALSE(map.marks[2].of_this_model);
+}
+
+/// Natural frequencies of 10⁷ and 10⁻⁶ rad/s.
+TEST(DesignMap, TellsModelsApartWhereTheirOwnMassAndStiffnessMatter) {
+  for (const double stiffness : {1e15, 1e-11}) {
+    const study::Project project = test::project(machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", fmt::format(R"(
+[cases.same]
+elements.spring.scale = 1.5
+[cases.heavier]
+elements.spring.scale = 1.4
+bodies.machine.mass = 10.001
+[cases.stiffer]
+elements.spring.scale = 1.3
+elements.spring.translation = [{0}, {0}, {1}]
+)", stiffness, 1.001 * stiffness)), {fmt::format("elements.spring.translation=[{0}, {0}, {0}]", stiffness)});
+    const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+    for (const study::MapMark& mark : map.marks) EXPECT_EQ(mark.of_this_model, mark.name.empty() || mark.name == "same") << mark.name << " " << stiffness;
+  }
+}
+
+TEST(DesignMap, PlacesCasesWhoseTableStartsAboveAllNaturalFrequencies) {
+  const foundation::TemporaryFolder folder;
+  const study::Project project = test::project(machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}}\n", measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n"));
+  for (const study::MapMark& mark : study::design_map(project, project.base(), *project.base().analyses.map).marks) EXPECT_TRUE(mark.of_this_model) << mark.name;
 }
 
 TEST(DesignMap, WritesOneCsvRowPerDesign) {

@@ -31,6 +31,23 @@ constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in th
 std::mutex reading;   // the unit database and the files behind elements serve one reader at a time
 std::mutex noting;
 
+/// [rad/s], also of motions that grow; 1 where nothing holds the system.
+double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled) {
+  double highest = 0;
+  for (const modal::Mode& mode : modal::modes(system, assembled).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
+  return highest > 0 ? highest : 1;
+}
+
+/// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within what tables define.
+response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
+  constexpr double decades = 1e-3, least = 10;  // where tables start above it, a decade of them
+  response::Band range{decades * natural_frequency, std::numeric_limits<double>::infinity()};
+  for (const assembly::Assembled* assembled : {&a, &b})
+    for (const assembly::ElementMap& map : assembled->elements) range = {std::max(range.from, map.defined_from), std::min(range.to, map.defined_to)};
+  range.to = std::min(range.to, std::max(natural_frequency, least * range.from));
+  return range;
+}
+
 std::string amplitude_words(const std::string& name, double amplitude, const std::string& unit) { return fmt::format("{} ≤ {:.6g} {}", name, amplitude, unit); }
 
 }  // namespace
@@ -168,10 +185,7 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
   if (a.layout.size() != b.layout.size()) return false;
   const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations), of_b = assembly::harmonic_loading(*there, b, request_.excitations);
   const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.layout.before_last());
-  // Three frequencies tell K, B and A apart; within what tables define.
-  double lowest = std::max(set_.band.from, 1e-3 * (std::isfinite(set_.band.to) ? set_.band.to : 211.0)), highest = std::isfinite(set_.band.to) ? set_.band.to : 211.0;
-  for (const assembly::Assembled* m : {&a, &b})
-    for (const assembly::ElementMap& map : m->elements) lowest = std::max(lowest, map.defined_from), highest = std::min(highest, map.defined_to);
+  const auto [lowest, highest] = compared_range(a, b, highest_natural_frequency(system, a));
   if (!(lowest < highest)) return false;
   for (const double omega : {lowest, std::sqrt(lowest * highest), highest}) {
     const auto scaled = [&](const assembly::Assembled& m) -> Eigen::MatrixXcd { return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal(); };
