@@ -11,6 +11,7 @@
 #include "trivet/study/best_design.h"
 #include "trivet/study/design_evaluation.h"
 #include "trivet/study/design_parameter.h"
+#include "trivet/study/steep_neighbours.h"
 
 namespace trivet::study {
 namespace {
@@ -127,25 +128,6 @@ std::vector<MapMark> marks(const Project& project, const MapRequest& request, co
   return all;
 }
 
-/// Of two designs side by side that limits on amplitudes govern; the margin of a no-peak rule may change as much without any resonance between.
-bool is_steep(const DesignMap& map, const DesignOutcome& a, const DesignOutcome& b) {
-  constexpr float often = 10;
-  const auto by_amplitude = [&](const DesignOutcome& d) { return d.known() && std::isfinite(d.margin) && map.rules[d.governing].kind == response::DesignRule::Kind::amplitude; };
-  if (!by_amplitude(a) || !by_amplitude(b)) return false;
-  return std::max(a.margin, b.margin) > often * std::min(a.margin, b.margin);
-}
-
-std::size_t steep_neighbours(const DesignMap& map) {
-  std::size_t steep = 0;
-  for (int j = 0; j < map.grid.ny; ++j)
-    for (int i = 0; i < map.grid.nx; ++i) {
-      const DesignOutcome& here = map.outcomes[map.grid.index(i, j)];
-      steep += i + 1 < map.grid.nx && is_steep(map, here, map.outcomes[map.grid.index(i + 1, j)]);
-      steep += j + 1 < map.grid.ny && is_steep(map, here, map.outcomes[map.grid.index(i, j + 1)]);
-    }
-  return steep;
-}
-
 void count(DesignMap& map) {
   map.shares.resize(map.rules.size());
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
@@ -162,7 +144,7 @@ void count(DesignMap& map) {
     map.without_bound = best->without_bound;
     map.equals = best->equals;
   }
-  map.steep = steep_neighbours(map);
+  map.steep = steep_neighbours(map.grid, map.rules, map.outcomes);
 }
 
 }  // namespace
@@ -177,8 +159,8 @@ std::string feasible_words(const DesignMap& map) {
   const bool rounded_up = share == "100.00 %" && map.kept < map.outcomes.size();
   std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
   if (map.steep > 0)
-    text += fmt::format("; the margin changes more than tenfold between {} pairs of neighbours: what lies between them, a resonance of little damping for instance, may break a rule unseen; "
-                        "take more points there", map.steep);
+    text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
+                        "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
   return text;
 }
 

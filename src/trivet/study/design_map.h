@@ -44,7 +44,7 @@ struct DesignMap {
   std::optional<std::size_t> best;          ///< see best_design
   std::size_t without_bound = 0;            ///< designs that no rule limits
   std::size_t equals = 0;                   ///< designs as good as the best
-  std::size_t steep = 0;                    ///< neighbours whose margins differ more than tenfold: what lies between them may be another thing
+  std::size_t steep = 0;                    ///< see steep_neighbours
   std::vector<MapMark> marks;
   EvaluationReport report;
 

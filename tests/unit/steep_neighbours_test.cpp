@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "trivet/study/design_map.h"
+#include "trivet/study/steep_neighbours.h"
+
+namespace {
+
+using namespace trivet;
+using Kind = response::DesignRule::Kind;
+
+constexpr std::uint8_t amplitude = 0, no_peak = 1;
+const std::vector<study::MapRule> rules = {{Kind::amplitude, "a.z", "m", 0.01, "a.z ≤ 0.01 m"}, {Kind::no_peak, "a.z", "m", 0.01, "no peak of a.z"}};
+
+/// Of two designs side by side, and of the same one above the other.
+std::size_t steep(const study::DesignOutcome& a, const study::DesignOutcome& b) {
+  const std::size_t beside = study::steep_neighbours({2, 1}, rules, {a, b});
+  EXPECT_EQ(study::steep_neighbours({1, 2}, rules, {a, b}), beside);
+  EXPECT_EQ(study::steep_neighbours({2, 1}, rules, {b, a}), beside);
+  return beside;
+}
+
+TEST(SteepNeighbours, DifferMoreThanTenfold) {
+  EXPECT_EQ(steep({0.5F, amplitude}, {5.5F, amplitude}), 1u);
+  EXPECT_EQ(steep({0.5F, amplitude}, {5, amplitude}), 0u);
+}
+
+TEST(SteepNeighbours, AreGovernedByLimitsOnAmplitudesBoth) {
+  EXPECT_EQ(steep({0.5F, amplitude}, {50, no_peak}), 0u);
+  EXPECT_EQ(steep({0.5F, no_peak}, {50, no_peak}), 0u);
+}
+
+TEST(SteepNeighbours, MayHaveNoMarginAtAllOnOneSide) {
+  EXPECT_EQ(steep({0, amplitude}, {0.1F, amplitude}), 1u);  // an amplitude without bound
+  EXPECT_EQ(steep({0, amplitude}, {0, amplitude}), 0u);
+}
+
+TEST(SteepNeighbours, AreKnownAndBounded) {
+  EXPECT_EQ(steep({0.5F, amplitude}, {std::numeric_limits<float>::infinity(), amplitude}), 0u);
+  EXPECT_EQ(steep({0.5F, amplitude}, {0, study::DesignOutcome::no_model}), 0u);
+}
+
+TEST(SteepNeighbours, AreNotAcrossACorner) {
+  const study::DesignOutcome low{1, amplitude}, middle{5, amplitude}, high{25, amplitude};
+  EXPECT_EQ(study::steep_neighbours({2, 2}, rules, {low, middle, middle, high}), 0u);
+  EXPECT_EQ(study::steep_neighbours({2, 2}, rules, {low, high, middle, high}), 1u);
+  EXPECT_EQ(study::steep_neighbours({3, 1}, rules, {low, high, low}), 2u);
+}
+
+study::DesignMap nearly_all_kept(std::size_t steep) {
+  study::DesignMap map;
+  map.outcomes = {{2, amplitude}, {2, amplitude}, {2, amplitude}, {0.99F, amplitude}};
+  map.kept = 3;
+  map.feasible.area = 0.999996;
+  map.steep = steep;
+  return map;
+}
+
+TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
+  study::DesignMap map = nearly_all_kept(0);
+  EXPECT_EQ(study::feasible_words(map), "Feasible: less than 100 % of the map, 3 of 4 designs");
+  map.kept = 4;
+  EXPECT_EQ(study::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
+}
+
+TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
+  EXPECT_THAT(study::feasible_words(nearly_all_kept(1)), testing::HasSubstr("; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
+  EXPECT_THAT(study::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));
+}
+
+}  // namespace
