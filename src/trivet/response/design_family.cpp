@@ -163,10 +163,11 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::functio
 FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
   DesignFamily family;
   std::string reason;
+  bool has_first = false;
   const auto asked = [&](const FamilyPoint& point) -> std::optional<PlainDesign> {
     PlainOrNot found = source(point);
-    reason = found.plain ? family.assembled_ > 0 ? unlike(family.first_, *found.plain) : "" : found.reason;
-    if (reason.empty() && ++family.assembled_ == 1) family.first_ = *found.plain;
+    reason = found.plain ? has_first ? unlike(family.first_, *found.plain) : "" : found.reason;
+    if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
     return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
   const auto declined = [&](const std::string& otherwise) -> FamilyOrNot { return {std::nullopt, reason.empty() ? otherwise : reason}; };

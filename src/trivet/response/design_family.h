@@ -59,7 +59,6 @@ class DesignFamily {
   [[nodiscard]] numerics::Designs designs(std::span<const FamilyPoint> points) const;
 
   [[nodiscard]] const PlainDesign& first() const { return first_; }     ///< rows and derivatives hold for all
-  [[nodiscard]] int assembled() const { return assembled_; }            ///< designs that were asked of the source
   [[nodiscard]] double worst_difference() const { return worst_; }      ///< of the points that were checked, see reproduced_within
   [[nodiscard]] std::size_t x_nodes() const { return x_.nodes.size(); }
   [[nodiscard]] std::size_t y_nodes() const { return y_.nodes.size(); }
@@ -79,7 +78,6 @@ class DesignFamily {
   Along x_, y_;
   Eigen::MatrixXd values_;   ///< entries × (x nodes × y nodes), x running
   PlainDesign first_;
-  int assembled_ = 0;
   double worst_ = 0;
 };
 

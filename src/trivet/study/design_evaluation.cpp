@@ -211,13 +211,13 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
   return result;
 }
 
-void DesignEvaluation::note_missing(std::size_t index, std::uint8_t outcome, const std::string& rule, const std::string& words) {
+void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, const std::string& words) {
   const std::string kind = without_numbers(rule);
   const std::lock_guard lock(noting);
   const auto known = static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
   if (known == missing_kinds_.size()) {
     missing_kinds_.push_back(kind);
-    report_.missing.push_back({outcome, words, 0, index});
+    report_.missing.push_back({words, 0, index});
   }
   MissingReason& reason = report_.missing[known];
   ++reason.designs;
@@ -236,16 +236,16 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   if (!system) {
     const auto& list = system.error().list();
     const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; });
-    note_missing(index, DesignOutcome::no_model, first->subject + ": " + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
+    note_missing(index, first->subject + ": " + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
     return {0, DesignOutcome::no_model};
   }
   try {
     const response::Governing least = judged(*system).governing;
     return outcome_of(least);
   } catch (const foundation::NotComputable& reason) {
-    note_missing(index, DesignOutcome::not_computed, reason.what(), reason.what());
+    note_missing(index, reason.what(), reason.what());
   } catch (const foundation::InvalidInput& reason) {
-    note_missing(index, DesignOutcome::not_computed, reason.what(), reason.what());
+    note_missing(index, reason.what(), reason.what());
   }
   return {0, DesignOutcome::not_computed};
 }

@@ -48,7 +48,7 @@ class DesignEvaluation {
   [[nodiscard]] std::vector<std::size_t> highest_outside_band(const numerics::DesignPeaks& found) const;
   /// Of designs first … : outcomes in lanes; where they are not proven, one by one.
   void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
-  void note_missing(std::size_t index, std::uint8_t outcome, const std::string& rule, const std::string& words);
+  void note_missing(std::size_t index, const std::string& rule, const std::string& words);
 
   const Case& case_;
   const MapRequest& request_;

@@ -36,7 +36,6 @@ struct DesignOutcome {
 
 /// One kind of reason why designs have no outcome: messages that differ in their numbers only are one kind.
 struct MissingReason {
-  std::uint8_t outcome = DesignOutcome::no_model;
   std::string words;            ///< with the figures of the first such design
   std::size_t designs = 0;
   std::size_t first = 0;        ///< index of that design
