@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -28,6 +29,13 @@ CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& 
   CLI::Option* json = command->add_flag("--json", options.json, "JSON, SI");
   command->add_flag("--csv", options.csv, "CSV, SI")->excludes(json);
   return command;
+}
+
+void add_picture(CLI::App& command, const std::string& drawn, Options& options) {
+  const auto is_svg = [](const std::string& path) {
+    return std::filesystem::path(path).extension() == ".svg" ? std::string() : path + ": pictures are SVG; name a file that ends in .svg";
+  };
+  command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
 }
 
 int dispatch(const CLI::App& app, const Options& options) {
@@ -75,13 +83,13 @@ int main(int argc, char** argv) {
   suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s");
   CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
   map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150");
-  map->add_option("--picture", options.picture, "draw the map to this SVG file");
+  add_picture(*map, "map", options);
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");
   element->add_flag("--json", options.json, "JSON, SI");
   element->add_flag("--all", options.all, "compare with every element taken for three springs, not this one alone");
-  element->add_option("--picture", options.picture, "draw the element to this SVG file");
+  add_picture(*element, "element", options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");
   try {

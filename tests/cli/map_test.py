@@ -99,6 +99,16 @@ class Map(unittest.TestCase):
         for words in ("proportional damping δ of spring [ms]", "elements.spring.damping.proportional", "every rule is kept", "margin = limit / value", "good", "mass.z ≤ 0.03 m"):
             self.assertIn(words, svg)
 
+    def test_a_picture_is_named_svg_before_anything_is_computed(self):
+        for name in ("map.png", "map", "map.svg.gz"):
+            picture = self.folder / name
+            for command in (("map", "no such project.toml"), ("element", "no such project.toml", "spring")):
+                output, complaint = run(*command, "--picture", str(picture), code=2)
+                self.assertEqual(output, "")
+                self.assertIn(f"--picture: {picture}: pictures are SVG; name a file that ends in .svg", complaint)
+                self.assertNotIn("no such project", complaint)
+            self.assertFalse(picture.exists())
+
     def test_the_picture_says_which_cases_it_does_not_show(self):
         pathlib.Path(self.project).write_text(ONE_MASS + '[cases.far]\nelements.spring.scale = 9\n[cases.heavy]\nbodies.mass.mass = 8\n')
         picture = self.folder / "map.svg"
