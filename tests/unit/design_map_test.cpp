@@ -174,6 +174,18 @@ TEST(DesignMap, PlacesCasesWhoseTableStartsAboveAllNaturalFrequencies) {
   for (const study::MapMark& mark : study::design_map(project, project.base(), *project.base().analyses.map).marks) EXPECT_TRUE(mark.of_this_model) << mark.name;
 }
 
+/// ζ = 0.25 at 10 rad/s: the peak stands at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends to F/m = 1 m/s².
+TEST(DesignMap, TellsWhereACaseGoesBeyondItsLimits) {
+  const auto words = [&](const std::vector<std::string>& settings) {
+    const study::Project changed = test::project(machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}}\n"), settings);
+    const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
+    return study::verdict_words(map, map.marks.at(0)).at(0);
+  };
+  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m at 9.354 rad/s, allowed 0.015"));
+  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}), testing::HasSubstr(" at 1 rad/s, allowed 0.005"));
+  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}), testing::HasSubstr(" m/s² towards ω = ∞, allowed 0.9"));
+}
+
 TEST(DesignMap, WritesOneCsvRowPerDesign) {
   const study::Project project = test::project(machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n"));
   const std::string csv = study::map_csv(study::design_map(project, project.base(), *project.base().analyses.map));

@@ -46,20 +46,21 @@ double margin(const DesignRule& rule, double value) {
   return value > 0 ? rule.allowed / value : infinity;
 }
 
-std::vector<double> rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                                const Peaks& found, const RuleSet& set) {
-  std::vector<double> values;
+RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                       const Peaks& found, const RuleSet& set) {
+  RuleValues result;
   for (const DesignRule& rule : set.rules) {
-    double value = 0;
+    LargestAmplitude largest{0, std::numeric_limits<double>::quiet_NaN()};
     if (rule.kind == DesignRule::Kind::amplitude) {
-      value = largest_in_band(assembled, channels, loading, found, rule.channel, set.band).amplitude;
+      largest = largest_in_band(assembled, channels, loading, found, rule.channel, set.band);
     } else {
       for (const Peak& peak : found.list)
-        if (peak.curve == rule.channel) value = std::max(value, relative_prominence(peak));
+        if (const double height = relative_prominence(peak); peak.curve == rule.channel && height > largest.amplitude) largest = {height, peak.angular_frequency};
     }
-    values.push_back(value);
+    result.values.push_back(largest.amplitude);
+    result.angular_frequencies.push_back(largest.angular_frequency);
   }
-  return values;
+  return result;
 }
 
 Governing governing(const RuleSet& set, const std::vector<double>& values) {

@@ -38,9 +38,14 @@ struct RuleSet {
   double min_prominence = 1e-6;  ///< see PeakOptions
 };
 
-/// What each rule limits: the largest amplitude in the band, or the largest relative prominence of a peak (0 without one).
-[[nodiscard]] std::vector<double> rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                              const assembly::Loading& loading, const Peaks& found, const RuleSet& set);
+struct RuleValues {
+  std::vector<double> values;               ///< of each rule: the largest amplitude in the band, or the largest relative prominence of a peak (0 without one)
+  std::vector<double> angular_frequencies;  ///< where [rad/s]; infinite where it is only approached, NaN without a peak
+};
+
+/// What each rule limits.
+[[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                     const assembly::Loading& loading, const Peaks& found, const RuleSet& set);
 
 /// The rule with the least margin; the first of equals.
 struct Governing {

@@ -206,8 +206,8 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
   const double search_to = std::isfinite(set_.band.to) ? set_.band.to : 0;
   JudgedDesign result;
   result.peaks = response::peaks(assembled, asked, loading, modes, roots, {set_.min_prominence, search_to});
-  result.values = response::rule_values(assembled, asked, loading, result.peaks, set_);
-  result.governing = response::governing(set_, result.values);
+  result.rules = response::rule_values(assembled, asked, loading, result.peaks, set_);
+  result.governing = response::governing(set_, result.rules.values);
   return result;
 }
 

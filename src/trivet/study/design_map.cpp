@@ -206,9 +206,9 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
   const JudgedDesign& judged = *mark.judged;
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];
-    const double value = judged.values[r];
+    const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind == response::DesignRule::Kind::amplitude && value > rule.allowed)
-      words.push_back(fmt::format("{} reaches {:.4g} {}, allowed {:.4g}", rule.answer, value, rule.unit, rule.allowed));
+      words.push_back(fmt::format("{} reaches {:.4g} {} {}, allowed {:.4g}", rule.answer, value, rule.unit, std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at), rule.allowed));
   }
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {

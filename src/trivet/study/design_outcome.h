@@ -43,7 +43,7 @@ struct MissingReason {
 
 /// One design with everything that was found.
 struct JudgedDesign {
-  std::vector<double> values;   ///< of the rules, see response::rule_values
+  response::RuleValues rules;
   response::Governing governing;
   response::Peaks peaks;        ///< of the answers that have rules
 };

@@ -92,8 +92,8 @@ Json mark(const DesignMap& map, const MapMark& m) {
   result["rules"] = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];
-    const double margin = response::margin({rule.kind, 0, rule.allowed}, m.judged->values[r]);
-    result["rules"].push_back({{"words", rule.words}, {"value", json::number(m.judged->values[r])}, {"allowed", rule.allowed}, {"margin", json::number(margin)}, {"kept", margin >= 1}});
+    const double value = m.judged->rules.values[r], margin = response::margin({rule.kind, 0, rule.allowed}, value);
+    result["rules"].push_back({{"words", rule.words}, {"value", json::number(value)}, {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])}, {"allowed", rule.allowed}, {"margin", json::number(margin)}, {"kept", margin >= 1}});
   }
   result["peaks"] = Json::array();
   for (const response::Peak& peak : m.judged->peaks.list)
