@@ -12,6 +12,24 @@ namespace {
 
 using namespace trivet;
 
+TEST(Ticks, OfALogarithmicAxisAreThreeAtLeastHoweverShortItIs) {
+  const auto labels = [](double from, double to) {
+    std::string text;
+    for (const report::Tick& tick : report::decade_ticks(from, to)) text += tick.label + " ";
+    return text;
+  };
+  EXPECT_EQ(labels(0.01, 100), "0.01 0.1 1 10 100 ");
+  EXPECT_EQ(labels(0.5, 4), "0.5 1 2 ");
+  EXPECT_EQ(labels(0.6, 0.9), "0.6 0.65 0.7 0.75 0.8 0.85 0.9 ");
+  EXPECT_EQ(labels(3, 4.9), "3 3.5 4 4.5 ");
+  EXPECT_EQ(labels(2, 300), "2 5 10 20 50 100 200 ");
+  for (double from = 0.011; from < 0.11; from *= 1.05)
+    for (double ratio = 1.01; ratio < 2000; ratio *= 1.07) {
+      const std::size_t count = report::decade_ticks(from, ratio * from).size();
+      EXPECT_TRUE(count >= 3 && count <= 9) << from << " to " << ratio * from << ": " << count;
+    }
+}
+
 TEST(Ticks, AreRoundAndInside) {
   const auto ticks = report::linear_ticks(0, 0.553, 5);
   ASSERT_EQ(ticks.size(), 6u);

@@ -35,18 +35,26 @@ std::string power_label(int digit, int exponent) {
   return label;
 }
 
-}  // namespace
-
-std::vector<Tick> decade_ticks(double from, double to) {
+/// The digits times powers of ten inside [from, to].
+std::vector<Tick> ticks_of_digits(double from, double to, const std::vector<int>& digits) {
   std::vector<Tick> ticks;
-  const bool few = std::log10(to / from) < 2;
   const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
   const int step = 1 + (last - first) / 12;
   for (int decade = first; decade <= last; decade += step)
-    for (const int digit : few ? std::vector<int>{1, 2, 5} : std::vector<int>{1}) {
+    for (const int digit : digits) {
       const double value = digit * std::pow(10.0, decade);
       if (value >= from * (1 - 1e-9) && value <= to * (1 + 1e-9)) ticks.push_back({value, power_label(digit, decade)});
     }
+  return ticks;
+}
+
+}  // namespace
+
+std::vector<Tick> decade_ticks(double from, double to) {
+  constexpr std::size_t enough = 3;
+  std::vector<Tick> ticks = ticks_of_digits(from, to, {1});
+  if (ticks.size() < enough || std::log10(to / from) < 2) ticks = ticks_of_digits(from, to, {1, 2, 5});
+  if (ticks.size() < enough) ticks = linear_ticks(from, to, 5);  // of which three or more fall inside
   return ticks;
 }
 

@@ -14,7 +14,7 @@ struct Tick {
 /// Round values (1, 2, 5 × 10ⁿ) inside [from, to], about `wanted` of them.
 [[nodiscard]] std::vector<Tick> linear_ticks(double from, double to, int wanted);
 
-/// Powers of ten inside [from, to]; with few decades also 2 and 5 times them. Each labelled.
+/// Powers of ten inside [from, to]; with few decades also 2 and 5 times them, with less than one linear_ticks: three at least. Each labelled.
 [[nodiscard]] std::vector<Tick> decade_ticks(double from, double to);
 
 /// Multiples of 30°, 45°, 90° or 180° inside [from, to] degrees.
