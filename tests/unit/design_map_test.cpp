@@ -118,6 +118,24 @@ TEST(DesignMap, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
   EXPECT_THAT(map.report.words(), testing::HasSubstr("loss factors"));
 }
 
+TEST(DesignMap, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAndTellsHowFarItIs) {
+  std::string cases;
+  for (int k = 0; k < 12; ++k) cases += fmt::format("[cases.c{}]\nelements.spring.scale = {}\n", k, 0.6 + 0.1 * k);
+  const study::Project project = test::project(machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 25}}\n", cases));
+  std::vector<std::string> tasks, texts;
+  const foundation::Progress progress = [&](std::string_view task, double) { tasks.emplace_back(task); };
+  for (const int threads : {1, 4}) {
+    const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {threads, true}}, progress);
+    EXPECT_EQ(map.report.one_by_one, 20u);
+    std::string text;
+    study::write_map_json(project, map, [&](std::string_view piece) { text += piece; });
+    texts.push_back(text);
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  for (const char* task : {"designs", "boundary", "cases"}) EXPECT_THAT(tasks, testing::Contains(task));
+  EXPECT_GE(std::count(tasks.begin(), tasks.end(), "designs"), 20);  // with one thread after each
+}
+
 TEST(DesignMap, MarksCasesThatAreDesignsOfTheMap) {
   const study::Project project = test::project(machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
                                                        "[cases.stiff]\nelements.spring.scale = 1.5\nelements.spring.damping.proportional = 0.1\n"

@@ -25,11 +25,10 @@ DesignOutcome outcome_of(const response::Governing& least) {
   return {margin, static_cast<std::uint8_t>(least.rule)};
 }
 
-constexpr std::size_t assembled_piece = 4;  // designs, each of milliseconds
+constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and few of them are open on a boundary
 constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
 
-std::mutex reading;   // the unit database and the files behind elements serve one reader at a time
-std::mutex noting;
+std::mutex reading;  // of all evaluations: the parser of units keeps its state in globals, and the files behind elements have one writer
 
 /// [rad/s], also of motions that grow; 1 where nothing holds the system.
 double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled) {
@@ -154,7 +153,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     outcomes[d] = outcome_of(response::governing(set_, values));
     ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
   }
-  const std::lock_guard lock(noting);
+  const std::lock_guard lock(noting_);
   report_.proven += proven;
   report_.redone += redone;
 }
@@ -213,7 +212,7 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
 
 void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, const std::string& words) {
   const std::string kind = without_numbers(rule);
-  const std::lock_guard lock(noting);
+  const std::lock_guard lock(noting_);
   const auto known = static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
   if (known == missing_kinds_.size()) {
     missing_kinds_.push_back(kind);
@@ -229,7 +228,7 @@ void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, 
 
 DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const DesignPoint& point) {
   {
-    const std::lock_guard lock(noting);
+    const std::lock_guard lock(noting_);
     ++report_.one_by_one;
   }
   const auto system = system_at(point);

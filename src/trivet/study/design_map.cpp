@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/pieces.h"
 #include "trivet/study/best_design.h"
 #include "trivet/study/design_evaluation.h"
 #include "trivet/study/design_parameter.h"
@@ -110,17 +111,23 @@ std::string why_not(const std::function<void()>& work) {
   return "";
 }
 
-std::vector<MapMark> marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation) {
+void judge(const Case& variant, const DesignEvaluation& evaluation, MapMark& mark) {
+  mark.failure = why_not([&] { mark.judged = evaluation.judged(variant.system); });
+  // What cannot be compared is not known to be a design of this map.
+  static_cast<void>(why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
+}
+
+std::vector<MapMark> marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation, int threads, const foundation::Progress& progress) {
   std::vector<MapMark> all;
+  std::vector<const Case*> cases;
   for (const Case& c : project.cases) {
     const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
     MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), false, {}, ""};
     if (request.cases ? !listed : !mark.placed()) continue;
-    mark.failure = why_not([&] { mark.judged = evaluation.judged(c.system); });
-    // What cannot be compared is not known to be a design of this map.
-    static_cast<void>(why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(c.system, {*mark.x, *mark.y}); }));
     all.push_back(std::move(mark));
+    cases.push_back(&c);
   }
+  foundation::for_each_piece(all.size(), {1, threads, progress, "cases"}, [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
   // The base model is a case too, but not twice in one place.
   const auto base = std::find_if(all.begin(), all.end(), [](const MapMark& m) { return m.name.empty(); });
   if (base != all.end() && std::any_of(all.begin(), all.end(), [&](const MapMark& m) { return !m.name.empty() && m.x == base->x && m.y == base->y && m.of_this_model == base->of_this_model; }))
@@ -191,7 +198,7 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   map.feasible = contours(map.grid, kept, edges, crossing, connected);
   map.boundary_tolerance = boundary_tolerance;
   if (map.best) map.margin_lines = margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
-  map.marks = marks(project, map.request, evaluation);
+  map.marks = marks(project, map.request, evaluation, options.evaluation.threads, progress);
   return map;
 }
 
