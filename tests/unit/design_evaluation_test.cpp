@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "support/mapped_machine.h"
+#include "support/projects.h"
+#include "trivet/study/design_map.h"
+#include "trivet/study/map_json.h"
+
+namespace {
+
+using namespace trivet;
+using test::mapped_machine;
+using test::two_axes;
+
+TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
+  const study::Project project = test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = 15, points = 5}, y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
+                                                              "points = 2}, no_peak = \"coordinates\"}\n"));
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  EXPECT_EQ(map.unknown, 4u);  // −5 and 0 kg
+  ASSERT_FALSE(map.report.missing.empty());
+  EXPECT_THAT(map.report.missing.front().words, testing::HasSubstr("mass = -5 kg; a mass must be > 0"));
+  EXPECT_FALSE(map.outcomes[0].kept());
+}
+
+/// A body whose inertia breaks the triangle inequality, each design by other figures.
+TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
+  const study::Project project = test::project(R"(
+trivet = 1
+[bodies.block]
+mass = 10
+inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
+[elements.mount]
+type = "bushing"
+on = "block"
+at = [0.1, 0.2, 0.3]
+translation = [900, 1100, 1300]
+rotation = [90, 80, 70]
+damping = {proportional = 0.05}
+[excitations.force]
+type = "harmonic"
+on = "block"
+at = [0, 0, 0]
+force = [1, 2, 3]
+[analyses.map]
+x = {parameter = "bodies.block.inertia.xx", from = 1, to = 9, points = 9}
+y = {parameter = "bodies.block.mass", from = -10, to = 20, points = 7}
+no_peak = "coordinates"
+)");
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  std::size_t missing = 0;
+  for (const study::MissingReason& reason : map.report.missing) missing += reason.designs;
+  EXPECT_EQ(missing, map.unknown);
+  EXPECT_GT(map.unknown, 20u);
+  EXPECT_LE(map.report.missing.size(), 3u);
+}
+
+TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
+  const std::string text = mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = \"bodies.machine.mass\", from = 5, to = 20, points = 3}, "
+                                                              "no_peak = \"coordinates\"}\n");
+  const study::Project project = test::project(text, {"elements.spring.damping={loss_factor=0.1}"});
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  EXPECT_EQ(map.report.proven + map.report.redone, 0u);
+  EXPECT_EQ(map.report.one_by_one, 9u);
+  EXPECT_THAT(map.report.words(), testing::HasSubstr("loss factors"));
+}
+
+TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
+  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
+  EXPECT_EQ(map.report.one_by_one, 20u);
+  EXPECT_THAT(map.report.words(), testing::HasSubstr("rows change from design to design"));
+}
+
+TEST(DesignEvaluation, CountsDesignsByTheWayTheyWereJudged) {
+  const study::Project project = *study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
+  const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {30, 30, {}});
+  EXPECT_EQ(map.report.proven + map.report.redone + map.report.one_by_one, 900u);
+  EXPECT_GT(map.report.proven, 800u);
+}
+
+TEST(DesignEvaluation, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAndTellsHowFarItIs) {
+  std::string cases;
+  for (int k = 0; k < 12; ++k) cases += fmt::format("[cases.c{}]\nelements.spring.scale = {}\n", k, 0.6 + 0.1 * k);
+  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 25}}\n", cases));
+  std::vector<std::string> tasks, texts;
+  const foundation::Progress progress = [&](std::string_view task, double) { tasks.emplace_back(task); };
+  for (const int threads : {1, 4}) {
+    const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {threads, true}}, progress);
+    EXPECT_EQ(map.report.one_by_one, 20u);
+    std::string text;
+    study::write_map_json(project, map, [&](std::string_view piece) { text += piece; });
+    texts.push_back(text);
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  for (const char* task : {"designs", "boundary", "cases"}) EXPECT_THAT(tasks, testing::Contains(task));
+  EXPECT_GE(std::count(tasks.begin(), tasks.end(), "designs"), 20);  // with one thread after each
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/response/design_family.h"
+
+namespace {
+
+using namespace trivet;
+
+response::PlainDesign design_of(double k, double b) {
+  response::PlainDesign design;
+  design.A = Eigen::MatrixXd::Identity(2, 2);
+  design.K = (Eigen::MatrixXd(2, 2) << 3 + k, -1, -1, 2).finished();
+  design.B = b * design.K;
+  design.load = Eigen::Vector2d(1, k);
+  design.rows = Eigen::MatrixXd::Identity(2, 2);
+  design.rows_on_velocity = Eigen::MatrixXd::Zero(2, 2);
+  design.derivative = {0, 0};
+  return design;
+}
+
+TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
+  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(p.x * p.x, p.y), ""}; }, {0.3, 10, "x"}, {0.01, 0.5, "y"}).family;
+  ASSERT_TRUE(family);
+  EXPECT_EQ(family->x_nodes(), 3u);  // x² and x² y
+  EXPECT_EQ(family->y_nodes(), 2u);
+  const std::vector<response::FamilyPoint> points = {{0.7, 0.2}, {5.1, 0.2}, {9.9, 0.43}};
+  const numerics::Designs designs = family->designs(points);
+  for (std::size_t d = 0; d < points.size(); ++d) {
+    const response::PlainDesign exact = design_of(points[d].x * points[d].x, points[d].y);
+    const auto row = static_cast<Eigen::Index>(d);
+    EXPECT_NEAR(designs.K(row, 0), exact.K(0, 0), 1e-13 * exact.K(0, 0));
+    EXPECT_NEAR(designs.B(row, 1), exact.B(1, 0), 1e-13 * exact.B(0, 0));
+    EXPECT_NEAR(designs.load(row, 1), exact.load(1), 1e-13 * exact.load(1));
+  }
+}
+
+TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
+  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(std::log(p.x), p.y), ""}; }, {1, 1000, "x"}, {0.01, 0.5, "y"}).family;
+  ASSERT_TRUE(family);
+  EXPECT_EQ(family->x_nodes(), 2u);
+}
+
+TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
+  const auto along_x = [](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""}; };
+  const auto along_y = [](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""}; };
+  const auto of_x = response::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}), of_y = response::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
+  EXPECT_FALSE(of_x.family);
+  EXPECT_FALSE(of_y.family);
+  EXPECT_THAT(of_x.reason, testing::EndsWith("smoothly on length"));
+  EXPECT_THAT(of_y.reason, testing::EndsWith("smoothly on delta"));
+}
+
+TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
+  const auto changing = [](const response::FamilyPoint& p) {
+    response::PlainDesign design = design_of(p.x, p.y);
+    design.rows(0, 0) = p.x;
+    return response::PlainOrNot{design, ""};
+  };
+  const auto found = response::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
+  EXPECT_FALSE(found.family);
+  EXPECT_THAT(found.reason, testing::HasSubstr("rows change from design to design"));
+}
+
+TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
+  const auto lossy = [](const response::FamilyPoint& p) { return p.x > 5 ? response::PlainOrNot{{}, "loss factors"} : response::PlainOrNot{design_of(p.x, p.y), ""}; };
+  EXPECT_EQ(response::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
+}
+
+}  // namespace

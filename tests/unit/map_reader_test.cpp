@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/mapped_machine.h"
+#include "support/projects.h"
+
+namespace {
+
+using namespace trivet;
+using test::mapped_machine;
+using test::two_axes;
+
+TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
+  const study::Project project = test::project(mapped_machine("response = {quantity = \"velocity\", band = [0, 30]}\nmap = {" + two_axes + "}\n", "[limits]\n\"machine.z\" = \"20 mm/s\"\n"));
+  const study::MapRequest& map = *project.base().analyses.map;
+  ASSERT_EQ(map.limits.size(), 1u);
+  EXPECT_EQ(map.limits[0].name, "machine.z");
+  EXPECT_EQ(map.limits[0].quantity, assembly::Quantity::velocity);
+  EXPECT_DOUBLE_EQ(map.limits[0].amplitude, 0.02);
+  EXPECT_DOUBLE_EQ(map.band->to, 30);
+}
+
+TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
+  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
+  const auto& limits = project.base().analyses.map->limits;
+  ASSERT_EQ(limits.size(), 3u);
+  EXPECT_EQ(limits[0].quantity, assembly::Quantity::displacement);
+  EXPECT_EQ(limits[1].quantity, assembly::Quantity::acceleration);
+  EXPECT_EQ(limits[2].quantity, assembly::Quantity::velocity);
+}
+
+TEST(MapAxis, MeetsItsEndsExactlyOnBothSpacings) {
+  for (const bool logarithmic : {false, true}) {
+    const study::MapAxis axis{"", "", 0.3, 10, "", logarithmic, 101};
+    EXPECT_EQ(axis.at(0), 0.3);
+    EXPECT_EQ(axis.at(1), 10);
+    EXPECT_NEAR(axis.share(axis.at(0.37)), 0.37, 1e-14);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "support/mapped_machine.h"
+#include "support/projects.h"
+#include "trivet/study/design_map.h"
+
+namespace {
+
+using namespace trivet;
+using test::mapped_machine;
+using test::two_axes;
+
+/// ζ = 0.25 at 10 rad/s: the peak stands at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends to F/m = 1 m/s².
+TEST(MapVerdicts, TellsWhereACaseGoesBeyondItsLimits) {
+  const auto words = [&](const std::vector<std::string>& settings) {
+    const study::Project changed = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}}\n"), settings);
+    const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
+    return study::verdict_words(map, map.marks.at(0)).at(0);
+  };
+  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m at 9.354 rad/s, allowed 0.015"));
+  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}), testing::HasSubstr(" at 1 rad/s, allowed 0.005"));
+  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}), testing::HasSubstr(" m/s² towards ω = ∞, allowed 0.9"));
+}
+
+}  // namespace
