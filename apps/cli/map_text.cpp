@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "cli/text_table.h"
+#include "trivet/study/map_verdicts.h"
 
 namespace trivet::cli {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <limits>
 
-#include "trivet/study/design_map.h"
 #include "trivet/study/steep_neighbours.h"
 
 namespace {
@@ -47,27 +46,6 @@ TEST(SteepNeighbours, AreNotAcrossACorner) {
   EXPECT_EQ(study::steep_neighbours({2, 2}, rules, {low, middle, middle, high}), 0u);
   EXPECT_EQ(study::steep_neighbours({2, 2}, rules, {low, high, middle, high}), 1u);
   EXPECT_EQ(study::steep_neighbours({3, 1}, rules, {low, high, low}), 2u);
-}
-
-study::DesignMap nearly_all_kept(std::size_t steep) {
-  study::DesignMap map;
-  map.outcomes = {{2, amplitude}, {2, amplitude}, {2, amplitude}, {0.99F, amplitude}};
-  map.kept = 3;
-  map.feasible.area = 0.999996;
-  map.steep = steep;
-  return map;
-}
-
-TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
-  study::DesignMap map = nearly_all_kept(0);
-  EXPECT_EQ(study::feasible_words(map), "Feasible: less than 100 % of the map, 3 of 4 designs");
-  map.kept = 4;
-  EXPECT_EQ(study::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
-}
-
-TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
-  EXPECT_THAT(study::feasible_words(nearly_all_kept(1)), testing::HasSubstr("; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
-  EXPECT_THAT(study::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));
 }
 
 }  // namespace

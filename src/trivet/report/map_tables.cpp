@@ -7,6 +7,7 @@
 #include "trivet/report/html_table.h"
 #include "trivet/report/map_words.h"
 #include "trivet/report/svg_canvas.h"
+#include "trivet/study/map_verdicts.h"
 
 namespace trivet::report {
 namespace {

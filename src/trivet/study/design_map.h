@@ -7,21 +7,11 @@
 
 #include "trivet/study/design_outcome.h"
 #include "trivet/study/drawn_grid.h"
+#include "trivet/study/map_marks.h"
 #include "trivet/study/margin_lines.h"
 #include "trivet/study/project.h"
 
 namespace trivet::study {
-
-/// A case on the map, judged by itself.
-struct MapMark {
-  std::string name;                     ///< empty: the base model
-  std::optional<double> x, y;           ///< in the units of the axes; none: the number stands nowhere in the file
-  bool of_this_model = true;            ///< false: it differs from the model of the map in more than the two numbers
-  std::optional<JudgedDesign> judged;   ///< none if it could not be computed
-  std::string failure;
-
-  [[nodiscard]] bool placed() const { return x && y; }
-};
 
 /// One rule over the whole map.
 struct RuleShare {
@@ -64,11 +54,5 @@ struct MapOptions {
 /// The base model has a map if its file asks for one. A case has one of its own where its map is another than that of the base model: other numbers, rules or
 /// frequencies. A case with another model only is a point on the map of the base model, or has none there.
 [[nodiscard]] bool has_own_map(const Project& project, const Case& variant);
-
-/// How much of the map is feasible, and what of it may have been missed between designs.
-[[nodiscard]] std::string feasible_words(const DesignMap& map);
-
-/// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
-[[nodiscard]] std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark);
 
 }  // namespace trivet::study

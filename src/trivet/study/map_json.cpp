@@ -9,6 +9,7 @@
 
 #include "trivet/study/csv_field.h"
 #include "trivet/study/json_parts.h"
+#include "trivet/study/map_verdicts.h"
 
 namespace trivet::study {
 namespace {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/study/design_outcome.h"
+#include "trivet/study/project.h"
+
+namespace trivet::study {
+
+class DesignEvaluation;
+
+/// A case on the map, judged by itself.
+struct MapMark {
+  std::string name;                     ///< empty: the base model
+  std::optional<double> x, y;           ///< in the units of the axes; none: the number stands nowhere in the file
+  bool of_this_model = true;            ///< false: it differs from the model of the map in more than the two numbers
+  std::optional<JudgedDesign> judged;   ///< none if it could not be computed
+  std::string failure;
+
+  [[nodiscard]] bool placed() const { return x && y; }
+};
+
+/// The cases that the request lists, or all that have both numbers.
+[[nodiscard]] std::vector<MapMark> map_marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation, int threads,
+                                             const foundation::Progress& progress);
+
+}  // namespace trivet::study

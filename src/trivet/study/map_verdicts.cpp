@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/map_verdicts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::study {
+
+std::string feasible_words(const DesignMap& map) {
+  const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
+  const bool rounded_up = share == "100.00 %" && map.kept < map.outcomes.size();
+  std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
+  if (map.steep > 0)
+    text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
+                        "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
+  return text;
+}
+
+std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark) {
+  std::vector<std::string> words;
+  if (!mark.judged) return {"not computed: " + mark.failure};
+  const JudgedDesign& judged = *mark.judged;
+  for (std::size_t r = 0; r < map.rules.size(); ++r) {
+    const MapRule& rule = map.rules[r];
+    const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
+    if (rule.kind == response::DesignRule::Kind::amplitude && value > rule.allowed)
+      words.push_back(fmt::format("{} reaches {:.4g} {} {}, allowed {:.4g}", rule.answer, value, rule.unit, std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at), rule.allowed));
+  }
+  for (const bool counted : {true, false})
+    for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
+      const std::string& name = judged.peaks.curves[c].name;
+      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit; });
+      std::string list;
+      for (const response::Peak& peak : judged.peaks.list) {
+        const double prominence = response::relative_prominence(peak);
+        if (!ruled || peak.curve != c || (prominence > map.request.peak_tolerance) != counted) continue;
+        list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency, std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
+      }
+      if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, counted ? "peaks" : "rises slightly", list));
+    }
+  if (judged.governing.kept())
+    words.push_back(std::isinf(judged.governing.margin) ? "no rule limits it" : fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));
+  return words;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "trivet/study/boundary_crossings.h"
+
+namespace {
+
+using namespace trivet;
+
+/// Crossings of edges on a row of two designs, whose margin is a function of x.
+double crossing_of(const std::function<study::DesignOutcome(double)>& design, int* judged = nullptr) {
+  const study::JudgePlaces judge = [&](const std::vector<study::MapPlace>& places, const foundation::Progress&) {
+    std::vector<study::DesignOutcome> outcomes;
+    for (const study::MapPlace& p : places) outcomes.push_back(design(p.x));
+    if (judged) *judged += static_cast<int>(places.size());
+    return outcomes;
+  };
+  const study::MapGrid grid{2, 2};
+  return study::boundary_crossings(grid, {design(0), design(1), design(0), design(1)}, {{0, 0, false}}, judge).at(0);
+}
+
+TEST(BoundaryCrossings, AreFoundToTheirToleranceOnASmoothMargin) {
+  int judged = 0;
+  EXPECT_NEAR(crossing_of([](double x) { return study::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged), std::sqrt(0.5), study::boundary_tolerance);
+  EXPECT_LT(judged, 20);  // fewer than bisection takes
+}
+
+TEST(BoundaryCrossings, AreFoundWhereTheMarginLeaps) {
+  const auto leaps = [](double x) { return study::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
+  const auto ends = [](double x) { return x < 0.7 ? study::DesignOutcome{1.5F, 0} : study::DesignOutcome{0, study::DesignOutcome::no_model}; };
+  EXPECT_NEAR(crossing_of(leaps), 0.3, study::boundary_tolerance);
+  EXPECT_NEAR(crossing_of(ends), 0.7, study::boundary_tolerance);
+}
+
+}  // namespace
