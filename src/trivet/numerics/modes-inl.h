@@ -81,9 +81,15 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   const Pack distance = hn::Add(hn::Abs(difference), all(1e-140));  // no rotation where both vanish
   const Pack inverse = inverse_root(hn::MulAdd(distance, distance, hn::Mul(all(4.0), square)));  // cos 2θ = distance · inverse
   const Pack twice_cosine = hn::MulAdd(distance, inverse, all(1.0));                             // 2 cos²θ
-  const Pack step = hn::CopySign(hn::Mul(hn::Add(inverse, inverse), reciprocal(twice_cosine)), difference);
+  Pack step = hn::CopySign(hn::Mul(hn::Add(inverse, inverse), reciprocal(twice_cosine)), difference), cosine = hn::Mul(all(0.5), twice_cosine), product;
+  if constexpr (check) {
+    constexpr double nothing = 1e-40;  // such rotations are left out: numbers that went on shrinking would become too small to be quick
+    product = hn::Add(hn::Abs(hn::Mul(m.lambda[p], m.lambda[q])), m.negligible);
+    const LaneMask matters = hn::Gt(square, hn::Mul(all(nothing), product));
+    step = hn::IfThenElseZero(matters, step);
+    cosine = hn::IfThenElse(matters, cosine, all(1.0));
+  }
   const Pack alpha = hn::Mul(step, z_q), beta = hn::Mul(step, z_p);
-  const Pack cosine = hn::Mul(all(0.5), twice_cosine);
   m.lambda[p] = hn::NegMulAdd(alpha, z_p, m.lambda[p]);
   m.lambda[q] = hn::MulAdd(alpha, z_p, m.lambda[q]);
   m.weight[p] = hn::Mul(m.weight[p], cosine);
@@ -91,7 +97,6 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   z = hn::Zero(Lanes());
   if constexpr (check) {
     constexpr double small = 1e-15, round_off = 2e-31;
-    const Pack product = hn::Add(hn::Abs(hn::Mul(m.lambda[p], m.lambda[q])), m.negligible);
     const Pack larger = hn::Max(square, hn::Mul(hn::Mul(alpha, beta), product));
     unsettled = hn::Max(unsettled, hn::Min(hn::NegMulAdd(all(small), product, larger), hn::NegMulAdd(all(round_off), product, square)));
   }
