@@ -29,6 +29,7 @@ HWY_INLINE void store(const Pack& value, double* to, Eigen::Index count) {
 
 template <typename Size>
 void roots_of_size(Size n, RootsOfSystem& s) {
+  constexpr double settled = 1e-10;
   s.converged = true;
   for (int first = 0; first < n; first += lane_count()) {
     const Eigen::Index count = n - first;
@@ -41,7 +42,7 @@ void roots_of_size(Size n, RootsOfSystem& s) {
     }
     for (int entry = 0; entry < n * (n + 1) / 2; ++entry) m[0].b[entry] = some(s.b[entry] + first, count);
     at[0].offset = {some(s.offset_re + first, count), some(s.offset_im + first, count)};
-    s.converged = hn::AllTrue(Lanes(), converge(n, m, at)) && s.converged;
+    s.converged = hn::AllTrue(Lanes(), converge(n, m, at, settled)) && s.converged;
     store(at[0].offset.re, s.offset_re + first, count);
     store(at[0].offset.im, s.offset_im + first, count);
     store(at[0].slope.re, s.slope_re + first, count);
