@@ -13,7 +13,7 @@
 #include <cstdint>
 
 #include "trivet/numerics/found_extremum.h"
-#include "trivet/numerics/square_poles-inl.h"
+#include "trivet/numerics/zones-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -24,6 +24,9 @@ struct WalkedPack {
   SquarePoles<Size> poles;
   Pack from, to;              ///< of x; both finite
   LaneMask asked;             ///< lanes with good roots
+  // where only the highest values are asked:
+  Zones<Size> zones;
+  LaneMask open[Size::most];  ///< zones in which some curve may be higher than its best value known
 };
 
 /// One curve of a pack on the walk.
@@ -33,6 +36,7 @@ struct WalkedCurve {
   Pack sign;                  ///< of the slope, last known: −1, 1, or 0
   Pack tail;                  ///< the same beyond the walk, to x = ∞; 0 if there is nothing
   Pack covered_from, covered_to;  ///< where nothing is higher than `best`, as is known already
+  LaneMask open[most_pairs];  ///< zones in which something may be
   // of the panel at hand
   Pack p0, p1, p2;            ///< its slope at the middle is p0 + p1 (x − centre) + p2 (x − centre)² …
   Pack start, rest;           ///< slope at its start, and what the slope may be off
@@ -96,10 +100,18 @@ struct WalkOptions {
   double matters = 1e-6;       ///< share of the highest amplitude that a peak must rise by
 };
 
+/// Lanes where a curve is known to stay below its best value between two places.
+template <typename Size>
+HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const WalkedCurve& curve, const Pack& x, const Pack& end) {
+  LaneMask open = hn::Lt(x, x);
+  each(zones.count, [&](int k) TRIVET_LANES { open = hn::Or(open, hn::And(shared[k], curve.open[k])); });
+  return hn::Or(hn::Not(open), hn::And(hn::Ge(x, curve.covered_from), hn::Le(end, curve.covered_to)));
+}
+
 /// Slope of one curve on the panel at hand. @return lanes where nothing more is to be found out
 template <typename Size>
 HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
-                           WalkedCurve& curve) {
+                           const LaneMask& covered, WalkedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
   Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, rest = zero;
   each(pack.poles.count, [&](int k) TRIVET_LANES {
@@ -133,7 +145,6 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   // A coordinate that nothing moves has nothing to find.
   const LaneMask known = hn::Or(turns, hn::And(hn::Eq(value, zero), hn::Eq(swing, zero)));
   if (!options.every_extremum) {
-    const LaneMask covered = hn::And(hn::Ge(hn::Sub(centre, half), curve.covered_from), hn::Le(hn::Add(centre, half), curve.covered_to));
     curve.after = hn::IfThenZeroElse(covered, curve.after);
     curve.start = hn::IfThenElse(covered, hn::Neg(all(1.0)), curve.start);
     curve.sign = hn::IfThenZeroElse(covered, curve.sign);
@@ -146,6 +157,13 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   const LaneMask flat = hn::And(hn::Lt(hn::Mul(change, change), hn::Mul(hn::Mul(all(flat_share * flat_share), matters), hn::Sub(value, swing))),
                                 hn::Lt(change, hn::Mul(all(flat_top), curve.best)));
   return hn::Or(known, hn::Or(low, flat));
+}
+
+/// A panel on which a curve need not be looked at.
+HWY_INLINE void pass(WalkedCurve& curve) {
+  curve.after = curve.sign = hn::Zero(Lanes());
+  curve.start = hn::Neg(all(1.0));
+  curve.rest = curve.most = hn::Zero(Lanes());
 }
 
 /// Where the sign has changed on a panel that is left behind.
@@ -185,6 +203,7 @@ HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
     const Pack aside = hn::Mul(all(widths), hn::Abs(poles.aside[k]));
     for (const Pack& at : {hn::Sub(poles.centre[k], aside), hn::Add(poles.centre[k], aside)})
       stop = hn::IfThenElse(hn::AndNot(poles.real[k], hn::And(hn::Gt(at, x), hn::Lt(at, stop))), at, stop);
+    stop = hn::IfThenElse(hn::Gt(pack.zones.to[k], x), hn::Min(stop, pack.zones.to[k]), stop);
   });
   return stop;
 }
@@ -204,17 +223,29 @@ HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurv
     const Pack scale = reciprocal(square);
     most[k] = {hn::Mul(distance, scale), hn::Mul(b, scale)};
   });
-  LaneMask below = hn::Eq(x, x);
+  LaneMask below = hn::Eq(x, x), shared[Size::most];
+  shared_with(pack.zones, x, stop, shared);
   for (int c = 0; c < channels && !hn::AllFalse(Lanes(), below); ++c) {
     const SquaredResponse& f = curves[c].f;
     Pack value = hn::MulAdd(hn::Abs(f.slope), stop, hn::Abs(f.constant));
     each(poles.count, [&](int k) TRIVET_LANES {
       value = hn::MulAdd(hn::Abs(f.C[k].first), most[k].first, hn::MulAdd(hn::Abs(f.C[k].second), most[k].second, value));
     });
-    const LaneMask covered = hn::And(hn::Ge(x, curves[c].covered_from), hn::Le(stop, curves[c].covered_to));
+    const LaneMask covered = covered_between(pack.zones, shared, curves[c], x, stop);
     below = hn::And(below, hn::Or(covered, hn::Lt(value, hn::Mul(all(1 - 1e-13), curves[c].best))));
   }
   return below;
+}
+
+/// The next place in an open zone.
+template <typename Size>
+HWY_INLINE Pack next_open(const WalkedPack<Size>& pack, const Pack& x) {
+  Pack next = pack.to;
+  each(pack.zones.count, [&](int k) TRIVET_LANES {
+    const LaneMask ahead = hn::And(pack.open[k], hn::Gt(pack.zones.to[k], x));
+    next = hn::IfThenElse(ahead, hn::Min(next, hn::Max(x, pack.zones.from[k])), next);
+  });
+  return next;
 }
 
 /// Passes from stop to stop as far as nothing there can be the highest.
@@ -222,6 +253,12 @@ template <typename Size>
 HWY_NOINLINE LaneMask hop(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, Pack& x, LaneMask live) {
   LaneMask hopping = live;
   while (!hn::AllFalse(Lanes(), hopping)) {
+    const Pack open = next_open(pack, x);
+    const LaneMask jumps = hn::And(hopping, hn::Gt(open, x));
+    for (int c = 0; c < channels; ++c) curves[c].sign = hn::IfThenZeroElse(jumps, curves[c].sign);
+    x = hn::IfThenElse(jumps, open, x);
+    hopping = hn::And(hopping, hn::Lt(x, pack.to));
+    if (hn::AllFalse(Lanes(), hopping)) break;
     const Pack stop = next_stop(pack, x);
     hopping = hn::And(hopping, stays_below(pack, curves, channels, x, stop));
     x = hn::IfThenElse(hopping, stop, x);
@@ -244,8 +281,13 @@ HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, in
     const LaneMask last = hn::Ge(possible, remaining);
     const Pack half = hn::Min(possible, remaining), centre = hn::Add(x, half);
     form_powers(pack.poles, centre, half, powers);
-    LaneMask left = live;
-    for (int c = 0; c < channels && !hn::AllFalse(Lanes(), left); ++c) left = hn::And(left, settle(pack, powers, centre, half, options, curves[c]));
+    LaneMask left = live, shared[Size::most], covered = failed;
+    if (!options.every_extremum) shared_with(pack.zones, x, hn::Add(centre, half), shared);
+    for (int c = 0; c < channels && !hn::AllFalse(Lanes(), left); ++c) {
+      if (!options.every_extremum) covered = covered_between(pack.zones, shared, curves[c], x, hn::Add(centre, half));
+      if (options.every_extremum || !hn::AllTrue(Lanes(), hn::Or(covered, hn::Not(live)))) left = hn::And(left, settle(pack, powers, centre, half, options, covered, curves[c]));
+      else pass(curves[c]);
+    }
     if (!hn::AllFalse(Lanes(), left))
       for (int c = 0; c < channels; ++c) {
         WalkedCurve& curve = curves[c];

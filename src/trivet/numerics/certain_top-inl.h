@@ -18,6 +18,8 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// The highest of a curve's resonances.
 struct Top {
   Pack at, value;
+  Pack pole;         ///< whose resonance it is
+  Pack away;         ///< how far from that pole the range in which nothing is higher reaches on either side
   LaneMask settled;  ///< the slope vanishes there as far as can be told, and all around is lower within the range that is covered
 };
 
@@ -74,12 +76,16 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   const Pack from = hn::Max(pack.from, hn::Sub(own.centre, width)), to = hn::Min(pack.to, hn::Add(own.centre, width));
   Pack x = hn::Max(from, hn::Min(to, own.centre));
   Slopes s = slopes_at(pack.poles, f, x);
-  for (int i = 0; i < steps; ++i) {
-    x = hn::Max(from, hn::Min(to, hn::Add(x, step_to_extremum(s))));
+  Pack step = step_to_extremum(s);
+  LaneMask still;
+  for (int i = 0;; ++i) {
+    still = hn::Le(hn::Abs(hn::Mul(s.first, step)), hn::Mul(all(settled), s.value));
+    if (i == steps || hn::AllTrue(Lanes(), hn::Or(still, hn::Not(pack.asked)))) break;
+    x = hn::Max(from, hn::Min(to, hn::Add(x, step)));
     s = slopes_at(pack.poles, f, x);
+    step = step_to_extremum(s);
   }
-  const Pack missed = hn::Abs(hn::Mul(s.first, step_to_extremum(s)));
-  Top top{x, s.value, hn::And(hn::Le(missed, hn::Mul(all(settled), s.value)), hn::And(hn::Gt(x, from), hn::Lt(x, to)))};
+  Top top{x, s.value, own.pole, hn::Zero(Lanes()), hn::And(still, hn::And(hn::Gt(x, from), hn::Lt(x, to)))};
 
   const Pack p = hn::Sub(x, own.centre), D = hn::MulAdd(p, p, hn::Mul(own.aside, own.aside)), twice = hn::Add(p, p);
   const Pack L = hn::Div(hn::MulAdd(own.C.first, p, hn::Mul(own.C.second, own.aside)), D);
@@ -96,8 +102,67 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   top.settled = hn::And(top.settled, proven);
   curve.covered_from = hn::IfThenElse(top.settled, hn::Sub(x, range), all(1.0));
   curve.covered_to = hn::IfThenElse(top.settled, hn::Add(x, range), all(-1.0));
+  top.away = hn::IfThenElseZero(top.settled, hn::Max(hn::Zero(Lanes()), hn::Sub(range, hn::Abs(p))));
   curve.best = hn::Max(curve.best, s.value);
   return top;
+}
+
+/// Finds the zones in which a curve may be higher than its best value: where the sum of what each pair of poles can add there at most is.
+template <typename Size>
+HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurve* curves, int channels) {
+  const SquarePoles<Size>& poles = pack.poles;
+  const Zones<Size>& zones = pack.zones;
+  const Pack zero = hn::Zero(Lanes());
+  struct {
+    PairPack most[Size::most];    // of 1/(x − z)
+    LaneMask right[Size::most];   // the zone lies above that pole
+    LaneMask crowded;             // another pole stands in it
+  } zone[Size::most];
+  each(zones.count, [&](int m) TRIVET_LANES {
+    zone[m].crowded = hn::Lt(zero, zero);
+    each(poles.count, [&](int k) TRIVET_LANES {
+      const Pack c = poles.centre[k], away = hn::Max(hn::Sub(zones.from[m], c), hn::Sub(c, zones.to[m]));
+      PairPack& most = zone[m].most[k];
+      most = most_reach(poles.aside[k], hn::Max(away, zero));
+      if (poles.any_real) {
+        const PairPack of_real = most_reach_of_real(poles.z[k].first, poles.z[k].second, zones.from[m]);
+        most = {hn::IfThenElse(poles.real[k], of_real.first, most.first), hn::IfThenElse(poles.real[k], of_real.second, most.second)};
+      }
+      zone[m].right[k] = hn::Ge(zones.from[m], c);
+      if (k != m) zone[m].crowded = hn::Or(zone[m].crowded, hn::Le(away, zero));
+    });
+    pack.open[m] = hn::Lt(zero, zero);
+  });
+  for (int c = 0; c < channels; ++c) {
+    WalkedCurve& curve = curves[c];
+    const SquaredResponse& f = curve.f;
+    Pack up[Size::most], down[Size::most], aside[Size::most];  // what of C counts above a pole, below it, and of b
+    each(poles.count, [&](int k) TRIVET_LANES {
+      up[k] = hn::Max(f.C[k].first, zero);
+      down[k] = hn::Max(hn::Neg(f.C[k].first), zero);
+      aside[k] = hn::Max(hn::Mul(f.C[k].second, hn::CopySign(all(1.0), poles.aside[k])), zero);
+    });
+    const Pack highest = hn::Mul(all(1 - 1e-13), curve.best);
+    each(zones.count, [&](int m) TRIVET_LANES {
+      Pack one = hn::MulAdd(hn::Max(f.slope, zero), zones.to[m], f.constant), other = zero;
+      each(poles.count, [&](int k) TRIVET_LANES {
+        if (k == m) return;
+        one = hn::MulAdd(hn::IfThenElse(zone[m].right[k], up[k], down[k]), zone[m].most[k].first, one);
+        other = hn::MulAdd(aside[k], zone[m].most[k].second, other);
+      });
+      PairPack nearest = zone[m].most[m];
+      const LaneMask at_top = hn::AndNot(poles.real[m], hn::Eq(tops[c].pole, all(static_cast<double>(static_cast<int>(m)))));
+      if (!hn::AllFalse(Lanes(), at_top)) {
+        const PairPack beyond = most_reach(poles.aside[m], tops[c].away);
+        nearest = {hn::IfThenElse(at_top, beyond.first, nearest.first), hn::IfThenElse(at_top, beyond.second, nearest.second)};
+      }
+      one = hn::MulAdd(hn::Max(up[m], down[m]), nearest.first, one);
+      other = hn::MulAdd(aside[m], nearest.second, other);
+      const LaneMask below = hn::Lt(hn::Add(one, other), highest), empty = hn::Ge(zones.from[m], zones.to[m]);
+      curve.open[m] = hn::AndNot(empty, hn::Or(zone[m].crowded, hn::Not(below)));
+      pack.open[m] = hn::Or(pack.open[m], curve.open[m]);
+    });
+  }
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

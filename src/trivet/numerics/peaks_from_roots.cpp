@@ -48,10 +48,9 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
     weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
   }
   place(inverted.poles);
-  WalkedCurve curve;
+  const std::unique_ptr<WalkedCurve[]> inverted_curves(new WalkedCurve[static_cast<std::size_t>(channels)]);
   for (int c = 0; c < channels; ++c) {
-    const bool proper = question.rows[static_cast<std::size_t>(c)].on_velocity.size() == 0;
-    curve = curves[c];
+    WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)] = curves[c];
     curve.f.slope = hn::Zero(Lanes());
     for (int k = 0; k < poles.count; ++k) {
       const LaneMask real = poles.real[k];
@@ -59,22 +58,27 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
       curve.f.C[k] = for_half_sum(real, times(real, C, weight[k]));
       curve.f.constant = hn::Sub(curve.f.constant, hn::Mul(all(0.5), hn::IfThenElse(real, hn::Add(part.first, part.second), hn::Add(part.first, part.first))));
     }
-    // Slopes that vanish at u = 0 keep their sign while they are monotonic.
-    const bool flat_at_infinity = proper && question.rows[static_cast<std::size_t>(c)].derivative == 0;
-    LaneMask settled = hn::Not(pack.asked);
-    for (int doubling = 0; doubling < most_doublings; ++doubling) {
-      PanelPowers powers[Size::most];
-      const Pack half = hn::Div(all(0.5), begins);
-      form_powers(inverted.poles, half, half, powers);
-      settled = settle(inverted, powers, half, half, options, curve);
-      if (!flat_at_infinity) settled = hn::And(settled, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
-      settled = hn::Or(settled, hn::Not(pack.asked));
-      if (hn::AllTrue(Lanes(), settled)) break;
-      begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
-    }
-    curves[c].tail = hn::Neg(curve.after);  // x falls as u rises
-    complete = hn::And(complete, settled);
   }
+  LaneMask settled = hn::Not(pack.asked);
+  for (int doubling = 0; doubling < most_doublings && !hn::AllTrue(Lanes(), settled); ++doubling) {
+    if (doubling > 0) begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
+    PanelPowers powers[Size::most];
+    const Pack half = hn::Div(all(0.5), begins);
+    form_powers(inverted.poles, half, half, powers);
+    LaneMask all_settled = hn::Eq(half, half);
+    for (int c = 0; c < channels; ++c) {
+      WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+      LaneMask own = settle(inverted, powers, half, half, options, settled, curve);
+      // Slopes that vanish at u = 0 keep their sign while they are monotonic.
+      const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
+      const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;
+      if (!flat_at_infinity) own = hn::And(own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
+      all_settled = hn::And(all_settled, own);
+      curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x falls as u rises
+    }
+    settled = hn::Or(settled, all_settled);
+  }
+  complete = hn::And(complete, settled);
   return begins;
 }
 
@@ -85,7 +89,7 @@ HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves,
   form_powers(pack.poles, pack.from, hn::Zero(Lanes()), powers);
   const WalkOptions options{false, 0};
   for (int c = 0; c < channels; ++c) {
-    settle(pack, powers, pack.from, hn::Zero(Lanes()), options, curves[c]);
+    settle(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
     curves[c].sign = curves[c].after;
     // |y|² begins like x^derivative at rest.
     if (question.from == 0 && question.rows[static_cast<std::size_t>(c)].derivative > 0) curves[c].sign = all(1.0);
@@ -231,7 +235,7 @@ class PackOfCurves {
     }
     see_end();
     if (!question_.count_peaks) find_tops();
-    first_signs(pack_, curves_.get(), channels_, question_);
+    else first_signs(pack_, curves_.get(), channels_, question_);
     complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
     // A slope that turned where the walk could not tell its sign, and that keeps the new one to x = ∞.
     for (int c = 0; c < channels_; ++c) complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
@@ -341,6 +345,8 @@ class PackOfCurves {
       for (int k = 0; k < pack_.poles.count; ++k) above[k] = hn::IfThenZeroElse(pack_.poles.real[k], at_poles()[k * channels_ + c]);
       tops_[c] = find_top(pack_, above, curves_[c]);
     }
+    form_zones(pack_.poles, pack_.from, pack_.to, pack_.zones);
+    open_zones(pack_, tops_.get(), curves_.get(), channels_);
   }
 
   const PeakQuestion& question_;
