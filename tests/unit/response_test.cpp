@@ -88,6 +88,23 @@ TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
   EXPECT_TRUE(cover.poles_on_axis.empty());
 }
 
+TEST(AxisPanels, CoverTheAxisOfNothingButFreeMotion) {
+  const auto cover = numerics::cover_axis(Eigen::VectorXcd::Zero(12));
+  EXPECT_GT(cover.lowest, 0);
+  EXPECT_FALSE(cover.panels.front().at_infinity);
+  EXPECT_TRUE(cover.panels.back().at_infinity);
+}
+
+TEST(Peaks, OfABodyThatNothingHoldsAreNoneThoughItMoves) {
+  const auto project = test::project("trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"x\", \"y\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n"
+                                     "[analyses]\npeaks = {}\n");
+  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  ASSERT_EQ(answers.peaks->peaks.curves.size(), 2u);
+  EXPECT_FALSE(answers.peaks->peaks.curves[0].vanishes);
+  EXPECT_EQ(answers.peaks->peaks.curves[0].peaks, 0);
+  EXPECT_TRUE(answers.peaks->peaks.curves[1].vanishes);
+}
+
 TEST(Static, OfAFreeSystemIsRefusedInWords) {
   const auto project = test::project("trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
   const study::Answers answers = study::answers(project.base(), project.base().analyses);

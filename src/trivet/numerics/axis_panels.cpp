@@ -15,9 +15,11 @@ namespace trivet::numerics {
 namespace {
 
 constexpr double most_turns = 20'000;  // of a delayed load's phase
+constexpr double lowest_of_free_motion = 1e-6;  // [rad/s]; a turn in two months
 
+/// Without poles, in a system without mass, any distance would do: one radian per second.
 double distance_to_poles(const Eigen::VectorXcd& poles, double omega) {
-  return (poles.array() - std::complex<double>(0, omega)).abs().minCoeff();
+  return poles.size() == 0 ? 1 / panel_ratio : (poles.array() - std::complex<double>(0, omega)).abs().minCoeff();
 }
 
 /// Largest tried radius r for a panel that starts at `from` with r ≤ panel_ratio · (distance of its centre to the poles).
@@ -36,10 +38,8 @@ double panel_radius(const Eigen::VectorXcd& poles, double from) {
 
 PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed) {
   PanelCover cover;
-  if (poles.size() == 0) return cover;
   const Eigen::VectorXd size = poles.cwiseAbs();
-  const double largest = size.maxCoeff();
-  if (largest == 0) return cover;
+  const double largest = size.size() > 0 ? size.maxCoeff() : 0;
   double smallest = largest;
   bool rigid = false;
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
@@ -51,10 +51,10 @@ PanelCover cover_axis(const Eigen::VectorXcd& poles, const DelayedLoad& delayed)
   std::sort(cover.poles_on_axis.begin(), cover.poles_on_axis.end());
   const auto same = [](double a, double b) { return b - a <= 4 * gap_at_pole * b; };
   cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same), cover.poles_on_axis.end());
-  cover.lowest = rigid ? 1e-6 * smallest : 0;
+  cover.lowest = !rigid ? 0 : largest > 0 ? 1e-6 * smallest : lowest_of_free_motion;
 
   const bool turning = delayed.longest_delay > 0;
-  const double end = turning ? delayed.highest : largest / panel_ratio;
+  const double end = turning ? delayed.highest : poles.size() == 0 ? 1 : std::max(largest / panel_ratio, 2 * cover.lowest);  // one panel at least before infinity
   const double most = turning ? most_turning / delayed.longest_delay : std::numeric_limits<double>::infinity();
   if (turning && end * delayed.longest_delay > most_turns * 2 * std::numbers::pi)
     throw foundation::NotComputable(fmt::format("peaks: a delay of {:.4g} s turns the phase {:.3g} times up to {:.4g} rad/s; at most {:.0f} turns are searched: a faster wave, or a lower band",

@@ -29,7 +29,7 @@ inline constexpr double most_turning = 4;
 struct PanelCover {
   std::vector<Panel> panels;               ///< ascending; together with the gaps they cover [lowest, ∞)
   std::vector<double> poles_on_axis;       ///< ω > 0 where an undamped pole stands on the axis [rad/s]
-  double lowest = 0;                       ///< 0, or, for a system with rigid motion, 1e-6 of its lowest nonzero |λ|
+  double lowest = 0;                       ///< 0, or, for a system with rigid motion, 1e-6 of its lowest nonzero |λ|, or 1e-6 rad/s where it has none
 };
 
 /// Covers ω ≥ 0 for the poles λ of a response (iω = λ).
