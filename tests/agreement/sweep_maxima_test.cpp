@@ -86,6 +86,9 @@ TEST(SweepMaxima, AnUndampedResonanceInTheListIsInfinite) {
 
 TEST(SweepMaxima, AListWithoutFrequenciesIsRefused) {
   EXPECT_THROW(static_cast<void>(sweep_maxima(random_designs(1, 2, true), {})), trivet::foundation::InvalidInput);
+  Designs ragged = random_designs(3, 2, true);
+  ragged.B.conservativeResize(2, ragged.B.cols());
+  EXPECT_THROW(static_cast<void>(sweep_maxima(ragged, {1.0})), trivet::foundation::InvalidInput);
 }
 
 }  // namespace

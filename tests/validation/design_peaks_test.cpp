@@ -112,6 +112,30 @@ TEST(DesignPeaks, OfTheForceOnTheGroundHaveSpringAndDamper) {  // [Ewins2000]: |
   EXPECT_EQ(peaks.peaks(0, 0), 1);
 }
 
+TEST(DesignPeaks, OfACurveThatGrowsWithoutEndAreCountedBelowIt) {  // y = s²(1 + τs) q rises like ω beyond its minimum
+  const double zeta = 0.01, rate = 1e-4;
+  numerics::DesignPeakOptions options;
+  options.rows = Eigen::ArrayXXd::Constant(1, 1, 1);
+  options.rows_on_velocity = Eigen::ArrayXXd::Constant(1, 1, rate);
+  options.derivative = {2};
+  const auto y = [&](double omega) { return omega * omega * std::hypot(1, rate * omega) * 3 / std::hypot(200 - 2 * omega * omega, 2 * zeta * 20 * omega); };
+  double top = 0, base = std::numeric_limits<double>::infinity();
+  for (double omega = 9; omega < 11; omega += 1e-5) top = std::max(top, y(omega));
+  for (double omega = 20; omega < 2000; omega += 0.01) base = std::min(base, y(omega));
+  const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses({zeta}), options);
+  EXPECT_TRUE(std::isinf(peaks.highest(0, 0)));
+  EXPECT_EQ(peaks.peaks(0, 0), 1);
+  EXPECT_NEAR(peaks.largest_rise(0, 0), top / base - 1, 1e-8 * top / base);
+}
+
+TEST(DesignPeaks, OfAFreeMassAreItsForceOverItsMass) {
+  numerics::Designs free = single_masses({0});
+  free.K.setZero();
+  numerics::DesignPeakOptions acceleration;
+  acceleration.derivative = {2};
+  EXPECT_NEAR(numerics::design_peaks(free, acceleration).highest(0, 0), 1.5, 1e-12);
+}
+
 TEST(DesignPeaks, OutsideTheBandAreNotCountedAndItsEndIsTheHighest) {
   numerics::DesignPeakOptions options;
   options.to = 9;
@@ -138,6 +162,20 @@ TEST(DesignPeaks, OfAnImpossibleMassAreNotGiven) {
   EXPECT_EQ(peaks.status[0], DesignStatus::impossible);
   EXPECT_EQ(peaks.highest(0, 0), 0);
   EXPECT_EQ(peaks.status[1], DesignStatus::proven);
+}
+
+TEST(DesignPeaks, OfNumbersThatAreNotFiniteAreNotGiven) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (int which = 0; which < 4; ++which) {
+      numerics::Designs designs = single_masses({0.1, 0.2, 0.3});
+      designs.load = designs.load.replicate(3, 1).eval();
+      (which == 0 ? designs.A : which == 1 ? designs.B : which == 2 ? designs.K : designs.load)(1, 0) = bad;
+      const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
+      EXPECT_EQ(peaks.status[1], DesignStatus::impossible) << which;
+      EXPECT_EQ(peaks.highest(1, 0), 0) << which;
+      EXPECT_EQ(peaks.status[0], DesignStatus::proven) << which;
+      EXPECT_EQ(peaks.status[2], DesignStatus::proven) << which;
+    }
 }
 
 TEST(DesignPeaks, RefuseABandThatIsEmpty) {

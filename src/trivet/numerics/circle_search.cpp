@@ -66,8 +66,9 @@ void note_corner(double before, double after, const CurveSeries& series, const P
 }
 
 double first_guess(const Eigen::VectorXcd& poles, double from) {
-  const double distance = (poles.array() - Complex(0, from)).abs().minCoeff();
-  return std::max(panel_ratio * distance, 1e-6 * from);
+  constexpr double without_poles = 1e-2, least = 1e-6;
+  if (poles.size() == 0) return without_poles * from;
+  return std::max(panel_ratio * (poles.array() - Complex(0, from)).abs().minCoeff(), least * from);
 }
 
 /// Walks along the axis, panel by panel.
@@ -113,7 +114,10 @@ class Walk {
     ++found_.panels;
     for (std::size_t c = 0; c < rise_.size(); ++c) {
       const auto row = static_cast<Eigen::Index>(c);
-      if (!(level(row) > vanishing_share * possible(row))) continue;  // its ups and downs are round-off
+      if (!(level(row) > vanishing_share * possible(row))) {  // its ups and downs are round-off
+        rise_[c] = 0;
+        continue;
+      }
       SearchedCurve& curve = found_.curves[c];
       curve.largest_share = std::max(curve.largest_share, level(row) / possible(row));
       const CurveSeries square = squared_modulus(series.row(row));
@@ -161,6 +165,7 @@ class Walk {
 }  // namespace
 
 AxisSearch search_by_circles(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options) {
+  if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to))) throw foundation::InvalidInput("peaks by circles: a band needs 0 < from < to < ∞");
   return Walk(sample, curves, options).search();
 }
 

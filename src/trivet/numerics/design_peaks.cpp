@@ -20,12 +20,9 @@ namespace {
 constexpr std::size_t piece = 512;
 
 void check(const Designs& designs, const DesignPeakOptions& options) {
-  const Eigen::Index n = designs.coordinates(), entries = n * (n + 1) / 2;
+  require_shapes(designs, "peaks of designs");
+  const Eigen::Index n = designs.coordinates();
   const auto refuse = [](const char* rule) { throw foundation::InvalidInput(std::string("peaks of designs: ") + rule); };
-  if (n < 1) refuse("at least one coordinate is needed");
-  for (const Eigen::ArrayXXd* m : {&designs.A, &designs.B, &designs.K})
-    if (m->rows() != designs.count() || m->cols() != entries) refuse("A, B and K need a row of n(n + 1)/2 entries for every design");
-  if (designs.load.rows() != 1 && designs.load.rows() != designs.count()) refuse("the load needs one row, or one for every design");
   if (!(options.from >= 0) || !(options.to > options.from) || std::isinf(options.from)) refuse("a band needs 0 ≤ from < to");
   if (!(options.min_prominence >= 0)) refuse("a prominence is a share ≥ 0");
   if (options.rows.size() > 0 && options.rows.cols() != n) refuse("a row needs one number for every coordinate");
@@ -82,12 +79,14 @@ class Piece {
 
   void work_through(Eigen::Index first, Eigen::Index last) {
     std::vector<Eigen::Index> open = designs_.coordinates() <= most_pairs ? by_lanes(first, last) : all_definite(first, last);
+    std::erase_if(open, [&](Eigen::Index d) { return !is_finite(d); });
     if (designs_.coordinates() <= most_pairs) open = by_states(open);
     for (const Eigen::Index d : open) by_discs(d);
   }
 
  private:
   Eigen::VectorXd load(Eigen::Index d) const { return designs_.load.row(designs_.load.rows() == 1 ? 0 : d).matrix().transpose(); }
+  bool is_finite(Eigen::Index d) const { return designs_.A.row(d).allFinite() && designs_.B.row(d).allFinite() && designs_.K.row(d).allFinite() && load(d).allFinite(); }
   DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
 
   void note(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
@@ -122,10 +121,8 @@ class Piece {
     std::vector<Eigen::Index> open;
     for (std::size_t first = 0; first < designs.size(); first += table_lanes) {
       const std::size_t count = std::min<std::size_t>(table_lanes, designs.size() - first);
-      for (std::size_t i = 0; i < table_lanes; ++i) {
-        const Eigen::Index d = designs[first + std::min(i, count - 1)];
-        table_.good[i] = roots_of_states(matrices_of(designs_, d), load(d), table_, static_cast<int>(i));
-      }
+      for (std::size_t i = 0; i < table_lanes; ++i)
+        table_.good[i] = i < count && roots_of_states(matrices_of(designs_, designs[first + i]), load(designs[first + i]), table_, static_cast<int>(i));
       peaks_from_roots(table_, question_, answers_);
       for (std::size_t i = 0; i < count; ++i)
         if (!(table_.good[i] && take(designs[first + i], static_cast<int>(i), DesignStatus::redone))) open.push_back(designs[first + i]);

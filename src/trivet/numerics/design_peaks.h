@@ -16,7 +16,7 @@ enum class DesignStatus : unsigned char {
   redone,     ///< the poles of the lanes were not good enough for that: the same bounds on poles of an eigensolver, or Taylor series on discs free of poles,
               ///< complete to their truncation
   undecided,  ///< neither was possible: the values are what was seen, and may be too small
-  impossible  ///< A is not positive definite, or a matrix is not finite; no values
+  impossible  ///< A is not positive definite, or a matrix or the load is not finite; no values
 };
 
 struct DesignPeakOptions {
@@ -33,10 +33,11 @@ struct DesignPeakOptions {
 
 /// All designs × channels; zero where the status is `impossible`.
 struct DesignPeaks {
-  Eigen::ArrayXXd highest;             ///< supremum of |y| on the band, its ends included; infinite at an undamped natural frequency
+  Eigen::ArrayXXd highest;             ///< supremum of |y| on the band, its ends included; infinite at an undamped natural frequency. A system that is free
+                                       ///< to move is searched from 1e-6 of its lowest natural frequency on
   Eigen::ArrayXXd highest_at;          ///< [rad/s]; infinity if only approached there
   Eigen::ArrayXXi peaks;               ///< resonance peaks inside the band; empty if not asked for
-  Eigen::ArrayXXd largest_rise;  ///< of these peaks over their base, the higher of those two minima: height / base − 1; 0 without peaks, empty if not asked for
+  Eigen::ArrayXXd largest_rise;        ///< of these peaks over their base, the higher of those two minima: height / base − 1; 0 without peaks, empty if not asked for
   std::vector<DesignStatus> status;
 };
 

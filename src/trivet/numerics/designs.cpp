@@ -2,8 +2,20 @@
 #include "trivet/numerics/designs.h"
 
 #include <cmath>
+#include <string>
+
+#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::numerics {
+
+void require_shapes(const Designs& designs, const char* what) {
+  const Eigen::Index n = designs.coordinates(), entries = n * (n + 1) / 2;
+  const auto refuse = [&](const char* rule) { throw foundation::InvalidInput(std::string(what) + ": " + rule); };
+  if (n < 1) refuse("at least one coordinate is needed");
+  for (const Eigen::ArrayXXd* m : {&designs.A, &designs.B, &designs.K})
+    if (m->rows() != designs.count() || m->cols() != entries) refuse("A, B and K need a row of n(n + 1)/2 entries for every design");
+  if (designs.load.rows() != 1 && designs.load.rows() != designs.count()) refuse("the load needs one row, or one for every design");
+}
 
 Eigen::MatrixXd unpacked(const Eigen::ArrayXXd& packed, Eigen::Index design) {
   const auto n = static_cast<Eigen::Index>((std::sqrt(8.0 * static_cast<double>(packed.cols()) + 1) - 1) / 2);

@@ -19,6 +19,10 @@ struct Designs {
   [[nodiscard]] Eigen::Index coordinates() const { return load.cols(); }
 };
 
+/// @throws foundation::InvalidInput, which begins with `what`, unless there is at least one coordinate, a row of n(n + 1)/2 entries of A, B and K for
+/// every design, and one row of the load or one for every design
+void require_shapes(const Designs& designs, const char* what);
+
 /// Row `design` of A, B or K as a matrix.
 [[nodiscard]] Eigen::MatrixXd unpacked(const Eigen::ArrayXXd& packed, Eigen::Index design);
 

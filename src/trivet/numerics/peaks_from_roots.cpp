@@ -282,7 +282,7 @@ class PackOfCurves {
         see(heights.back(), question_.to);
         if (std::isinf(doubtful)) peaks.complete[lane_ + i] = false;
         if (!question_.count_peaks) continue;
-        const PeakCount count = prominent_peaks(heights, question_.min_prominence * (std::isfinite(answer.highest) ? answer.highest : 0));
+        const PeakCount count = prominent_peaks(heights, question_.min_prominence * answer.highest);
         if (count.closest < 2 * doubtful) peaks.complete[lane_ + i] = false;  // what is in doubt may decide
         answer.peaks = count.peaks;
         answer.largest_rise = count.largest_rise;
@@ -334,7 +334,9 @@ class PackOfCurves {
     pack_.to = hn::Max(pack_.from, beginning_of_tail(pack_, curves_.get(), channels_, question_, options(), complete_));
     for (int c = 0; c < channels_; ++c) {
       const Pack slope = curves_[c].f.slope;  // a curve that grows without end
-      at_end()[c] = hn::IfThenElse(hn::Gt(slope, hn::Zero(Lanes())), all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
+      const LaneMask grows = hn::Gt(slope, hn::Zero(Lanes()));
+      at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
+      if (question_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
       curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);
     }
   }

@@ -19,11 +19,11 @@ constexpr double least_decay = 1e-5;
 /// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of them.
 bool sums_hold(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles, const Eigen::MatrixXcd& r) {
   const Eigen::VectorXd acceleration = m.A.llt().solve(load), displacement = -m.K.llt().solve(load);
+  const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // metres and radians by what they weigh
   const auto holds = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
-    const Eigen::VectorXcd found = r * factor;
-    const Eigen::VectorXd size = (r * factor.asDiagonal()).cwiseAbs().rowwise().sum();
-    if (sum.norm() > 0 && !(size.maxCoeff() <= most_cancellation * sum.norm())) return false;
-    return ((found - sum.cast<Complex>()).cwiseAbs().array() <= tolerance * size.maxCoeff()).all();
+    const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
+    const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(), weighed = weight.cwiseProduct(sum).norm();
+    return (weighed == 0 || size <= most_cancellation * weighed) && missed.cwiseAbs().maxCoeff() <= tolerance * size;
   };
   return holds(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())) && holds(poles, acceleration) &&
          holds(poles.cwiseInverse(), displacement);

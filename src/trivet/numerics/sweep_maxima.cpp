@@ -59,6 +59,7 @@ SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load, cons
 }
 
 SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omega, const SweepOptions& options) {
+  require_shapes(designs, "largest amplitudes of designs");
   require_frequencies(omega);
   const auto count = static_cast<std::size_t>(designs.count());
   SweepMaxima result = no_maxima(designs.count(), designs.coordinates());
