@@ -22,7 +22,7 @@ namespace trivet::numerics::HWY_NAMESPACE {
 template <typename Size>
 struct WalkedPack {
   SquarePoles<Size> poles;
-  Pack from, to;              ///< of x; both finite
+  Pack from, to;              ///< of x; both finite on the walk
   LaneMask asked;             ///< lanes with good roots
   // where only the highest values are asked:
   Zones<Size> zones;
@@ -146,7 +146,6 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   const LaneMask known = hn::Or(turns, hn::And(hn::Eq(value, zero), hn::Eq(swing, zero)));
   if (!options.every_extremum) {
     curve.after = hn::IfThenZeroElse(covered, curve.after);
-    curve.start = hn::IfThenElse(covered, hn::Neg(all(1.0)), curve.start);
     curve.sign = hn::IfThenZeroElse(covered, curve.sign);
     return hn::Or(hn::Or(known, covered), hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
   }
@@ -162,8 +161,6 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
 /// A panel on which a curve need not be looked at.
 HWY_INLINE void pass(WalkedCurve& curve) {
   curve.after = curve.sign = hn::Zero(Lanes());
-  curve.start = hn::Neg(all(1.0));
-  curve.rest = curve.most = hn::Zero(Lanes());
 }
 
 /// Where the sign has changed on a panel that is left behind.

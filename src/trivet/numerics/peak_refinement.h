@@ -14,7 +14,7 @@ struct RefinedPeak {
   bool converged = false;
 };
 
-/// Starts at `omega`; gives up (converged = false, values at `omega`) if a step leaves [omega − reach, omega + reach].
+/// Starts at `omega`; gives up (converged = false, values at the last step) if a step leaves [omega − reach, omega + reach].
 [[nodiscard]] RefinedPeak refine_peak(const DrivenSystem& system, const ObservedCurve& curve, double omega, double reach);
 
 }  // namespace trivet::numerics

@@ -14,7 +14,7 @@ namespace trivet::numerics {
 class PoleSweep {
  public:
   /// Nothing unless A is positive definite, K too, all is symmetric without loss factor, n ≤ 12, and poles and residues have been proven: each pole found
-  /// once, none near another one with which it merges (|2λ| |v|²/|vᵀ(2λ + B̃)v| ≤ 1e4; 1 where modes are apart), and at every pole's own frequency a backward error ≤ 1e-14.
+  /// once, none near another one with which it merges (|2λ| |v|²/|vᵀ(2λ + B̃)v| ≤ 1e4; 1 where modes are apart), and at every pole's own frequency and between them a backward error ≤ 3e-15.
   [[nodiscard]] static std::optional<PoleSweep> of(const DynamicMatrices& matrices, const Eigen::VectorXcd& load);
 
   /// q at these ω, count × n by real and imaginary parts, which the caller keeps from sweep to sweep. One in 64 frequencies is

@@ -18,7 +18,7 @@ constexpr long filled_up(long count, long whole) { return (count + whole - 1) / 
 /// Coordinates up to which loops are written out.
 inline constexpr int most_fixed = 6;
 
-/// Most (trace of |L||D||Lᵀ|) / ‖Z‖_F for which a factorisation without pivoting is trusted: docs/decisions/no-pivoting-first.md.
+/// Most √Σ_j (|d_j| ‖l_j‖²)² / ‖Z‖_F over the columns of L and pivots d for which a factorisation without pivoting is trusted: docs/decisions/no-pivoting-first.md.
 inline constexpr double growth_allowed = 16;
 /// Share of the norm below which a pivot is nothing but round-off.
 constexpr double negligible_pivot(int n) { return 16 * n * std::numeric_limits<double>::epsilon(); }
