@@ -187,6 +187,25 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
   }
 }
 
+/// More than caches hold is written another way, whatever lines of memory the rows begin on.
+TEST(PoleSweep, OfMoreThanCachesHoldIsThatOfItsPieces) {
+  constexpr Eigen::Index count = 400'003, piece = 999;
+  const DynamicMatrices m = random_system(6, 3, 0.1);
+  const std::optional<PoleSweep> poles = PoleSweep::of(m, Eigen::VectorXcd::Ones(6));
+  ASSERT_TRUE(poles);
+  const Eigen::ArrayXd omega = Eigen::ArrayXd::LinSpaced(count, 0.01, 50);
+  for (const Eigen::Index rows : {count, count + 5, count + 7}) {  // not all of them multiples of a line apart
+    Eigen::ArrayXXd memory_re(rows, 6), memory_im(rows, 6);
+    ASSERT_TRUE(poles->response(omega, memory_re.topRows(count), memory_im.topRows(count)));
+    for (Eigen::Index first = 0; first < count; first += piece) {
+      const Eigen::Index taken = std::min(piece, count - first);
+      Eigen::ArrayXXd re(taken, 6), im(taken, 6);
+      ASSERT_TRUE(poles->response(omega.segment(first, taken), re, im));
+      ASSERT_TRUE((memory_re.middleRows(first, taken) == re).all() && (memory_im.middleRows(first, taken) == im).all()) << rows << " " << first;
+    }
+  }
+}
+
 TEST(PoleSweep, NeedsArraysOfTheRightSize) {
   const std::optional<PoleSweep> poles = PoleSweep::of(random_system(3, 1, 0.1), Eigen::VectorXcd::Ones(3));
   ASSERT_TRUE(poles);

@@ -2,9 +2,11 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trivet/numerics/pole_kernels.cpp"
 #include <hwy/foreach_target.h>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "trivet/numerics/pole_kernels.h"
@@ -56,19 +58,40 @@ void roots_of_size(Size n, RootsOfSystem& s) {
 
 void roots_in_lanes(RootsOfSystem& s) { s.n == 6 ? roots_of_size(six_coordinates(), s) : roots_of_size(AtMostTwelve{s.n}, s); }
 
+/// Frequencies before the first that stands at the beginning of a line of memory in every row of the results; −1 where they do not agree.
+inline Eigen::Index before_first_line(const PairsAtFrequencies& s) {
+  constexpr std::uintptr_t line = 64;
+  const auto off = [](const double* p) { return reinterpret_cast<std::uintptr_t>(p) % line; };
+  if (s.stride % 8 != 0 || (s.im && off(s.im) != off(s.re)) || off(s.re) % sizeof(double) != 0) return -1;
+  return static_cast<Eigen::Index>((line - off(s.re)) % line / sizeof(double));
+}
+
+/// More than caches hold goes past them in whole lines: else each line is read before it is written.
+inline bool goes_past_caches(const PairsAtFrequencies& s) {
+  constexpr Eigen::Index most = 4'000'000;  // numbers
+  return lane_count() == 8 && s.count * s.n * (s.im ? 2 : 1) > most && before_first_line(s) >= 0;
+}
+
 /// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once more.
 template <bool complex_load, bool moduli, typename Size>
 void pairs_of_size(Size n, const PairsAtFrequencies& s) {
   const int numbers = complex_load ? 4 * n + 3 : 2 * n + 3;
   const double* const pairs = s.pairs;
-  for (Eigen::Index next = 0; next < s.count; next += lane_count()) {
+  const bool past_caches = goes_past_caches(s);
+  const Eigen::Index first_line = past_caches ? before_first_line(s) : 0;
+  for (Eigen::Index next = 0; next < s.count; next = next < first_line ? first_line : next + lane_count()) {
     const Eigen::Index f = std::min<Eigen::Index>(next, s.count - lane_count());
+    const auto put = [&](const Pack& value, double* to) TRIVET_LANES {
+      if (past_caches && f == next && f >= first_line) hn::Stream(value, Lanes(), to);
+      else hn::StoreU(value, Lanes(), to);
+    };
     const Pack p = hn::LoadU(Lanes(), s.omega + f);
-    ComplexPack g[Size::most];  // 1/((ω_k² − p²) + ip d)
+    ComplexPack g[Size::most];  // conjugate of 1/((ω_k² − p²) + ip d)
     each(n, [&](int k) TRIVET_LANES {
       const double* pair = pairs + k * numbers;
       const Pack omega = all(pair[0]);
-      g[k] = quick_inverse({hn::Mul(hn::Add(hn::Sub(omega, p), all(pair[1])), hn::Add(omega, p)), hn::Mul(all(pair[2]), p)});
+      const ComplexPack z = {hn::Mul(hn::Add(hn::Sub(omega, p), all(pair[1])), hn::Add(omega, p)), hn::Mul(all(pair[2]), p)};
+      g[k] = reciprocal(squared_modulus(z)) * z;
     });
     each(n, [&](int j) TRIVET_LANES {
       const auto sum = [&](int from) TRIVET_LANES {  // Σ (c0 + ip c1) g
@@ -77,17 +100,18 @@ void pairs_of_size(Size n, const PairsAtFrequencies& s) {
           constant = add_product(constant, all(pairs[k * numbers + from + j]), g[k]);
           rate = add_product(rate, all(pairs[k * numbers + from + n + j]), g[k]);
         });
-        return ComplexPack{hn::NegMulAdd(p, rate.im, constant.re), hn::MulAdd(p, rate.re, constant.im)};
+        return ComplexPack{hn::MulAdd(p, rate.im, constant.re), hn::MulSub(p, rate.re, constant.im)};
       };
       ComplexPack q = sum(3);
       if constexpr (complex_load) {
         const ComplexPack imaginary = sum(3 + 2 * n);
         q = q + ComplexPack{hn::Neg(imaginary.im), imaginary.re};
       }
-      hn::StoreU(moduli ? squared_modulus(q) : q.re, Lanes(), s.re + j * s.stride + f);
-      if constexpr (!moduli) hn::StoreU(q.im, Lanes(), s.im + j * s.stride + f);
+      put(moduli ? squared_modulus(q) : q.re, s.re + j * s.stride + f);
+      if constexpr (!moduli) put(q.im, s.im + j * s.stride + f);
     });
   }
+  if (past_caches) hwy::FlushStream();
 }
 
 template <typename Size>
