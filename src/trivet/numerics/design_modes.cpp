@@ -57,9 +57,10 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
       PackOfModes<Size> modes;
       const LaneMask definite = modes_of_pack<shapes>(n, a, k, modes);
       sort<shapes>(n, modes);
-      for (int i = 0; i < n; ++i) hn::StoreU(hn::IfThenElse(definite, modes.lambda[i], nothing), Lanes(), lambda.at(i, at));
+      const LaneMask known = hn::And(definite, modes.settled);
+      for (int i = 0; i < n; ++i) hn::StoreU(hn::IfThenElse(known, modes.lambda[i], nothing), Lanes(), lambda.at(i, at));
       if constexpr (shapes)
-        for (int i = 0; i < n * n; ++i) hn::StoreU(hn::IfThenElse(definite, modes.x[i], nothing), Lanes(), x.at(i, at));
+        for (int i = 0; i < n * n; ++i) hn::StoreU(hn::IfThenElse(known, modes.x[i], nothing), Lanes(), x.at(i, at));
       double verdict[8];
       hn::StoreU(hn::IfThenElseZero(definite, all(1.0)), Lanes(), verdict);
       for (Eigen::Index lane = 0; lane < lane_count() && at + lane < taken; ++lane)
@@ -94,7 +95,7 @@ TRIVET_VARIANTS(modes_of_designs);
 
 namespace {
 
-void one_by_one(const Designs& designs, int n, Eigen::Index first, Eigen::Index last, DesignModes& result) {
+void one_by_one(const Designs& designs, Eigen::Index first, Eigen::Index last, DesignModes& result) {
   for (Eigen::Index design = first; design < last; ++design) {
     const Eigen::MatrixXd A = unpacked(designs.A, design), K = unpacked(designs.K, design);
     const bool definite = A.allFinite() && K.allFinite() && is_positive_definite(A);
@@ -130,8 +131,10 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
   foundation::for_each_piece(static_cast<std::size_t>(count), {designs_a_piece, options.threads, options.progress, "modes of the designs"},
                              [&](std::size_t first, std::size_t last) {
                                const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
-                               if (n > 12) one_by_one(designs, n, from, to, result);
-                               else TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
+                               if (n > 12) return one_by_one(designs, from, to, result);
+                               TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
+                               for (Eigen::Index d = from; d < to; ++d)  // not settled in lanes
+                                 if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0))) one_by_one(designs, d, d + 1, result);
                              });
 }
 

@@ -11,7 +11,7 @@
 #include "trivet/numerics/disc_search.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/peak_count.h"
-#include "trivet/numerics/root_table.h"
+#include "trivet/numerics/peak_question.h"
 #include "trivet/numerics/system_roots.h"
 
 namespace trivet::numerics {

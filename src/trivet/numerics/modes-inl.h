@@ -57,6 +57,7 @@ struct PackOfModes {
   Pack weight[Size::most];                              ///< D²
   Pack x[Size::most * Size::most];                      ///< X by columns of n
   Pack negligible;                                      ///< what of a product of two λ is round-off
+  LaneMask settled;                                     ///< no rotation is left that matters
 };
 
 /// x_p ← x_p − α x_q, x_q ← x_q + β x_p
@@ -207,8 +208,10 @@ HWY_INLINE LaneMask modes_of_pack(Size n, const Pack* a, const Pack* k, PackOfMo
   constexpr int unchecked_turns = 2, most_turns = 14;
   const LaneMask definite = reduced<vectors>(n, a, k, m);
   for (int i = 0; i < unchecked_turns; ++i) turn<vectors, false>(n, m);
-  for (int i = unchecked_turns; i < most_turns; ++i)
-    if (hn::AllTrue(Lanes(), hn::Le(turn<vectors, true>(n, m), all(0.0)))) break;
+  for (int i = unchecked_turns; i < most_turns; ++i) {
+    m.settled = hn::Le(turn<vectors, true>(n, m), all(0.0));
+    if (hn::AllTrue(Lanes(), m.settled)) break;
+  }
   if constexpr (vectors) {
     each(n, [&](int i) TRIVET_LANES {
       const Pack d = hn::Mul(m.weight[i], inverse_root(m.weight[i]));

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "trivet/numerics/axis_tail-inl.h"
 #include "trivet/numerics/certain_top-inl.h"
 #include "trivet/numerics/peak_count.h"
-#include "trivet/numerics/root_table.h"
+#include "trivet/numerics/peak_question.h"
+#include "trivet/numerics/refined_extrema-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -31,57 +32,6 @@ HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, Walked
   }
 }
 
-/// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more. In u = 1/x a curve has the
-/// same form, with poles 1/z, and one panel reaches from there to u = 0.
-/// @param complete  leaves the lanes where that is proven
-template <typename Size>
-HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
-                                  LaneMask& complete) {
-  constexpr int most_doublings = 40;
-  const SquarePoles<Size>& poles = pack.poles;
-  WalkedPack<Size> inverted = pack;
-  Pack begins = hn::Add(pack.from, pack.from);
-  PairPack weight[Size::most];
-  for (int k = 0; k < poles.count; ++k) {
-    begins = hn::Max(begins, hn::Mul(all(2.0), hn::Add(hn::Abs(poles.centre[k]), hn::Abs(poles.aside[k]))));
-    inverted.poles.z[k] = inverse(poles.real[k], poles.z[k]);
-    weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
-  }
-  place(inverted.poles);
-  const std::unique_ptr<WalkedCurve[]> inverted_curves(new WalkedCurve[static_cast<std::size_t>(channels)]);
-  for (int c = 0; c < channels; ++c) {
-    WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)] = curves[c];
-    curve.f.slope = hn::Zero(Lanes());
-    for (int k = 0; k < poles.count; ++k) {
-      const LaneMask real = poles.real[k];
-      const PairPack C = at_poles(real, curve.f.C[k]), part = times(real, C, inverted.poles.z[k]);
-      curve.f.C[k] = for_half_sum(real, times(real, C, weight[k]));
-      curve.f.constant = hn::Sub(curve.f.constant, hn::Mul(all(0.5), hn::IfThenElse(real, hn::Add(part.first, part.second), hn::Add(part.first, part.first))));
-    }
-  }
-  LaneMask settled = hn::Not(pack.asked);
-  for (int doubling = 0; doubling < most_doublings && !hn::AllTrue(Lanes(), settled); ++doubling) {
-    if (doubling > 0) begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
-    PanelPowers powers[Size::most];
-    const Pack half = hn::Div(all(0.5), begins);
-    form_powers(inverted.poles, half, half, powers);
-    LaneMask all_settled = hn::Eq(half, half);
-    for (int c = 0; c < channels; ++c) {
-      WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
-      LaneMask own = settle(inverted, powers, half, half, options, settled, curve);
-      // Slopes that vanish at u = 0 keep their sign while they are monotonic.
-      const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
-      const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;
-      if (!flat_at_infinity) own = hn::And(own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
-      all_settled = hn::And(all_settled, own);
-      curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x falls as u rises
-    }
-    settled = hn::Or(settled, all_settled);
-  }
-  complete = hn::And(complete, settled);
-  return begins;
-}
-
 /// Signs of the slopes where the walk begins; 0 where round-off hides them.
 template <typename Size>
 HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
@@ -93,95 +43,6 @@ HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves,
     curves[c].sign = curves[c].after;
     // |y|² begins like x^derivative at rest.
     if (question.from == 0 && question.rows[static_cast<std::size_t>(c)].derivative > 0) curves[c].sign = all(1.0);
-  }
-}
-
-/// What is known of all curves of all lanes, for extrema that stand in any of them.
-template <typename Size>
-class LaneStore {
- public:
-  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels)
-      : count_(poles.count), of_channel_(static_cast<std::size_t>((poles.count + 1) * 2)), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
-    for (int k = 0; k < count_; ++k) {
-      hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
-      hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
-      hn::StoreU(hn::IfThenElseZero(poles.real[k], all(1.0)), Lanes(), real_[k]);
-    }
-    for (int c = 0; c < channels; ++c) {
-      double* to = C_.data() + static_cast<std::size_t>(c) * of_channel_ * table_lanes;
-      const auto keep = [&](const Pack& numbers) HWY_ATTR {
-        hn::StoreU(numbers, Lanes(), to);
-        to += table_lanes;
-      };
-      for (int k = 0; k < count_; ++k) {
-        keep(curves[c].f.C[k].first);
-        keep(curves[c].f.C[k].second);
-      }
-      keep(curves[c].f.constant);
-      keep(curves[c].f.slope);
-    }
-  }
-
-  /// The curve of each extremum in a lane of its own; the last again where they end.
-  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, SquaredResponse& f) const {
-    const hn::RebindToSigned<Lanes> integers;
-    HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
-    for (int i = 0; i < lane_count(); ++i) {
-      const FoundExtremum& e = found[std::min(i, count - 1)];
-      lane[i] = e.lane;
-      curve[i] = e.channel * static_cast<std::int64_t>(of_channel_) * table_lanes + e.lane;
-    }
-    const auto of_lane = hn::Load(integers, lane), of_curve = hn::Load(integers, curve);
-    poles.count = count_;
-    for (int k = 0; k < count_; ++k) {
-      poles.z[k] = {hn::GatherIndex(Lanes(), z_[k][0], of_lane), hn::GatherIndex(Lanes(), z_[k][1], of_lane)};
-      poles.real[k] = hn::Gt(hn::GatherIndex(Lanes(), real_[k], of_lane), hn::Zero(Lanes()));
-    }
-    place(poles);
-    const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
-    f.constant = number(of_channel_ - 2);
-    f.slope = number(of_channel_ - 1);
-  }
-
- private:
-  Size count_;
-  std::size_t of_channel_;
-  alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes];
-  std::vector<double> C_;  ///< [channel][pair, constant and slope][2][lane]
-};
-
-/// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
-template <typename Size>
-HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
-  constexpr int steps_at_most = 4;
-  constexpr double settled = 1e-13;
-  SquarePoles<Size> poles;
-  SquaredResponse f;
-  const auto count = static_cast<int>(found.size());
-  for (int begin = 0; begin < count; begin += lane_count()) {
-    FoundExtremum* e = found.data() + begin;
-    const int taken = std::min(lane_count(), count - begin);
-    store.gather(e, taken, poles, f);
-    alignas(64) double numbers[3][table_lanes];
-    for (int i = 0; i < lane_count(); ++i) {
-      const FoundExtremum& own = e[std::min(i, taken - 1)];
-      numbers[0][i] = own.at, numbers[1][i] = own.lower, numbers[2][i] = own.upper;
-    }
-    Pack x = from_table(numbers[0], 0), missed;
-    const Pack lower = from_table(numbers[1], 0), upper = from_table(numbers[2], 0);
-    Slopes s = slopes_at(poles, f, x);
-    for (int i = 0; i <= steps_at_most; ++i) {
-      const Pack step = step_to_extremum(s);
-      missed = hn::Abs(hn::Mul(s.first, step));
-      if (i == steps_at_most || hn::AllTrue(Lanes(), hn::Le(missed, hn::Mul(all(settled), s.value)))) break;
-      x = hn::Max(lower, hn::Min(upper, hn::Add(x, step)));
-      s = slopes_at(poles, f, x);
-    }
-    hn::StoreU(x, Lanes(), numbers[0]);
-    hn::StoreU(s.value, Lanes(), numbers[1]);
-    hn::StoreU(missed, Lanes(), numbers[2]);
-    for (int i = 0; i < taken; ++i) e[i].at = numbers[0][i], e[i].value = numbers[1][i], e[i].missed = numbers[2][i];
   }
 }
 

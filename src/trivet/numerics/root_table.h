@@ -2,10 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "trivet/numerics/designs.h"
-#include "trivet/numerics/disc_search.h"
 
 namespace trivet::numerics {
 
@@ -29,30 +27,5 @@ void roots_of_designs(const Designs& designs, Eigen::Index first, RootTable& tab
 
 /// One design by an eigensolver of its states, with a check by the sums that residues keep. @return whether they are good
 bool roots_of_states(const DynamicMatrices& matrices, const Eigen::VectorXd& load, RootTable& table, int lane);
-
-/// What is asked of every design.
-struct PeakQuestion {
-  std::vector<ObservedRow> rows;
-  double from = 0, to = 0;          ///< [rad/s]
-  bool count_peaks = true;
-  double min_prominence = 1e-6;
-};
-
-/// The answer for one channel of one design.
-struct ChannelPeaks {
-  double highest = 0;
-  double highest_at = 0;
-  int peaks = 0;
-  double largest_rise = 0;
-};
-
-/// Channels × designs of a table; complete: with a proof.
-struct TablePeaks {
-  std::vector<ChannelPeaks> channels;  ///< [channel * table_lanes + lane]
-  bool complete[table_lanes];
-};
-
-/// Highest values and peaks from the partial fractions of |y|² in ω², eight designs at once.
-void peaks_from_roots(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks);
 
 }  // namespace trivet::numerics

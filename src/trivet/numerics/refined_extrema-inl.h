@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Extrema that the walk found in any lanes and curves, refined as many at once as there are lanes.
+#if defined(TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_
+#undef TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_
+#else
+#define TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_
+#endif
+
+#include <algorithm>
+#include <vector>
+
+#include "trivet/numerics/axis_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+/// What is known of all curves of all lanes, for extrema that stand in any of them.
+template <typename Size>
+class LaneStore {
+ public:
+  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels)
+      : count_(poles.count), of_channel_(static_cast<std::size_t>((poles.count + 1) * 2)), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+    for (int k = 0; k < count_; ++k) {
+      hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
+      hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
+      hn::StoreU(hn::IfThenElseZero(poles.real[k], all(1.0)), Lanes(), real_[k]);
+    }
+    for (int c = 0; c < channels; ++c) {
+      double* to = C_.data() + static_cast<std::size_t>(c) * of_channel_ * table_lanes;
+      const auto keep = [&](const Pack& numbers) HWY_ATTR {
+        hn::StoreU(numbers, Lanes(), to);
+        to += table_lanes;
+      };
+      for (int k = 0; k < count_; ++k) {
+        keep(curves[c].f.C[k].first);
+        keep(curves[c].f.C[k].second);
+      }
+      keep(curves[c].f.constant);
+      keep(curves[c].f.slope);
+    }
+  }
+
+  /// The curve of each extremum in a lane of its own; the last again where they end.
+  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, SquaredResponse& f) const {
+    const hn::RebindToSigned<Lanes> integers;
+    HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
+    for (int i = 0; i < lane_count(); ++i) {
+      const FoundExtremum& e = found[std::min(i, count - 1)];
+      lane[i] = e.lane;
+      curve[i] = e.channel * static_cast<std::int64_t>(of_channel_) * table_lanes + e.lane;
+    }
+    const auto of_lane = hn::Load(integers, lane), of_curve = hn::Load(integers, curve);
+    poles.count = count_;
+    for (int k = 0; k < count_; ++k) {
+      poles.z[k] = {hn::GatherIndex(Lanes(), z_[k][0], of_lane), hn::GatherIndex(Lanes(), z_[k][1], of_lane)};
+      poles.real[k] = hn::Gt(hn::GatherIndex(Lanes(), real_[k], of_lane), hn::Zero(Lanes()));
+    }
+    place(poles);
+    const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
+    f.constant = number(of_channel_ - 2);
+    f.slope = number(of_channel_ - 1);
+  }
+
+ private:
+  Size count_;
+  std::size_t of_channel_;
+  alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes];
+  std::vector<double> C_;  ///< [channel][pair, constant and slope][2][lane]
+};
+
+/// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
+template <typename Size>
+HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
+  constexpr int steps_at_most = 4;
+  constexpr double settled = 1e-13;
+  SquarePoles<Size> poles;
+  SquaredResponse f;
+  const auto count = static_cast<int>(found.size());
+  for (int begin = 0; begin < count; begin += lane_count()) {
+    FoundExtremum* e = found.data() + begin;
+    const int taken = std::min(lane_count(), count - begin);
+    store.gather(e, taken, poles, f);
+    alignas(64) double numbers[3][table_lanes];
+    for (int i = 0; i < lane_count(); ++i) {
+      const FoundExtremum& own = e[std::min(i, taken - 1)];
+      numbers[0][i] = own.at, numbers[1][i] = own.lower, numbers[2][i] = own.upper;
+    }
+    Pack x = hn::LoadU(Lanes(), numbers[0]), missed;
+    const Pack lower = hn::LoadU(Lanes(), numbers[1]), upper = hn::LoadU(Lanes(), numbers[2]);
+    Slopes s = slopes_at(poles, f, x);
+    for (int i = 0; i <= steps_at_most; ++i) {
+      const Pack step = step_to_extremum(s);
+      missed = hn::Abs(hn::Mul(s.first, step));
+      if (i == steps_at_most || hn::AllTrue(Lanes(), hn::Le(missed, hn::Mul(all(settled), s.value)))) break;
+      x = hn::Max(lower, hn::Min(upper, hn::Add(x, step)));
+      s = slopes_at(poles, f, x);
+    }
+    hn::StoreU(x, Lanes(), numbers[0]);
+    hn::StoreU(s.value, Lanes(), numbers[1]);
+    hn::StoreU(missed, Lanes(), numbers[2]);
+    for (int i = 0; i < taken; ++i) e[i].at = numbers[0][i], e[i].value = numbers[1][i], e[i].missed = numbers[2][i];
+  }
+}
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
