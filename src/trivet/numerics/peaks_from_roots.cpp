@@ -14,11 +14,10 @@
 #include "trivet/numerics/peak_count.h"
 #include "trivet/numerics/peak_question.h"
 #include "trivet/numerics/refined_extrema-inl.h"
+#include "trivet/numerics/tabled_roots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
-
-HWY_INLINE Pack from_table(const double* row, int lane) { return hn::LoadU(Lanes(), row + lane); }
 
 /// Values of all curves at x, which may be their highest.
 template <typename Size>
@@ -163,13 +162,7 @@ class PackOfCurves {
     for (int i = 0; i < lane_count(); ++i) asked[i] = table.good[lane_ + i];
     pack_.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
     PolePairs roots;
-    roots.count = pack_.poles.count = n;
-    for (int k = 0; k < n; ++k) {
-      roots.real[k] = pack_.poles.real[k] = hn::Ne(from_table(table.real[k], lane_), hn::Zero(Lanes()));
-      roots.lambda[k] = {from_table(table.first[k], lane_), from_table(table.second[k], lane_)};
-      pack_.poles.z[k] = pole_in_square(roots.real[k], roots.lambda[k]);
-    }
-    place(pack_.poles);
+    roots_in_table(n, table, lane_, roots, pack_.poles);
     pack_.from = all(question_.from * question_.from);
     pack_.to = all(question_.to * question_.to);
     PoleProducts products;

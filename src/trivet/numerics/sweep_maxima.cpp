@@ -8,12 +8,14 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
+#include "trivet/numerics/maxima_from_roots.h"
 #include "trivet/numerics/sweep_workspace.h"
 
 namespace trivet::numerics {
 namespace {
 
 constexpr std::size_t designs_together = 64;
+constexpr std::size_t least_for_poles = 32;  // frequencies; the poles of a design cost as much as some sixty of them solved directly
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// One row of the result.
@@ -37,6 +39,28 @@ void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::ve
     result.amplitude(row, j) = std::sqrt(square[static_cast<std::size_t>(j)]);
     result.angular_frequency(row, j) = where[static_cast<std::size_t>(j)];
   }
+}
+
+/// Designs first … last − 1 by their poles, a table at a time. @return those whose poles are not good
+std::vector<Eigen::Index> by_poles(const Designs& designs, Eigen::Index first, Eigen::Index last, const std::vector<double>& omega, SweepMaxima& result) {
+  RootTable table{};
+  TableMaxima maxima;
+  std::vector<Eigen::Index> open;
+  for (; first < last; first += table_lanes) {
+    roots_of_designs(designs, first, table);
+    maxima_from_roots(table, omega, maxima);
+    for (int lane = 0; lane < table_lanes && first + lane < last; ++lane) {
+      if (!table.good[lane]) {
+        open.push_back(first + lane);
+        continue;
+      }
+      for (int j = 0; j < table.coordinates; ++j) {
+        result.amplitude(first + lane, j) = maxima.amplitude[j][lane];
+        result.angular_frequency(first + lane, j) = maxima.angular_frequency[j][lane];
+      }
+    }
+  }
+  return open;
 }
 
 SweepMaxima no_maxima(Eigen::Index designs, Eigen::Index n) { return {{}, Eigen::ArrayXXd::Zero(designs, n), Eigen::ArrayXXd::Zero(designs, n)}; }
@@ -64,11 +88,16 @@ SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omeg
   const auto count = static_cast<std::size_t>(designs.count());
   SweepMaxima result = no_maxima(designs.count(), designs.coordinates());
   result.angular_frequency.setConstant(omega.front());
+  const bool poles_pay = !options.every_backward_error && designs.coordinates() <= most_pairs && omega.size() >= least_for_poles;
   std::mutex adding;
   const int threads = sweep_threads(count * omega.size(), options.threads);
   foundation::for_each_piece(count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
     SweepWorkspace workspace;
-    for (auto design = static_cast<Eigen::Index>(first); design < static_cast<Eigen::Index>(last); ++design) {
+    std::vector<Eigen::Index> open;
+    const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
+    if (poles_pay) open = by_poles(designs, from, to, omega, result);
+    else for (Eigen::Index design = from; design < to; ++design) open.push_back(design);
+    for (const Eigen::Index design : open) {
       const Eigen::VectorXcd load = designs.load.row(designs.load.rows() > 1 ? design : 0).matrix().transpose().cast<Complex>();
       if (load.isZero(0)) continue;
       find_maxima(workspace, SweepPlan(matrices_of(designs, design), load), omega, options, result, design);

@@ -18,7 +18,9 @@ struct SweepMaxima : SweepCounts {
 [[nodiscard]] SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
                                        const SweepOptions& options = {});
 
-/// Of many: the frequencies of one design after the other through the kernels of `sweep`, designs in pieces on threads.
+/// Of many, in pieces on threads. Where no backward errors are asked for, by the poles of eight designs at once, if these pass the checks of design_peaks.h
+/// (up to twelve coordinates, 32 frequencies at least): near a resonance as far off as a direct solution may be, ε/ζ. Otherwise the frequencies of one
+/// design after the other through the kernels of `sweep`.
 [[nodiscard]] SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omega, const SweepOptions& options = {});
 
 }  // namespace trivet::numerics
