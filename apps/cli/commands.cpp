@@ -107,6 +107,15 @@ const study::Case& chosen_case(const study::Project& project, const std::string&
   throw BadArgument(fmt::format("--case \"{}\": no such case; {}", name, guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
 }
 
+std::unique_ptr<study::PictureFile> new_picture(const Options& options) {
+  if (options.picture.empty()) return nullptr;
+  try {
+    return std::make_unique<study::PictureFile>(options.picture, options.project);
+  } catch (const foundation::InvalidInput& refused) {
+    throw BadArgument(std::string("--picture ") + refused.what());
+  }
+}
+
 std::optional<study::Project> read_or_complain(const Options& options) {
   auto project = study::read_project(options.project, options.settings);
   if (project) return std::move(*project);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "trivet/study/picture_file.h"
 #include "trivet/study/project.h"
 
 namespace trivet::cli {
@@ -50,6 +52,9 @@ struct BadArgument : std::runtime_error {
 
 /// "1,2.7,15.6" in rad/s, or each with a unit. @throws BadArgument, naming the option
 [[nodiscard]] std::vector<double> frequencies(const std::string& option, const std::string& text);
+
+/// The picture that was asked for, begun; none if none was. @throws BadArgument if it cannot stand where it was asked for
+[[nodiscard]] std::unique_ptr<study::PictureFile> new_picture(const Options& options);
 
 /// The project, or nothing after its problems were printed.
 [[nodiscard]] std::optional<study::Project> read_or_complain(const Options& options);

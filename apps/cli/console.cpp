@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <cstring>
 #include <stdexcept>
 
@@ -24,13 +23,6 @@ void write_output(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0)
     throw std::runtime_error(fmt::format("standard output: {}", errno ? std::strerror(errno) : "not everything was written"));
-}
-
-void write_picture(const std::string& path, const std::string& svg) {
-  std::ofstream file(path, std::ios::binary);
-  file << svg;
-  file.close();
-  if (!file) throw std::runtime_error(path + ": the picture could not be written");
 }
 
 void write_problems(const foundation::Problems& problems) {

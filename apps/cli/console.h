@@ -13,9 +13,6 @@ enum ExitCode { done = 0, not_computed = 1, wrong_input = 2 };
 /// Writes to standard output and makes sure it arrived. @throws std::runtime_error if the disk is full or the reader is gone
 void write_output(const std::string& text);
 
-/// Writes a picture to a file. @throws std::runtime_error if that fails
-void write_picture(const std::string& path, const std::string& svg);
-
 /// Every problem on a line of its own, on standard error.
 void write_problems(const foundation::Problems& problems);
 

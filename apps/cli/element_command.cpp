@@ -39,6 +39,7 @@ int element_command(const Options& options) {
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);
     const std::size_t element = chosen_element(variant, options.element);
+    const std::unique_ptr<study::PictureFile> picture = new_picture(options);
     study::ElementSummary summary = study::element_summary(variant, element);
     std::optional<study::Simplification> simple;
     try {
@@ -46,9 +47,9 @@ int element_command(const Options& options) {
     } catch (const foundation::NotComputable& reason) {
       summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");
     }
-    if (!options.picture.empty()) write_picture(options.picture, report::element_picture(variant, element));
     write_output(options.json ? study::element_json(variant, element, summary, simple)
                               : element_text(variant, element, summary) + (simple ? "\n" + simplification_text(*simple) : ""));
+    if (picture) picture->publish(report::element_picture(variant, element));
     return done;
   } catch (const BadArgument& bad) {
     fmt::print(stderr, "error: {}\n", bad.what());

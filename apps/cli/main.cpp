@@ -54,7 +54,7 @@ int dispatch(const CLI::App& app, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, with a message
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // a closed pipe or a full quota is an error of writing, with a message
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", std::string("trivet ") + trivet::study::version());

@@ -43,14 +43,15 @@ int map_command(const Options& options) {
     if (!variant.analyses.map)
       throw BadArgument("map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, no_peak = \"coordinates\"} to [analyses]");
     const study::MapOptions wanted = sizes(options.points);
+    const std::unique_ptr<study::PictureFile> picture = new_picture(options);
     catch_interrupts();
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
     if (!options.json) write_problems(variant.warnings);
-    if (!options.picture.empty()) write_picture(options.picture, report::map_figure(map, project->title).svg);
     const study::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
     if (options.json) study::write_map_json(*project, map, sink);
     else if (options.csv) study::write_map_csv(map, sink);
     else write_output(map_text(map));
+    if (picture) picture->publish(report::map_figure(map, project->title).svg);
     return done;
   } catch (const BadArgument& bad) {
     fmt::print(stderr, "error: {}\n", bad.what());

@@ -161,8 +161,8 @@ class Element(unittest.TestCase):
 
     def test_a_picture_that_cannot_be_written_is_said(self):
         done = subprocess.run([TRIVET, "element", str(self.project(BODY, BUSHING)), "mount", "--picture", str(self.folder / "no" / "x.svg")], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("could not be written", done.stderr)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no folder", done.stderr)
 
     def test_principal_stiffnesses_do_not_depend_on_the_attitude(self):
         turned = BUSHING.replace("translation", 'orientation = {axis = [1, 2, 3], angle = "40 deg"}\ntranslation')

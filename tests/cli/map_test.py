@@ -5,6 +5,7 @@ import io
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -90,6 +91,38 @@ class Map(unittest.TestCase):
     def test_a_case_has_its_own_map(self):
         text = run("map", self.project, "--case", "good", "--points", "3")[0]
         self.assertIn("Map of 9 designs of case good", text)
+
+    def refused_picture(self, target, words, **options):
+        done = subprocess.run([TRIVET, "map", self.project, "--points", "5", "--picture", str(target)], capture_output=True, text=True, timeout=300, **options)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn(words, done.stderr)
+
+    def test_a_picture_overwrites_nothing_but_a_picture(self):
+        drawing, note, old = self.folder / "drawing.svg", self.folder / "note.svg", self.folder / "old.svg"
+        drawing.symlink_to(self.project)
+        note.write_text("<html><svg></svg></html>")
+        old.write_text('<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>')
+        self.refused_picture(drawing, "this is the project file itself")
+        self.refused_picture(note, "something else than an SVG picture; choose another name")
+        self.assertEqual((pathlib.Path(self.project).read_text(), note.read_text()), (ONE_MASS, "<html><svg></svg></html>"))
+        run("map", self.project, "--points", "5", "--picture", str(old))
+        self.assertIn("stiffness scale of spring", old.read_text())
+
+    def test_a_picture_that_cannot_be_written_is_refused_before_the_answer(self):
+        self.refused_picture(self.folder / "none" / "map.svg", "there is no folder")
+        self.refused_picture("/proc/map.svg", "choose a folder where you may write")
+        self.refused_picture("", "name a file that ends in .svg")
+
+    def test_a_full_disk_spares_the_old_picture_and_the_answer(self):
+        picture = self.folder / "map.svg"
+        picture.write_text("<svg>old</svg>")
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+        done = subprocess.run([TRIVET, "map", self.project, "--picture", str(picture)], capture_output=True, text=True, timeout=300, preexec_fn=limit)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cannot write", done.stderr)
+        self.assertIn("Best design", done.stdout)
+        self.assertEqual(picture.read_text(), "<svg>old</svg>")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["map.svg", "one.toml"])
 
     def test_the_picture_is_well_formed_and_names_what_it_shows(self):
         picture = self.folder / "map.svg"

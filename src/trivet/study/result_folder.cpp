@@ -2,14 +2,13 @@
 #include "trivet/study/result_folder.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "trivet/study/file_writing.h"
 
 namespace trivet::study {
 namespace {
@@ -41,7 +40,7 @@ ResultFolder::ResultFolder(fs::path target) : target_(fs::absolute(target).lexic
   if (target_.filename().empty()) target_ = target_.parent_path();
   if (!may_be_replaced(target_))
     throw std::runtime_error(fmt::format("{} exists and holds something else than an earlier result of trivet; choose another folder with -o", target_.string()));
-  working_ = target_.parent_path() / fmt::format(".{}.partial-{}", target_.filename().string(), static_cast<long>(::getpid()));
+  working_ = name_beside(target_, "partial");
   std::error_code error;
   fs::create_directories(working_, error);
   if (error) throw std::runtime_error(fmt::format("cannot write beside {}: {}", target_.string(), error.message()));
@@ -57,15 +56,11 @@ void ResultFolder::write(const std::string& name, const std::string& content) {
   const fs::path path = working_ / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
-  errno = 0;
-  std::ofstream stream(path, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}: {}", (target_ / name).string(), errno ? std::strerror(errno) : "unknown reason"));
+  write_file(path, content, target_ / name);
 }
 
 void ResultFolder::publish() {
-  const fs::path old = target_.parent_path() / fmt::format(".{}.old-{}", target_.filename().string(), static_cast<long>(::getpid()));
+  const fs::path old = name_beside(target_, "old");
   const bool replaces = fs::exists(target_);
   if (replaces) fs::rename(target_, old);
   std::error_code error;
