@@ -11,6 +11,7 @@ namespace trivet::response {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double tie = 1e-6;  // of margins: far above the round-off of peaks, far below what a design can tell
 
 }  // namespace
 
@@ -64,10 +65,12 @@ RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<a
 }
 
 Governing governing(const RuleSet& set, const std::vector<double>& values) {
-  Governing least{0, infinity};
+  const auto of = [&](std::size_t r) { return margin(set.rules[r], values[r]); };
+  double least = infinity;
+  for (std::size_t r = 0; r < set.rules.size(); ++r) least = std::min(least, of(r));
   for (std::size_t r = 0; r < set.rules.size(); ++r)
-    if (const double m = margin(set.rules[r], values[r]); m < least.margin) least = {r, m};
-  return least;
+    if (const double m = of(r); m <= least * (1 + tie) && (m >= 1) == (least >= 1)) return {r, least};
+  return {0, infinity};
 }
 
 }  // namespace trivet::response

@@ -47,10 +47,10 @@ struct RuleValues {
 [[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                      const assembly::Loading& loading, const Peaks& found, const RuleSet& set);
 
-/// The rule with the least margin; the first of equals.
+/// The first rule whose margin is the least within 1e-6 of it, so that round-off does not choose among equals; broken ones before kept ones.
 struct Governing {
   std::size_t rule = 0;
-  double margin = 0;
+  double margin = 0;  ///< the least
   [[nodiscard]] bool kept() const { return margin >= 1; }
 };
 [[nodiscard]] Governing governing(const RuleSet& set, const std::vector<double>& values);
