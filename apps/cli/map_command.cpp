@@ -10,6 +10,7 @@
 #include "cli/map_text.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/map_figure.h"
+#include "trivet/study/answers.h"
 #include "trivet/study/map_json.h"
 
 namespace trivet::cli {
@@ -33,6 +34,13 @@ study::MapOptions sizes(const std::string& text) {
   return options;
 }
 
+/// Those that belong to every answer of this model.
+foundation::Problems model_warnings(const study::Case& variant) {
+  study::Analyses asked;
+  asked.map = variant.analyses.map;
+  return study::answers(variant, asked).warnings;
+}
+
 }  // namespace
 
 int map_command(const Options& options) {
@@ -46,9 +54,11 @@ int map_command(const Options& options) {
     const std::unique_ptr<study::PictureFile> picture = new_picture(options);
     catch_interrupts();
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
-    if (!options.json) write_problems(variant.warnings);
+    foundation::Problems warnings = model_warnings(variant);
+    warnings.add(map.warnings);
+    if (!options.json) write_problems(warnings);
     const study::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
-    if (options.json) study::write_map_json(*project, map, sink);
+    if (options.json) study::write_map_json(map, warnings, sink);
     else if (options.csv) study::write_map_csv(map, sink);
     else write_output(map_text(map));
     if (picture) picture->publish(report::map_figure(map, project->title).svg);

@@ -51,6 +51,7 @@ void write_case(study::ResultFolder& folder, const std::string& stem, const stud
 void add_map(const study::Project& project, const study::Case& variant, const foundation::Progress& step, study::Answers& answers) {
   try {
     answers.map = study::design_map(project, variant, *variant.analyses.map, {}, step);
+    answers.warnings.add(answers.map->warnings);
   } catch (const foundation::NotComputable& reason) {
     answers.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {

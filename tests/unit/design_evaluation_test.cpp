@@ -91,7 +91,7 @@ TEST(DesignEvaluation, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAnd
     const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {threads, true}}, progress);
     EXPECT_EQ(map.report.one_by_one, 20u);
     std::string text;
-    study::write_map_json(project, map, [&](std::string_view piece) { text += piece; });
+    study::write_map_json(map, {}, [&](std::string_view piece) { text += piece; });
     texts.push_back(text);
   }
   EXPECT_EQ(texts[0], texts[1]);

@@ -81,8 +81,9 @@ class CaseStudy {
 
   /// A force along a guide, an unbalance that turns about the only free direction …
   void note_idle(const Analyses& analyses, foundation::Problems& warnings) const {
-    for (const auto& wanted : {analyses.response ? std::optional(analyses.response->wanted) : std::nullopt, analyses.peaks ? std::optional(analyses.peaks->wanted) : std::nullopt})
-      if (wanted && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, wanted->excitations).vanishes()) {
+    for (const std::vector<std::string>* selected : {analyses.response ? &analyses.response->wanted.excitations : nullptr, analyses.peaks ? &analyses.peaks->wanted.excitations : nullptr,
+                                                     analyses.map ? &analyses.map->excitations : nullptr})
+      if (selected && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, *selected).vanishes()) {
         warnings.warning("excitations", "they act on no free coordinate", "all answers are 0", "look at the directions of forces and guides");
         return;
       }
@@ -165,6 +166,10 @@ class CaseStudy {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
     if (analyses.response) of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
     if (analyses.peaks) of.insert(of.end(), analyses.peaks->wanted.of.begin(), analyses.peaks->wanted.of.end());
+    if (analyses.map) {
+      of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
+      for (const MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
+    }
     if (analyses.random) of.insert(of.end(), analyses.random->wanted.of.begin(), analyses.random->wanted.of.end());
     if (analyses.transient) of.insert(of.end(), analyses.transient->wanted.of.begin(), analyses.transient->wanted.of.end());
     if (analyses.orders) of.insert(of.end(), analyses.orders->wanted.of.begin(), analyses.orders->wanted.of.end());

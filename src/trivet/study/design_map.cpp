@@ -11,6 +11,7 @@
 #include "trivet/study/best_design.h"
 #include "trivet/study/boundary_crossings.h"
 #include "trivet/study/design_evaluation.h"
+#include "trivet/study/map_warnings.h"
 #include "trivet/study/steep_neighbours.h"
 
 namespace trivet::study {
@@ -75,6 +76,7 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   map.boundary_tolerance = boundary_tolerance;
   if (map.best) map.margin_lines = margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
   map.marks = map_marks(project, map.request, evaluation, options.evaluation.threads, progress);
+  map.warnings = map_warnings(variant, map);
   return map;
 }
 

@@ -37,6 +37,7 @@ struct DesignMap {
   std::size_t steep = 0;                    ///< see steep_neighbours
   std::vector<MapMark> marks;
   EvaluationReport report;
+  foundation::Problems warnings;            ///< see map_warnings
 
   [[nodiscard]] DesignPoint point(std::size_t design) const;
 };

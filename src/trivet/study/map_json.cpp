@@ -85,7 +85,7 @@ void write_grid(const DesignMap& map, Pieces& out) {
 Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
 
 Json mark(const DesignMap& map, const MapMark& m) {
-  Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"words", verdict_words(map, m)}};
+  Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"has_own_rules", m.has_own_rules}, {"words", verdict_words(map, m)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.kept();
   result["margin"] = json::number(m.judged->governing.margin);
@@ -143,10 +143,9 @@ Json json::design_map(const DesignMap& map) {
   return result;
 }
 
-void write_map_json(const Project& project, const DesignMap& map, const TextSink& sink) {
+void write_map_json(const DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
   Json result = without_grid(map);
-  const Case* variant = project.find(map.case_name);
-  result["warnings"] = json::warnings(variant ? variant->warnings : foundation::Problems());
+  result["warnings"] = json::warnings(warnings);
   std::string head = result.dump();
   head.pop_back();
   Pieces pieces(sink);

@@ -12,8 +12,8 @@ namespace trivet::study {
 /// Takes a text piece by piece, so that the text of a million designs never stands in memory as a whole.
 using TextSink = std::function<void(std::string_view)>;
 
-/// The whole map; contract in docs/map.md.
-void write_map_json(const Project& project, const DesignMap& map, const TextSink& sink);
+/// The whole map; contract in docs/map.md. @param warnings  of the model and of the map
+void write_map_json(const DesignMap& map, const foundation::Problems& warnings, const TextSink& sink);
 
 /// One row per design of the grid: both numbers, margin, governing rule, kept.
 void write_map_csv(const DesignMap& map, const TextSink& sink);

@@ -39,6 +39,16 @@ void judge(const Case& variant, const DesignEvaluation& evaluation, MapMark& mar
   static_cast<void>(why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
 }
 
+/// Would the map of this case ask otherwise? Grids and lists of cases aside.
+bool has_other_rules(const Case& variant, const MapRequest& request) {
+  if (!variant.analyses.map) return false;
+  MapRequest own = *variant.analyses.map;
+  own.x.points = request.x.points;
+  own.y.points = request.y.points;
+  own.cases = request.cases;
+  return !(own == request);
+}
+
 }  // namespace
 
 std::vector<MapMark> map_marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation, int threads,
@@ -49,14 +59,11 @@ std::vector<MapMark> map_marks(const Project& project, const MapRequest& request
     const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
     MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), false, {}, ""};
     if (request.cases ? !listed : !mark.placed()) continue;
+    mark.has_own_rules = has_other_rules(c, request);
     all.push_back(std::move(mark));
     cases.push_back(&c);
   }
   foundation::for_each_piece(all.size(), {1, threads, progress, "cases"}, [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
-  // The base model is a case too, but not twice in one place.
-  const auto base = std::find_if(all.begin(), all.end(), [](const MapMark& m) { return m.name.empty(); });
-  if (base != all.end() && std::any_of(all.begin(), all.end(), [&](const MapMark& m) { return !m.name.empty() && m.x == base->x && m.y == base->y && m.of_this_model == base->of_this_model; }))
-    all.erase(base);
   return all;
 }
 

@@ -20,6 +20,7 @@ struct MapMark {
   bool of_this_model = true;            ///< false: it differs from the model of the map in more than the two numbers
   std::optional<JudgedDesign> judged;   ///< none if it could not be computed
   std::string failure;
+  bool has_own_rules = false;           ///< its own map asks otherwise than the one on which it stands
 
   [[nodiscard]] bool placed() const { return x && y; }
 };

@@ -20,7 +20,11 @@ std::string feasible_words(const DesignMap& map) {
 
 std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark) {
   std::vector<std::string> words;
-  if (!mark.judged) return {"not computed: " + mark.failure};
+  if (mark.has_own_rules) words.push_back(fmt::format("judged by the rules of this map; its own map asks otherwise: {}", mark.name.empty() ? "map without --case" : "map --case \"" + mark.name + "\""));
+  if (!mark.judged) {
+    words.push_back("not computed: " + mark.failure);
+    return words;
+  }
   const JudgedDesign& judged = *mark.judged;
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/influence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/modes.h"
+#include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/pivoted_solution.h"
+#include "trivet/response/exact_response.h"
+#include "trivet/study/design_parameter.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::array<double, 3> shares = {0, 0.47, 1};              // of both axes; no design of symmetry in the middle
+constexpr std::array<double, 3> frequencies = {0.0137, 0.117, 0.83}; // of the highest natural frequency
+constexpr double round_off = 1e-12;  // of what all coordinates together could make
+constexpr double unchanged = 1e-11;  // of an amplitude, solved with another load or matrix
+
+/// Amplitudes at one design, answers × frequencies; round-off is 0.
+using Amplitudes = Eigen::Array<double, Eigen::Dynamic, static_cast<int>(frequencies.size())>;
+
+std::vector<std::string> answers_of(const std::vector<MapRule>& rules) {
+  std::vector<std::string> names;
+  for (const MapRule& rule : rules)
+    if (std::find(names.begin(), names.end(), rule.answer) == names.end()) names.push_back(rule.answer);
+  return names;
+}
+
+double highest_natural_frequency(const model::System& system) {
+  double highest = 0;
+  for (const modal::Mode& mode : modal::modes(system, assembly::assemble(system)).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
+  return highest > 0 ? highest : 1;
+}
+
+Amplitudes amplitudes(const model::System& system, const MapRequest& request, const std::vector<std::string>& names, double top) {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, names, assembly::Quantity::displacement);
+  const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request.excitations);
+  double from = 0, to = std::numeric_limits<double>::infinity();
+  for (const assembly::ElementMap& map : assembled.elements) from = std::max(from, map.defined_from), to = std::min(to, map.defined_to);
+  Amplitudes found(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    const double omega = std::max(from, std::min(to, frequencies[f] * top));
+    const Eigen::MatrixXcd stiffness = assembled.dynamic_stiffness(omega, omega);
+    const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(stiffness.rows());
+    const Eigen::VectorXcd load = unit.asDiagonal() * assembly::exact_right_side(assembled, loading, omega, omega);
+    const Eigen::VectorXcd scaled = numerics::pivoted_solution(unit.asDiagonal() * stiffness * unit.asDiagonal(), load, false).x;
+    const Eigen::VectorXd together = scaled.cwiseAbs().maxCoeff() * unit;
+    const response::ExactValues exact = response::exact_values(assembled, channels, loading, unit.asDiagonal() * scaled, omega);
+    const Eigen::VectorXd ground = loading.motion.vanishes() ? Eigen::VectorXd() : loading.motion.possible(omega);
+    for (Eigen::Index c = 0; c < found.rows(); ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      const double possible = std::max(exact.possible(c), numerics::possible_amplitudes(channels[i].curve(), together, ground, Eigen::RowVectorXd::Constant(1, omega)).value());
+      const double size = std::abs(exact.values(c));
+      found(c, static_cast<Eigen::Index>(f)) = size <= round_off * possible ? 0 : size;
+    }
+  }
+  return found;
+}
+
+bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <= unchanged * a.max(b)).all(); }
+
+}  // namespace
+
+Influence influence(const Case& variant, const MapRequest& request, const std::vector<MapRule>& rules) {
+  const std::vector<std::string> names = answers_of(rules);
+  const double top = highest_natural_frequency(variant.system);
+  std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
+  Amplitudes largest = Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t j = 0; j < shares.size(); ++j) try {
+        const std::vector<Node> changes = {change_of(path_keys(request.x.parameter), request.x.at(shares[i]), request.x.unit), change_of(path_keys(request.y.parameter), request.y.at(shares[j]), request.y.unit)};
+        const auto system = changed_system(variant, changes);
+        if (!system) return {};
+        designs[i][j] = amplitudes(*system, request, names, top);
+        largest = largest.max(designs[i][j]);
+      } catch (const foundation::NotComputable&) {
+        return {};
+      } catch (const foundation::InvalidInput&) {
+        return {};
+      }
+  Influence result{{}, false, false};
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (largest.row(static_cast<Eigen::Index>(c)).isZero(0)) result.still.push_back(names[c]);
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    for (std::size_t i = 1; i < shares.size(); ++i) {
+      result.by_x = result.by_x || differ(designs[0][k], designs[i][k]);
+      result.by_y = result.by_y || differ(designs[k][0], designs[k][i]);
+    }
+  return result;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/map_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/study/influence.h"
+
+namespace trivet::study {
+namespace {
+
+/// Grid lines on both sides of a place, or the one it lies on.
+std::vector<int> lines_around(double share, int points) {
+  constexpr double on_it = 1e-9;
+  const double place = share * (points - 1), nearest = std::round(place);
+  if (std::abs(place - nearest) <= on_it * points) return {static_cast<int>(nearest)};
+  return {static_cast<int>(std::floor(place)), static_cast<int>(std::floor(place)) + 1};
+}
+
+/// Do all designs around a mark agree with each other, and not with it?
+bool contradicts(const DesignMap& map, const MapMark& mark) {
+  if (!mark.placed() || !mark.of_this_model || !mark.judged) return false;
+  const double x = map.request.x.share(*mark.x), y = map.request.y.share(*mark.y);
+  if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return false;
+  const bool kept = mark.judged->governing.kept();
+  for (const int j : lines_around(y, map.grid.ny))
+    for (const int i : lines_around(x, map.grid.nx)) {
+      const DesignOutcome& design = map.outcomes[map.grid.index(i, j)];
+      if (!design.known() || design.kept() == kept) return false;
+    }
+  return true;
+}
+
+void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings) {
+  for (const MapMark& mark : map.marks)
+    if (contradicts(map, mark))
+      warnings.warning("map: " + (mark.name.empty() ? std::string("base model") : mark.name),
+                       mark.judged->governing.kept() ? "keeps every rule, while all designs of the grid around it break one" : "breaks a rule that all designs of the grid around it keep",
+                       "the map is too coarse there, and its feasible share is not to be trusted", "take more points, or narrower ranges around it");
+}
+
+void warn_of_idle(const Case& variant, const DesignMap& map, foundation::Problems& warnings) {
+  const Influence found = influence(variant, map.request, map.rules);
+  for (const std::string& name : found.still)
+    warnings.warning("map: " + name, "does not move (zero but for round-off)", "its rules say nothing", "look at the directions of forces and guides, or remove the rules");
+  const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const MapRule& rule) { return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end(); });
+  if (all_still) return;
+  for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
+    if (!changes) warnings.warning("map: " + axis->name, "the axis changes no answer", "amplitudes of all rules are the same along it", "take a number that the answers depend on");
+}
+
+/// A motion of the ground given by its velocity or acceleration drifts off at rest.
+void warn_of_drift(const Case& variant, const DesignMap& map, foundation::Problems& warnings) {
+  if (map.request.band && map.request.band->from > 0) return;
+  const auto unbounded = [&](const DesignOutcome& d) { return d.known() && d.margin == 0 && map.rules[d.governing].kind == response::DesignRule::Kind::amplitude; };
+  if (!std::all_of(map.outcomes.begin(), map.outcomes.end(), [&](const DesignOutcome& d) { return !d.known() || unbounded(d); })) return;
+  const auto first = std::find_if(map.outcomes.begin(), map.outcomes.end(), unbounded);
+  const assembly::Assembled assembled = assembly::assemble(variant.system);
+  std::vector<std::string> names = map.request.excitations;
+  if (names.empty())
+    for (const model::Excitation& e : variant.system.description().excitations)
+      if (std::holds_alternative<model::Harmonic>(e.course)) names.push_back(e.name);
+  for (const std::string& name : names)
+    if (const int power = assembly::harmonic_loading(variant.system, assembled, {name}).lowest_power(); power < 0)
+      warnings.warning("map: excitations." + name, fmt::format("{} is unbounded in every design", map.rules[first->governing].answer),
+                       fmt::format("a foundation that moves with this {} has no bounded displacement at ω = 0", power == -1 ? "velocity" : "acceleration"),
+                       "start the band of the map above 0");
+}
+
+}  // namespace
+
+foundation::Problems map_warnings(const Case& variant, const DesignMap& map) {
+  foundation::Problems warnings;
+  warn_of_contradictions(map, warnings);
+  warn_of_idle(variant, map, warnings);
+  warn_of_drift(variant, map, warnings);
+  return warnings;
+}
+
+}  // namespace trivet::study
