@@ -12,6 +12,8 @@
 namespace trivet::response {
 namespace {
 
+constexpr int most_nodes = 17;  // along one number
+
 /// Packed lower triangles of A, B, K, then the load.
 Eigen::VectorXd packed(const PlainDesign& design) {
   const Eigen::Index n = design.load.size(), triangle = n * (n + 1) / 2;
@@ -139,7 +141,7 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::functio
     exact.push_back(packed(*design));
     scale.push_back(scales(*design));
   }
-  for (const int count : {2, 3, 5, 9, 17})
+  for (const int count : {2, 3, 5, 9, most_nodes})
     for (const bool logarithmic : {false, true}) {
       if (logarithmic && !(variable.from > 0)) continue;
       const Along along{logarithmic, logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count) : nodes_between(variable.from, variable.to, count)};
@@ -170,12 +172,13 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
     return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
+  const auto not_met_along = [](const std::string& name) { return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes, reproduced_within, name); };
   const auto declined = [&](const std::string& otherwise) -> FamilyOrNot { return {std::nullopt, reason.empty() ? otherwise : reason}; };
   if (!asked({x.from, y.from})) return declined("");
   const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);
-  if (!along_x) return declined("matrices that do not depend smoothly on " + x.name);
+  if (!along_x) return declined(not_met_along(x.name));
   const auto along_y = fitted_along([&](double value) { return asked({0.5 * (x.from + x.to), value}); }, y);
-  if (!along_y) return declined("matrices that do not depend smoothly on " + y.name);
+  if (!along_y) return declined(not_met_along(y.name));
   family.x_ = *along_x;
   family.y_ = *along_y;
   const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
@@ -195,7 +198,7 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
     if (!(worst <= reproduced_within))  // nor what is not a number
-      return declined(fmt::format("matrices that do not depend smoothly on {} and {} together", x.name, y.name));
+      return declined(fmt::format("matrices that the polynomials along {} and {} together do not meet within {:.0e}", x.name, y.name, reproduced_within));
     family.worst_ = std::max(family.worst_, worst);
   }
   return {std::move(family), ""};

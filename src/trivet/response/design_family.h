@@ -81,7 +81,7 @@ class DesignFamily {
   double worst_ = 0;
 };
 
-/// A family, or what stands against it, in words: those of the design that is not plain, or "… do not depend smoothly on …".
+/// A family, or what stands against it, in words: those of the design that is not plain, or "… polynomials … do not meet … along …".
 struct FamilyOrNot {
   std::optional<DesignFamily> family;
   std::string reason;

@@ -37,7 +37,8 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
     }
     node = next;
   }
-  if (!written_number(*node))
+  const auto told = [&](const foundation::Problem& p) { return p.severity == foundation::Severity::error && p.subject == path; };
+  if (!written_number(*node) && std::none_of(root.problems().list().begin(), root.problems().list().end(), told))
     reader.error("parameter", shown, fmt::format("{} stands there, not a number", node->kind == Node::Kind::text ? study::shown(*node) : words(node->kind)),
                  "name one number; entries of an array have no path");
 }

@@ -41,6 +41,16 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
   return std::nullopt;
 }
 
+std::vector<std::string> ResultNames::components() const {
+  std::vector<std::string> names;
+  for (const std::string& group : motions_)
+    for (const char* coordinate : model::coordinate_names) names.push_back(group + "." + coordinate);
+  for (const std::string& group : forces_)
+    for (const char* component : {".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z"}) names.push_back(group + component);
+  std::erase_if(names, [&](const std::string& name) { return is_guided(name); });
+  return names;
+}
+
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
   const auto words = reader.texts("of");
   if (!words) return;
@@ -64,21 +74,29 @@ void refuse_excitation(TableReader& reader, const std::string& name, const std::
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
+/// Nobody asks for no excitation; without the key all are taken.
+void refuse_none(TableReader& reader, const std::vector<std::string>& names) {
+  if (names.empty()) reader.error("excitations", "an empty list", "at least one excitation is wanted", "remove `excitations` for all");
+}
+
 }  // namespace
 
 std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind) {
   const auto names = reader.texts("excitations");
   if (!names) return {};
+  refuse_none(reader, *names);
   for (const std::string& name : *names)
     if (std::find(known.begin(), known.end(), name) == known.end()) refuse_excitation(reader, name, known, kind);
   return *names;
 }
 
 void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name) {
+  const std::string guess = foundation::nearest_name(name, names.components());
   if (names.is_guided(name))
     reader.error(name, "guided", "the `free` of its body leaves this coordinate out, so that it does not move", "limit a free coordinate or the force of an element, or add it to `free`");
   else
-    reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"", "check the name");
+    reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
 namespace {
@@ -102,6 +120,7 @@ std::string other_excitations(const Mentioned& mentioned) {
 std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned) {
   const auto names = reader.texts("excitations");
   if (!names) return {};
+  refuse_none(reader, *names);
   const auto type_of = [&](const std::string& name) -> std::string {
     for (const auto& [type, others] : by_other_types(mentioned))
       if (holds(*others, name) && !holds(mentioned.harmonic_excitations, name)) return type;

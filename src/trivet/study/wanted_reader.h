@@ -20,6 +20,9 @@ class ResultNames {
   /// What a full name (group, dot, component) measures, if it is one.
   [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const;
 
+  /// All full names.
+  [[nodiscard]] std::vector<std::string> components() const;
+
   /// A coordinate that the `free` of its body leaves out: it does not move.
   [[nodiscard]] bool is_guided(const std::string& name) const;
 
