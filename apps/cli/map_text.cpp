@@ -8,22 +8,29 @@
 #include <numeric>
 
 #include "cli/text_table.h"
+#include "trivet/study/axis_words.h"
 #include "trivet/study/map_verdicts.h"
+#include "trivet/study/shown_apart.h"
 
 namespace trivet::cli {
 namespace {
 
-std::string with_unit(double value, const study::MapAxis& axis) { return fmt::format("{:.5g}{}", value, axis.unit.empty() ? "" : " " + axis.unit); }
-
 std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
 
 std::string point_words(const study::DesignMap& map, const study::DesignPoint& p) {
-  return fmt::format("{} = {}, {} = {}", map.request.x.name, with_unit(p.x, map.request.x), map.request.y.name, with_unit(p.y, map.request.y));
+  return fmt::format("{} = {}, {} = {}", map.request.x.name, study::axis_value(p.x, map.request.x), map.request.y.name, study::axis_value(p.y, map.request.y));
 }
 
 std::string axis_words(const study::MapAxis& axis) {
   const std::string path = axis.name == axis.parameter ? "" : " (" + axis.parameter + ")";
-  return fmt::format("{}{} {:g} … {}, {} points{}", axis.name, path, axis.from, with_unit(axis.to, axis), axis.points, axis.logarithmic ? ", logarithmic" : "");
+  const std::string unit = study::axis_unit(axis);
+  const auto [from, to] = study::shown_apart(axis.from, axis.to, 6);
+  return fmt::format("{}{} {} … {}{}, {} points{}", axis.name, path, from, to, unit.empty() ? "" : " " + unit, axis.points, axis.logarithmic ? ", logarithmic" : "");
+}
+
+std::string band_words(const response::Band& band) {
+  const auto [from, to] = study::shown_apart(band.from, band.to, 6);
+  return fmt::format("amplitudes over {} … {} rad/s", from, to);
 }
 
 /// What the rules of this map are asked of.
@@ -31,7 +38,7 @@ std::string rules_text(const study::DesignMap& map) {
   const auto has = [&](response::DesignRule::Kind kind) { return std::any_of(map.rules.begin(), map.rules.end(), [&](const study::MapRule& rule) { return rule.kind == kind; }); };
   std::string text;
   if (has(response::DesignRule::Kind::amplitude))
-    text = map.request.band ? fmt::format("amplitudes over {:g} … {:g} rad/s", map.request.band->from, map.request.band->to) : "amplitudes over all frequencies";
+    text = map.request.band ? band_words(*map.request.band) : "amplitudes over all frequencies";
   if (has(response::DesignRule::Kind::no_peak))
     text += fmt::format("{}resonance peaks wherever they lie, from {:g} % above the minimum beside them", text.empty() ? "" : "; ", 100 * map.request.peak_tolerance);
   return "  " + text + "\n";
@@ -62,7 +69,7 @@ std::string shares_text(const study::DesignMap& map) {
 }
 
 std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
-  const auto place = [&](const std::optional<double>& value, const study::MapAxis& axis) { return value ? with_unit(*value, axis) : std::string("not in the file"); };
+  const auto place = [&](const std::optional<double>& value, const study::MapAxis& axis) { return value ? study::axis_value(*value, axis) : std::string("not in the file"); };
   std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name, place(mark.x, map.request.x), place(mark.y, map.request.y),
                                  !mark.judged ? "NOT COMPUTED" : mark.judged->governing.kept() ? "keeps every rule" : "BREAKS the rules");
   if (!mark.of_this_model) text += ", a model of its own beside the two numbers";

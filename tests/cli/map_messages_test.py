@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `trivet map` answers to a file that asks for no map."""
+"""What `trivet map` answers to a file that asks for no map, and the figures in its words."""
+import json
 import os
 import pathlib
 import subprocess
@@ -67,6 +68,17 @@ class MapMessages(unittest.TestCase):
 
     def test_no_excitation_is_not_all(self):
         self.assertIn("at least one excitation is wanted", self.map(BODY + "excitations = []\n", code=2))
+
+    def test_figures_have_the_digits_that_tell_them_apart(self):
+        self.assertRegex(self.map(BODY.replace('"1 mm"', '"0.0999999 mm"') + 'band = [0, 1e-9]\n'), "m.z reaches 0.0001 m at 0 rad/s, allowed 9.99999e-05")
+        narrow = self.map(BODY.replace("to = 1.5", "to = 0.5000000001").replace('limits = {', 'band = ["99.9999 rad/s", "100.0001 rad/s"]\nlimits = {'))
+        self.assertIn("0.5 … 0.5000000001", narrow)
+        self.assertIn("99.9999 … 100.0001 rad/s", narrow)
+
+    def test_bare_numbers_have_their_si_unit_everywhere(self):
+        self.assertIn("base model (1, 0.0001 s)", self.map(BODY))
+        self.assertEqual(json.loads(self.map(BODY, "--json"))["y"]["unit"], "s")
+        self.assertIn("elements.s.damping.proportional [s],margin", self.map(BODY, "--csv"))
 
 
 if __name__ == "__main__":

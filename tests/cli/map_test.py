@@ -5,6 +5,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import resource
 import subprocess
 import tempfile
@@ -141,6 +142,37 @@ class Map(unittest.TestCase):
                 self.assertIn(f"--picture: {picture}: pictures are SVG; name a file that ends in .svg", complaint)
                 self.assertNotIn("no such project", complaint)
             self.assertFalse(picture.exists())
+
+    def picture(self, *arguments):
+        target = self.folder / "map.svg"
+        run("map", self.project, "--picture", str(target), *arguments)
+        return target.read_text()
+
+    def test_a_picture_of_a_narrow_axis_counts_from_its_beginning(self):
+        svg = self.picture("--set", "analyses.map.x.from=1", "--set", "analyses.map.x.to=1.0000000001")
+        self.assertIn("stiffness scale of spring − 1<", svg)
+        ticks = re.findall(r'y="579.00" text-anchor="middle" fill="#333">([^<]*)<', svg)
+        self.assertGreater(len(ticks), 3)
+        self.assertEqual(len(ticks), len(set(ticks)))
+
+    def test_a_picture_tells_the_doubts_about_its_map(self):
+        inertia = ONE_MASS.replace("mass = 4", 'mass = 4\nallow_unphysical = true\ninertia = {about = "center_of_mass", xx = 50, yy = 2, zz = 2}')
+        pathlib.Path(self.project).write_text(inertia)
+        words = "Doubtful: bodies.mass: no real body has these numbers (allow_unphysical is set); every design is doubtful."
+        self.assertIn(words, self.picture())
+        run("run", self.project, "-o", str(self.folder / "out"))
+        self.assertIn(words, (self.folder / "out" / "00-base" / "map.svg").read_text())
+        self.assertGreater((self.folder / "out" / "report.html").read_text().count("every design is doubtful"), 2)  # picture, section, warnings
+
+    def test_a_picture_names_no_case_on_the_boundary(self):
+        """At the boundary's end the label would lie on it if it stood right of its point."""
+        pathlib.Path(self.project).write_text(ONE_MASS.replace("elements.spring.scale = 2", "elements.spring.scale = 0.6").replace('"90 ms"', '"200 ms"'))
+        svg = self.picture()
+        x, y = map(float, re.search(r'<text x="([0-9.]+)" y="([0-9.]+)"[^>]*>good<', svg).groups())
+        lines = [[tuple(map(float, p.split(","))) for p in points.split()] for points in re.findall(r'points="([^"]*)" stroke="#000" stroke-width="2.4"', svg)]
+        steps = [((1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]) for line in lines for a, b in zip(line, line[1:]) for t in (k / 50 for k in range(51))]
+        self.assertGreater(len(steps), 100)
+        self.assertFalse([p for p in steps if x - 1 < p[0] < x + 25 and y - 10 < p[1] < y + 2])
 
     def test_the_picture_says_which_cases_it_does_not_show(self):
         pathlib.Path(self.project).write_text(ONE_MASS + '[cases.far]\nelements.spring.scale = 9\n[cases.heavy]\nbodies.mass.mass = 8\n')

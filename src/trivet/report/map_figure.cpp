@@ -12,6 +12,7 @@
 #include "trivet/report/map_regions.h"
 #include "trivet/report/map_words.h"
 #include "trivet/report/plot_panel.h"
+#include "trivet/study/axis_words.h"
 
 namespace trivet::report {
 namespace {
@@ -170,19 +171,40 @@ void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
               kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\"" : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
 }
 
-/// Beside the point where it covers nothing, else farther off with a leader; some text is always drawn.
-void place_label(MapPicture& picture, PixelPoint p, const std::string& text) {
+/// Does a line of margin 1 run through a box?
+bool meets_boundary(const MapPicture& picture, const Box& box) {
+  constexpr double step = 3;  // pixels, less than a letter is high
+  for (const study::MapLine& line : picture.map.feasible.lines)
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const PixelPoint a = picture.at(line[k - 1]), b = picture.at(line[k]);
+      const int pieces = 1 + static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / step);
+      for (int i = 0; i <= pieces; ++i) {
+        const double x = a.x + (b.x - a.x) * i / pieces, y = a.y + (b.y - a.y) * i / pieces;
+        if (x > box.left && x < box.right && y > box.top && y < box.bottom) return true;
+      }
+    }
+  return false;
+}
+
+/// Beside the point where it covers nothing, else farther off with a leader. Was there room?
+bool is_placed(MapPicture& picture, PixelPoint p, const std::string& text, bool on_boundary) {
   const double width = width_of(text);
   for (const double distance : {9.0, 20.0, 34.0, 50.0, 70.0})
     for (const auto& [dx, dy] : {std::pair{1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, -0.8}, {-0.8, 0.8}}) {
       const double left = p.x + dx * distance - (dx < 0 ? width : dx == 0 ? width / 2 : 0), base = p.y + 4 + dy * (distance + 4);
       const Box box{left - 2, base - 11, left + width + 2, base + 3};
-      if (!picture.is_free(box)) continue;
+      if (!picture.is_free(box) || (!on_boundary && meets_boundary(picture, box))) continue;
       picture.taken.push_back(box);
       if (distance > 9) picture.canvas.line({p.x + 5 * dx, p.y + 5 * dy}, {std::clamp(p.x + dx * distance, left, left + width), base - 4 + (dy < 0 ? 5 : dy > 0 ? -5 : 0)}, "stroke=\"#333\" stroke-width=\"0.8\"");
       picture.canvas.text({left, base}, text, halo);
-      return;
+      return true;
     }
+  return false;
+}
+
+/// On a line of margin 1 only where there is no other room.
+void place_label(MapPicture& picture, PixelPoint p, const std::string& text) {
+  if (!is_placed(picture, p, text, false)) static_cast<void>(is_placed(picture, p, text, true));
 }
 
 struct PlacedMark {
@@ -211,7 +233,7 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
   const study::DesignOutcome& best = map.outcomes[*map.best];
   const study::DesignPoint p = map.point(*map.best);
   draw_best(canvas, key.sample(), best.kept());
-  const std::string where = fmt::format("{}, {}", value_words(p.x, map.request.x), value_words(p.y, map.request.y));
+  const std::string where = fmt::format("{}, {}", study::axis_value(p.x, map.request.x), study::axis_value(p.y, map.request.y));
   if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
   else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
 }
@@ -262,7 +284,8 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
 }  // namespace
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
-  const std::vector<std::string> notes = undrawn_cases(map);
+  std::vector<std::string> notes = doubts(map);
+  for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 990, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;
   MapPicture picture{map,
@@ -270,8 +293,8 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
                      {{88, 44},
                       590,
                       520,
-                      {map.request.x.from, map.request.x.to, map.request.x.logarithmic, axis_label(map.request.x)},
-                      {map.request.y.from, map.request.y.to, map.request.y.logarithmic, axis_label(map.request.y)}}};
+                      drawn_axis(map.request.x),
+                      drawn_axis(map.request.y)}};
   picture.canvas.text({width / 2, 22}, heading, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   Key key(picture.canvas, {picture.panel.corner.x + picture.panel.width + 22, picture.panel.corner.y});
   draw_regions(picture, key);

@@ -7,12 +7,13 @@
 #include "trivet/report/html_table.h"
 #include "trivet/report/map_words.h"
 #include "trivet/report/svg_canvas.h"
+#include "trivet/study/axis_words.h"
 #include "trivet/study/map_verdicts.h"
 
 namespace trivet::report {
 namespace {
 
-std::string value_or_dash(const std::optional<double>& value, const study::MapAxis& axis) { return value ? value_words(*value, axis) : "–"; }
+std::string value_or_dash(const std::optional<double>& value, const study::MapAxis& axis) { return value ? study::axis_value(*value, axis) : "–"; }
 
 std::string rules_table(const study::DesignMap& map) {
   std::vector<std::vector<Cell>> rows;
@@ -46,9 +47,10 @@ std::string map_tables(const study::Answers& answers) {
   if (map.best) {
     const study::DesignPoint p = map.point(*map.best);
     const char* what = std::isinf(map.outcomes[*map.best].margin) ? "In the midst of the designs that no rule limits" : map.outcomes[*map.best].kept() ? "Largest margin" : "No design keeps every rule; the nearest";
-    text += fmt::format(" {}: {} = {}, {} = {}.", what, axis_name(map.request.x), value_words(p.x, map.request.x), axis_name(map.request.y), value_words(p.y, map.request.y));
+    text += fmt::format(" {}: {} = {}, {} = {}.", what, axis_name(map.request.x), study::axis_value(p.x, map.request.x), axis_name(map.request.y), study::axis_value(p.y, map.request.y));
   }
   for (const study::MissingReason& reason : map.report.missing) text += fmt::format(" {} designs without an answer, for instance: {}.", reason.designs, reason.words);
+  for (const std::string& doubt : doubts(map)) text += " " + doubt;
   return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));
 }
 

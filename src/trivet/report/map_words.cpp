@@ -5,34 +5,34 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
+#include "trivet/study/axis_words.h"
 #include "trivet/study/design_parameter.h"
 
 namespace trivet::report {
 namespace {
 
-struct KeyWords {
-  const char* key;
-  const char* words;
-  const char* unit;   // of a bare number
-};
+/// Keys in the field's words.
+constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"scale", "stiffness scale"},
+                                                                             {"stiffening", "dynamic stiffening"},
+                                                                             {"proportional", "proportional damping δ"},
+                                                                             {"coefficient", "damping coefficient"},
+                                                                             {"loss_factor", "loss factor"},
+                                                                             {"mass", "mass"},
+                                                                             {"xx", "moment of inertia xx"},
+                                                                             {"yy", "moment of inertia yy"},
+                                                                             {"zz", "moment of inertia zz"},
+                                                                             {"xy", "product of inertia xy"},
+                                                                             {"xz", "product of inertia xz"},
+                                                                             {"yz", "product of inertia yz"}}};
 
-constexpr std::array<KeyWords, 11> known_keys = {{{"scale", "stiffness scale", ""},
-                                                  {"stiffening", "dynamic stiffening", ""},
-                                                  {"proportional", "proportional damping δ", "s"},
-                                                  {"loss_factor", "loss factor", ""},
-                                                  {"mass", "mass", "kg"},
-                                                  {"xx", "moment of inertia xx", "kg m²"},
-                                                  {"yy", "moment of inertia yy", "kg m²"},
-                                                  {"zz", "moment of inertia zz", "kg m²"},
-                                                  {"xy", "product of inertia xy", "kg m²"},
-                                                  {"xz", "product of inertia xz", "kg m²"},
-                                                  {"yz", "product of inertia yz", "kg m²"}}};
+/// Too short for ticks that show whole numbers.
+bool is_narrow(const study::MapAxis& axis) { return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to)); }
 
-const KeyWords* known(const std::vector<std::string>& keys) {
-  const auto found = std::find_if(known_keys.begin(), known_keys.end(), [&](const KeyWords& k) { return !keys.empty() && keys.back() == k.key; });
-  return found == known_keys.end() ? nullptr : &*found;
-}
+/// Numbers that no unit belongs to.
+bool is_pure(const std::string& key) { return key == "scale" || key == "stiffening" || key == "loss_factor"; }
 
 /// "A, B and 3 more"
 std::string listed(const std::vector<std::string>& names) {
@@ -54,17 +54,22 @@ std::string axis_name(const study::MapAxis& axis) {
   if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
   std::string words = keys.back();
   std::replace(words.begin(), words.end(), '_', ' ');
-  if (const KeyWords* k = known(keys)) words = k->words;
+  for (const auto& [key, meaning] : known_keys)
+    if (keys.back() == key) words = meaning;
   return keys.size() > 2 ? words + " of " + keys[1] : words;
 }
 
 std::string axis_label(const study::MapAxis& axis) {
   const std::vector<std::string> keys = study::path_keys(axis.parameter);
-  const std::string unit = !axis.unit.empty() ? axis.unit : known(keys) ? known(keys)->unit : "SI units";
-  return unit.empty() ? axis_name(axis) : fmt::format("{} [{}]", axis_name(axis), unit);
+  const std::string unit = study::axis_unit(axis), words = axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
+  if (unit.empty() && !keys.empty() && is_pure(keys.back())) return words;
+  return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }
 
-std::string value_words(double value, const study::MapAxis& axis) { return fmt::format("{:.5g}{}", value, axis.unit.empty() ? "" : " " + axis.unit); }
+Axis drawn_axis(const study::MapAxis& axis) {
+  if (is_narrow(axis)) return {0, axis.to - axis.from, false, axis_label(axis)};  // so short a logarithmic axis is a straight one
+  return {axis.from, axis.to, axis.logarithmic, axis_label(axis)};
+}
 
 bool is_drawn(const study::DesignMap& map, const study::MapMark& mark) { return mark.placed() && mark.of_this_model && mark.judged && in_frame(map, mark); }
 
@@ -75,12 +80,21 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
     const std::string name = mark.name.empty() ? "base model" : mark.name;
     if (!mark.judged) failed.push_back(name);
     else if (!mark.placed() || !mark.of_this_model) another.push_back(name);
-    else outside.push_back(fmt::format("{} ({}, {})", name, value_words(*mark.x, map.request.x), value_words(*mark.y, map.request.y)));
+    else outside.push_back(fmt::format("{} ({}, {})", name, study::axis_value(*mark.x, map.request.x), study::axis_value(*mark.y, map.request.y)));
   }
   std::vector<std::string> sentences;
   if (!outside.empty()) sentences.push_back("Outside the frame: " + listed(outside) + ".");
   if (!another.empty()) sentences.push_back("Not drawn because they differ from this map in more than the two numbers: " + listed(another) + ".");
   if (!failed.empty()) sentences.push_back("Not drawn because they could not be computed: " + listed(failed) + ".");
+  return sentences;
+}
+
+std::vector<std::string> doubts(const study::DesignMap& map) {
+  std::vector<std::string> sentences;
+  for (const foundation::Problem& warning : map.warnings.list()) {
+    const std::string subject = warning.subject.starts_with("map: ") ? warning.subject.substr(5) : warning.subject;
+    sentences.push_back(fmt::format("Doubtful: {}: {}; {}.", subject, warning.finding, warning.rule));
+  }
   return sentences;
 }
 

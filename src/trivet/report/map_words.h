@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/report/plot_panel.h"
 #include "trivet/study/design_map.h"
 
 namespace trivet::report {
@@ -14,11 +15,14 @@ namespace trivet::report {
 /// The same with its unit in brackets.
 [[nodiscard]] std::string axis_label(const study::MapAxis& axis);
 
-/// "0.12 s"
-[[nodiscard]] std::string value_words(double value, const study::MapAxis& axis);
+/// The axis as pictures draw it: one that is short beside its numbers counts from its beginning, and its label says so.
+[[nodiscard]] Axis drawn_axis(const study::MapAxis& axis);
 
 /// Why cases stand nowhere on the picture, one sentence for each reason; empty if all do.
 [[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);
+
+/// Warnings of the map, a sentence each.
+[[nodiscard]] std::vector<std::string> doubts(const study::DesignMap& map);
 
 /// Is a mark drawn: a design of this map inside its frame?
 [[nodiscard]] bool is_drawn(const study::DesignMap& map, const study::MapMark& mark);

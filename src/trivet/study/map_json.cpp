@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include "trivet/study/axis_words.h"
 #include "trivet/study/csv_field.h"
 #include "trivet/study/json_parts.h"
 #include "trivet/study/map_verdicts.h"
@@ -17,7 +18,7 @@ namespace {
 using json::Json;
 
 Json axis(const MapAxis& a) {
-  return {{"parameter", a.parameter}, {"name", a.name}, {"from", a.from}, {"to", a.to}, {"unit", a.unit}, {"spacing", a.logarithmic ? "logarithmic" : "linear"}, {"points", a.points}};
+  return {{"parameter", a.parameter}, {"name", a.name}, {"from", a.from}, {"to", a.to}, {"unit", axis_unit(a)}, {"spacing", a.logarithmic ? "logarithmic" : "linear"}, {"points", a.points}};
 }
 
 const char* kind(response::DesignRule::Kind kind) { return kind == response::DesignRule::Kind::amplitude ? "amplitude" : "no_peak"; }
@@ -156,7 +157,7 @@ void write_map_json(const DesignMap& map, const foundation::Problems& warnings, 
 }
 
 void write_map_csv(const DesignMap& map, const TextSink& sink) {
-  const auto head = [](const MapAxis& a) { return csv_field(a.unit.empty() ? a.name : a.name + " [" + a.unit + "]"); };
+  const auto head = [](const MapAxis& a) { return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]"); };
   Pieces pieces(sink);
   pieces.text() += head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
   std::vector<std::string> words;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/study/shown_apart.h"
+
 namespace trivet::study {
 
 std::string feasible_words(const DesignMap& map) {
@@ -29,8 +31,9 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
-    if (rule.kind == response::DesignRule::Kind::amplitude && value > rule.allowed)
-      words.push_back(fmt::format("{} reaches {:.4g} {} {}, allowed {:.4g}", rule.answer, value, rule.unit, std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at), rule.allowed));
+    if (rule.kind != response::DesignRule::Kind::amplitude || !(value > rule.allowed)) continue;
+    const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
+    words.push_back(fmt::format("{} reaches {} {} {}, allowed {}", rule.answer, reached, rule.unit, std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at), allowed));
   }
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {

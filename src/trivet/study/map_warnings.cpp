@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/spatial/mass_properties.h"
 #include "trivet/study/influence.h"
 
 namespace trivet::study {
@@ -70,10 +71,17 @@ void warn_of_drift(const Case& variant, const DesignMap& map, foundation::Proble
                        "start the band of the map above 0");
 }
 
+void warn_of_unphysical(const Case& variant, foundation::Problems& warnings) {
+  for (const model::Body& body : variant.system.bodies())
+    if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
+      warnings.warning("map: bodies." + body.name, "no real body has these numbers (allow_unphysical is set)", "every design is doubtful", "mend mass and inertia before the map is used");
+}
+
 }  // namespace
 
 foundation::Problems map_warnings(const Case& variant, const DesignMap& map) {
   foundation::Problems warnings;
+  warn_of_unphysical(variant, warnings);
   warn_of_contradictions(map, warnings);
   warn_of_idle(variant, map, warnings);
   warn_of_drift(variant, map, warnings);

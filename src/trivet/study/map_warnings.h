@@ -6,7 +6,7 @@
 
 namespace trivet::study {
 
-/// What a reader must know before trusting a map: marks that contradict the designs around them, answers that do not move, axes that change nothing,
+/// What a reader must know before trusting a map: bodies that cannot be, marks that contradict the designs around them, answers that do not move, axes that change nothing,
 /// limits that no design can keep at rest.
 /// @param variant  whose model it is
 [[nodiscard]] foundation::Problems map_warnings(const Case& variant, const DesignMap& map);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/axis_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "trivet/study/design_parameter.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 11> units = {{{"proportional", "s"},
+                                                                        {"coefficient", "N s/m"},
+                                                                        {"mass", "kg"},
+                                                                        {"angle", "rad"},
+                                                                        {"phase", "rad"},
+                                                                        {"xx", "kg m²"},
+                                                                        {"yy", "kg m²"},
+                                                                        {"zz", "kg m²"},
+                                                                        {"xy", "kg m²"},
+                                                                        {"xz", "kg m²"},
+                                                                        {"yz", "kg m²"}}};
+
+int digits_on(const MapAxis& axis) {
+  constexpr int usual = 5, most = 17;
+  const double steps = axis.points - 1;
+  const double step = axis.logarithmic ? std::expm1(std::log(axis.to / axis.from) / steps) : (axis.to - axis.from) / steps / std::max(std::abs(axis.from), std::abs(axis.to));
+  return std::clamp(1 + static_cast<int>(std::ceil(-std::log10(step))), usual, most);
+}
+
+}  // namespace
+
+std::string axis_unit(const MapAxis& axis) {
+  if (!axis.unit.empty()) return axis.unit;
+  const std::vector<std::string> keys = path_keys(axis.parameter);
+  const auto found = std::find_if(units.begin(), units.end(), [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
+  return found == units.end() ? "" : found->second;
+}
+
+std::string axis_value(double value, const MapAxis& axis) {
+  const std::string unit = axis_unit(axis);
+  return fmt::format("{:.{}g}{}", value, digits_on(axis), unit.empty() ? "" : " " + unit);
+}
+
+}  // namespace trivet::study

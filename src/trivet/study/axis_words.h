@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/analyses.h"
+
+namespace trivet::study {
+
+/// The unit of the numbers on an axis: that written beside from and to, else the SI unit that a bare number of this key has; empty if it has none or that is not known.
+[[nodiscard]] std::string axis_unit(const MapAxis& axis);
+
+/// "0.12 s", with the digits that tell neighbouring designs apart.
+[[nodiscard]] std::string axis_value(double value, const MapAxis& axis);
+
+}  // namespace trivet::study
