@@ -66,6 +66,7 @@ class MapWarnings(unittest.TestCase):
         strip = BODY.replace('limits = {"m.x" = "1 mm"}', 'limits = {"m.x" = "1 mm"}\nband = ["99.9 rad/s", "100.1 rad/s"]')
         done = self.warned(strip, "breaks a rule that all designs of the grid around it keep")
         self.assertIn("take more points, or narrower ranges around it", done.stderr)
+        self.assertIn("not to be trusted: a case contradicts all designs around it", done.stdout)
         self.assertNotIn("contradict", self.map(strip, "--points", "5x3").stdout)
 
     def test_answers_that_do_not_move(self):
@@ -88,6 +89,7 @@ class MapWarnings(unittest.TestCase):
         moved = BODY.replace('type = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [100, 0, 0]', 'type = "base"\ntranslation = ["1 mm/s", 0, 0]\nquantity = "velocity"')
         done = self.warned(moved, "has no bounded displacement at ω = 0")
         self.assertIn("start the band of the map above 0", done.stderr)
+        self.assertIn("m.x has no bound at 0 rad/s, allowed 0.001 m", done.stdout)
         self.assertNotIn("bounded", self.map(moved.replace("[analyses.map]", '[analyses.map]\nband = ["1 Hz", "60 Hz"]')).stderr)
 
     def test_cases_with_rules_of_their_own(self):

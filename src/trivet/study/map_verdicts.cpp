@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/study/map_warnings.h"
 #include "trivet/study/shown_apart.h"
 
 namespace trivet::study {
@@ -17,6 +18,7 @@ std::string feasible_words(const DesignMap& map) {
   if (map.steep > 0)
     text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
                         "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
+  if (std::any_of(map.marks.begin(), map.marks.end(), [&](const MapMark& mark) { return contradicts(map, mark); })) text += "; not to be trusted: a case contradicts all designs around it";
   return text;
 }
 
@@ -32,8 +34,13 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
     const MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind != response::DesignRule::Kind::amplitude || !(value > rule.allowed)) continue;
+    const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
+    if (std::isinf(value)) {
+      words.push_back(fmt::format("{} has no bound {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
+      continue;
+    }
     const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
-    words.push_back(fmt::format("{} reaches {} {} {}, allowed {}", rule.answer, reached, rule.unit, std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at), allowed));
+    words.push_back(fmt::format("{} reaches {} {} {}, allowed {}", rule.answer, reached, rule.unit, where, allowed));
   }
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {

@@ -21,20 +21,6 @@ std::vector<int> lines_around(double share, int points) {
   return {static_cast<int>(std::floor(place)), static_cast<int>(std::floor(place)) + 1};
 }
 
-/// Do all designs around a mark agree with each other, and not with it?
-bool contradicts(const DesignMap& map, const MapMark& mark) {
-  if (!mark.placed() || !mark.of_this_model || !mark.judged) return false;
-  const double x = map.request.x.share(*mark.x), y = map.request.y.share(*mark.y);
-  if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return false;
-  const bool kept = mark.judged->governing.kept();
-  for (const int j : lines_around(y, map.grid.ny))
-    for (const int i : lines_around(x, map.grid.nx)) {
-      const DesignOutcome& design = map.outcomes[map.grid.index(i, j)];
-      if (!design.known() || design.kept() == kept) return false;
-    }
-  return true;
-}
-
 void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings) {
   for (const MapMark& mark : map.marks)
     if (contradicts(map, mark))
@@ -78,6 +64,19 @@ void warn_of_unphysical(const Case& variant, foundation::Problems& warnings) {
 }
 
 }  // namespace
+
+bool contradicts(const DesignMap& map, const MapMark& mark) {
+  if (!mark.placed() || !mark.of_this_model || !mark.judged) return false;
+  const double x = map.request.x.share(*mark.x), y = map.request.y.share(*mark.y);
+  if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return false;
+  const bool kept = mark.judged->governing.kept();
+  for (const int j : lines_around(y, map.grid.ny))
+    for (const int i : lines_around(x, map.grid.nx)) {
+      const DesignOutcome& design = map.outcomes[map.grid.index(i, j)];
+      if (!design.known() || design.kept() == kept) return false;
+    }
+  return true;
+}
 
 foundation::Problems map_warnings(const Case& variant, const DesignMap& map) {
   foundation::Problems warnings;
