@@ -176,7 +176,7 @@ int answer_command(const std::string& which, const Options& options) {
     write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));
     return done;
   } catch (const BadArgument& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
     return wrong_input;
   }
 }

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 namespace trivet::cli {
 namespace {
@@ -25,8 +26,12 @@ void write_output(const std::string& text) {
     throw std::runtime_error(fmt::format("standard output: {}", errno ? std::strerror(errno) : "not everything was written"));
 }
 
+void write_error(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
+}
+
 void write_problems(const foundation::Problems& problems) {
-  for (const auto& problem : problems.list()) fmt::print(stderr, "{}\n", foundation::message(problem));
+  for (const auto& problem : problems.list()) write_error(foundation::message(problem) + "\n");
 }
 
 void catch_interrupts() {
@@ -37,7 +42,7 @@ foundation::Progress progress() {
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   return [terminal](std::string_view task, double fraction) {
     if (interrupted) throw foundation::Interrupted();
-    if (terminal) fmt::print(stderr, "\r\033[K{} {:.0f} %{}", task, 100 * fraction, fraction >= 1 ? "\r\033[K" : "");
+    if (terminal) write_error(fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, fraction >= 1 ? "\r\033[K" : ""));
   };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/foundation/problems.h"
@@ -12,6 +13,9 @@ enum ExitCode { done = 0, not_computed = 1, wrong_input = 2 };
 
 /// Writes to standard output and makes sure it arrived. @throws std::runtime_error if the disk is full or the reader is gone
 void write_output(const std::string& text);
+
+/// To standard error. Where nobody reads that either, nothing is left to be told.
+void write_error(std::string_view text);
 
 /// Every problem on a line of its own, on standard error.
 void write_problems(const foundation::Problems& problems);

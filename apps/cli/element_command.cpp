@@ -52,7 +52,7 @@ int element_command(const Options& options) {
     if (picture) picture->publish(report::element_picture(variant, element));
     return done;
   } catch (const BadArgument& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
     return wrong_input;
   }
 }

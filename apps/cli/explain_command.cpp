@@ -117,9 +117,9 @@ int explain_command(const Options& options) {
                                : explain_text(variant, explanation));
     return done;
   } catch (const BadArgument& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
   } catch (const foundation::InvalidInput& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
   }
   return wrong_input;
 }

@@ -100,10 +100,10 @@ int main(int argc, char** argv) {
   try {
     return dispatch(app, options);
   } catch (const trivet::foundation::Interrupted&) {
-    fmt::print(stderr, "\ninterrupted; nothing was left behind\n");
+    trivet::cli::write_error("\ninterrupted; nothing was left behind\n");
     return 130;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    trivet::cli::write_error(fmt::format("error: {}\n", error.what()));
     return trivet::cli::not_computed;
   }
 }

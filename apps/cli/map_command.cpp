@@ -64,7 +64,7 @@ int map_command(const Options& options) {
     if (picture) picture->publish(report::map_figure(map, project->title).svg);
     return done;
   } catch (const BadArgument& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
     return wrong_input;
   }
 }

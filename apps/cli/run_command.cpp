@@ -83,7 +83,7 @@ std::string case_text(const study::Case& variant, const study::Answers& answers)
 
 int run_command(const Options& options) {
   if (options.output.empty()) {
-    fmt::print(stderr, "error: -o \"\": the result folder needs a name\n");
+    write_error("error: -o \"\": the result folder needs a name\n");
     return wrong_input;
   }
   const auto project = read_or_complain(options);

@@ -142,9 +142,9 @@ int suspension_command(const Options& options) {
                                : suspension_text(variant, answer));
     return done;
   } catch (const BadArgument& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
   } catch (const foundation::InvalidInput& bad) {
-    fmt::print(stderr, "error: {}\n", bad.what());
+    write_error(fmt::format("error: {}\n", bad.what()));
   }
   return wrong_input;
 }

@@ -228,6 +228,16 @@ class Faults(InTemporaryFolder):
         self.assertEqual(done.returncode, 1)
         self.assertIn("No space left", done.stderr)
 
+    def test_without_a_reader_of_errors_it_ends_quietly(self):
+        read, write = os.pipe()
+        os.close(read)
+        try:
+            for arguments in (["peaks", str(PAPER)], ["peaks", "no such file"]):
+                done = subprocess.run([TRIVET, *arguments], stdout=write, stderr=write)
+                self.assertIn(done.returncode, (1, 2))  # and not by a signal
+        finally:
+            os.close(write)
+
     def test_a_closed_pipe_gives_a_message(self):
         reader, writer = os.pipe()
         os.close(reader)
