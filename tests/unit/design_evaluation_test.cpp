@@ -27,28 +27,8 @@ TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
 
 /// A body whose inertia breaks the triangle inequality, each design by other figures.
 TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
-  const study::Project project = test::project(R"(
-trivet = 1
-[bodies.block]
-mass = 10
-inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
-[elements.mount]
-type = "bushing"
-on = "block"
-at = [0.1, 0.2, 0.3]
-translation = [900, 1100, 1300]
-rotation = [90, 80, 70]
-damping = {proportional = 0.05}
-[excitations.force]
-type = "harmonic"
-on = "block"
-at = [0, 0, 0]
-force = [1, 2, 3]
-[analyses.map]
-x = {parameter = "bodies.block.inertia.xx", from = 1, to = 9, points = 9}
-y = {parameter = "bodies.block.mass", from = -10, to = 20, points = 7}
-no_peak = "coordinates"
-)");
+  const study::Project project = test::project(test::mapped_block("{parameter = \"bodies.block.inertia.xx\", from = 1, to = 9, points = 9}",
+                                                                  "{parameter = \"bodies.block.mass\", from = -10, to = 20, points = 7}"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   std::size_t missing = 0;
   for (const study::MissingReason& reason : map.report.missing) missing += reason.designs;
