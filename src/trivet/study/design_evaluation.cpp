@@ -14,6 +14,7 @@
 #include "trivet/foundation/pieces.h"
 #include "trivet/study/changes.h"
 #include "trivet/study/design_parameter.h"
+#include "trivet/study/highest_frequency.h"
 
 namespace trivet::study {
 namespace {
@@ -29,13 +30,6 @@ constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and 
 constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
 
 std::mutex reading;  // of all evaluations: the parser of units keeps its state in globals, and the files behind elements have one writer
-
-/// [rad/s], also of motions that grow; 1 where nothing holds the system.
-double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled) {
-  double highest = 0;
-  for (const modal::Mode& mode : modal::modes(system, assembled).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
-  return highest > 0 ? highest : 1;
-}
 
 /// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within what tables define.
 response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {

@@ -8,11 +8,11 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/modal/modes.h"
 #include "trivet/numerics/dynamic_matrices.h"
 #include "trivet/numerics/pivoted_solution.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/study/design_parameter.h"
+#include "trivet/study/highest_frequency.h"
 
 namespace trivet::study {
 namespace {
@@ -30,12 +30,6 @@ std::vector<std::string> answers_of(const std::vector<MapRule>& rules) {
   for (const MapRule& rule : rules)
     if (std::find(names.begin(), names.end(), rule.answer) == names.end()) names.push_back(rule.answer);
   return names;
-}
-
-double highest_natural_frequency(const model::System& system) {
-  double highest = 0;
-  for (const modal::Mode& mode : modal::modes(system, assembly::assemble(system)).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
-  return highest > 0 ? highest : 1;
 }
 
 Amplitudes amplitudes(const model::System& system, const MapRequest& request, const std::vector<std::string>& names, double top) {
@@ -70,7 +64,7 @@ bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <
 
 Influence influence(const Case& variant, const MapRequest& request, const std::vector<MapRule>& rules) {
   const std::vector<std::string> names = answers_of(rules);
-  const double top = highest_natural_frequency(variant.system);
+  const double top = highest_natural_frequency(variant.system, assembly::assemble(variant.system));
   std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
   Amplitudes largest = Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
   for (std::size_t i = 0; i < shares.size(); ++i)
