@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
@@ -28,8 +27,6 @@ DesignOutcome outcome_of(const response::Governing& least) {
 
 constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and few of them are open on a boundary
 constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
-
-std::mutex reading;  // of all evaluations: the parser of units keeps its state in globals, and the files behind elements have one writer
 
 /// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within what tables define.
 response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
@@ -167,7 +164,6 @@ std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& s
 
 foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
   const std::vector<Node> changes = {change_of(x_keys_, point.x, request_.x.unit), change_of(y_keys_, point.y, request_.y.unit)};
-  const std::lock_guard lock(reading);
   return changed_system(case_, changes);
 }
 

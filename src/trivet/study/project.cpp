@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <set>
 #include <tuple>
 
@@ -170,6 +171,8 @@ const Case* Project::find(const std::string& name) const {
 }
 
 foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
+  static std::mutex reading;  // the parser of units keeps its state in globals, and the files behind elements have one writer
+  const std::lock_guard lock(reading);
   Node document = without_questions(variant.document);
   foundation::Problems problems;
   for (const Node& change : changes) apply_changes(document, change, "", problems);

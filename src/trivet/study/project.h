@@ -33,7 +33,8 @@ struct Project {
   [[nodiscard]] const Case* find(const std::string& name) const;
 };
 
-/// The model of a case with further changes laid over it, one after the other; it answers no questions of its own. All problems at once.
+/// The model of a case with further changes laid over it, one after the other; it answers no questions of its own. All problems at
+/// once. From several threads one waits for the other.
 [[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes);
 
 /// Reads and checks a project file with the given `--set` changes; all problems of all cases at once.
