@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "trivet/numerics/dynamic_matrices.h"
@@ -45,11 +46,15 @@ std::vector<double> nodes_between(double from, double to, int count) {
   return nodes;
 }
 
-/// Largest difference between entries over what they are measured by.
+/// Largest difference between entries over what they are measured by; infinite where one is not a number.
 double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
   double worst = 0;
   for (Eigen::Index e = 0; e < exact.size(); ++e)
-    if (const double one = interpolated(e) == exact(e) ? 0 : std::abs(interpolated(e) - exact(e)) / scale(e); !(one <= worst)) worst = one;
+    if (interpolated(e) != exact(e)) {
+      const double one = std::abs(interpolated(e) - exact(e)) / scale(e);
+      if (std::isnan(one)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, one);
+    }
   return worst;
 }
 
@@ -197,7 +202,7 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     const auto design = asked(point);
     if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
-    if (!(worst <= reproduced_within))  // nor what is not a number
+    if (worst > reproduced_within)
       return declined(fmt::format("matrices that the polynomials along {} and {} together do not meet within {:.0e}", x.name, y.name, reproduced_within));
     family.worst_ = std::max(family.worst_, worst);
   }
