@@ -2,6 +2,7 @@
 #include "trivet/numerics/extremum.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "trivet/numerics/axis_panels.h"
 
@@ -15,6 +16,21 @@ std::vector<Extremum> alternating(std::vector<Extremum> all) {
     else if ((e.amplitude > result.back().amplitude) == e.maximum) result.back() = e;
   }
   return result;
+}
+
+CurveHeights heights_of(const SearchedCurve& curve, double from, double to, bool start_is_scale) {
+  CurveHeights heights;
+  heights.highest_at = from;
+  const auto add = [&](double amplitude, double omega) {
+    const double height = std::isnan(amplitude) ? std::numeric_limits<double>::infinity() : amplitude;  // Z is singular
+    heights.along.push_back(height);
+    if (std::isfinite(height) && (start_is_scale || heights.along.size() > 1)) heights.finite_top = std::max(heights.finite_top, height);
+    if (height > heights.highest) heights.highest = height, heights.highest_at = omega;
+  };
+  add(curve.at_start, from);
+  for (const Extremum& e : curve.extrema) add(e.amplitude, e.angular_frequency);
+  add(curve.at_end, to);
+  return heights;
 }
 
 std::array<double, 4> around_pole(double pole) {

@@ -31,6 +31,18 @@ struct SearchedCurve {
 /// A curve below this share of what its coordinates could make of it is zero but for round-off.
 inline constexpr double vanishing_share = 1e-12;
 
+/// Heights along a curve from its start through its extrema to its end.
+struct CurveHeights {
+  std::vector<double> along;  ///< infinite where Z is singular
+  double highest = 0;
+  double highest_at = 0;      ///< [rad/s], the first of equals
+  double finite_top = 0;      ///< the highest that is finite: the scale of its peaks
+};
+
+/// @param from, to        the ends of the search [rad/s]
+/// @param start_is_scale  false: towards a free motion or an unbounded motion of the ground a curve may rise without end, which is no scale for its peaks
+[[nodiscard]] CurveHeights heights_of(const SearchedCurve& curve, double from, double to, bool start_is_scale = true);
+
 /// All extrema of some curves.
 struct AxisSearch {
   std::vector<SearchedCurve> curves;

@@ -93,30 +93,16 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
     if (rests && std::isfinite(curve.at_start)) summary.static_amplitude = curve.at_start;
     summary.vanishes = !loaded || curve.largest_share <= numerics::vanishing_share;
     if (summary.vanishes) continue;
+    const numerics::CurveHeights heights = numerics::heights_of(curve, found.from, found.to, !rigid);
+    summary.highest = heights.highest;
+    summary.highest_at = heights.highest_at;
     result.turnings[c] = std::move(curve.extrema);
-
-    // Towards a free motion or an unbounded motion of the ground a curve may rise without end: that is no scale for its peaks.
-    double finite_top = 0;
-    for (const double height : {rigid ? 0 : curve.at_start, curve.at_end})
-      if (std::isfinite(height)) finite_top = std::max(finite_top, height);
-    summary.highest = std::max(std::isnan(curve.at_start) ? 0 : curve.at_start, curve.at_end);
-    summary.highest_at = curve.at_end > curve.at_start ? found.to : found.from;
-    std::vector<double> heights = {curve.at_start};
-    for (const Extremum& t : result.turnings[c]) {
-      heights.push_back(t.amplitude);
-      if (std::isfinite(t.amplitude)) finite_top = std::max(finite_top, t.amplitude);
-      if (t.amplitude > summary.highest) {
-        summary.highest = t.amplitude;
-        summary.highest_at = t.angular_frequency;
-      }
-    }
-    heights.push_back(curve.at_end);
     for (std::size_t i = 0; i < result.turnings[c].size(); ++i) {
       const Extremum& t = result.turnings[c][i];
       if (!t.maximum) continue;
       foundation::report_progress(progress, "peaks", 0.5 + 0.5 * static_cast<double>(c) / static_cast<double>(channels.size()));
-      Peak peak{c, t.angular_frequency, t.amplitude, numerics::prominence(heights, i + 1), {}, {}, t.uncertainty, 0, false};
-      if (!(peak.prominence > options.min_prominence * finite_top)) continue;
+      Peak peak{c, t.angular_frequency, t.amplitude, numerics::prominence(heights.along, i + 1), {}, {}, t.uncertainty, 0, false};
+      if (!(peak.prominence > options.min_prominence * heights.finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
         const numerics::RefinedPeak refined = exact ? numerics::RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, numerics::circle_accuracy * t.amplitude, true}
                                               : options.refine ? numerics::refine_peak(system, channels[c].curve(), t.angular_frequency, t.reach)
