@@ -33,16 +33,13 @@ inline numerics::Designs random_designs(Eigen::Index count, double least = -1.5,
     Matrix6 turn = Matrix6::Identity();
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) turn(i, j) += 0.1 * draw() * unit[j] / unit[i];
-    return scale * (turn.transpose() * x * turn);
-  };
-  const auto put = [](Eigen::ArrayXXd& packed, Eigen::Index row, const Matrix6& x) {
-    for (int i = 0, k = 0; i < 6; ++i)
-      for (int j = 0; j <= i; ++j, ++k) packed(row, k) = (x(i, j) + x(j, i)) / 2;
+    const Matrix6 turned = scale * (turn.transpose() * x * turn);
+    return (turned + turned.transpose()) / 2;
   };
   for (Eigen::Index d = 0; d < count; ++d) {
-    put(designs.A, d, varied(m.A, std::exp(0.3 * draw())));
-    put(designs.B, d, varied(m.B, std::pow(10, (least + most) / 2 + (most - least) / 2 * draw())));
-    put(designs.K, d, varied(m.K, std::exp(draw())));
+    numerics::pack(varied(m.A, std::exp(0.3 * draw())), designs.A, d);
+    numerics::pack(varied(m.B, std::pow(10, (least + most) / 2 + (most - least) / 2 * draw())), designs.B, d);
+    numerics::pack(varied(m.K, std::exp(draw())), designs.K, d);
   }
   return designs;
 }

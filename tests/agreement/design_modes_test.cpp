@@ -29,18 +29,6 @@ Eigen::MatrixXd random_matrix(std::mt19937& generator, int n) {
   return Eigen::MatrixXd::NullaryExpr(n, n, [&] { return normal(generator); });
 }
 
-void set_row(Eigen::ArrayXXd& rows, Eigen::Index design, const Eigen::MatrixXd& matrix) {
-  for (Eigen::Index i = 0, entry = 0; i < matrix.rows(); ++i)
-    for (Eigen::Index j = 0; j <= i; ++j, ++entry) rows(design, entry) = matrix(i, j);
-}
-
-Eigen::MatrixXd row(const Eigen::ArrayXXd& rows, Eigen::Index design, Eigen::Index n) {
-  Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index i = 0, entry = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j <= i; ++j, ++entry) matrix(i, j) = matrix(j, i) = rows(design, entry);
-  return matrix;
-}
-
 Designs empty_designs(Eigen::Index count, int n) {
   const Eigen::Index entries = n * (n + 1) / 2;
   return {Eigen::ArrayXXd(count, entries), Eigen::ArrayXXd::Zero(count, entries), Eigen::ArrayXXd(count, entries), Eigen::ArrayXXd::Ones(1, n)};
@@ -55,8 +43,8 @@ Designs random_designs(Eigen::Index count, int n, unsigned seed) {
     const Eigen::MatrixXd g = random_matrix(generator, n), h = random_matrix(generator, n);
     const Eigen::VectorXd unit = Eigen::VectorXd::NullaryExpr(n, [&] { return std::pow(10.0, exponent(generator)); });
     const Eigen::MatrixXd mass = g * g.transpose() + 0.5 * n * Eigen::MatrixXd::Identity(n, n), stiffness = h * h.transpose() + Eigen::MatrixXd::Identity(n, n);
-    set_row(designs.A, design, unit.asDiagonal() * mass * unit.asDiagonal());
-    set_row(designs.K, design, 1e4 * (unit.asDiagonal() * stiffness * unit.asDiagonal()));
+    numerics::pack(unit.asDiagonal() * mass * unit.asDiagonal(), designs.A, design);
+    numerics::pack(1e4 * (unit.asDiagonal() * stiffness * unit.asDiagonal()), designs.K, design);
   }
   return designs;
 }
@@ -70,7 +58,7 @@ Eigen::VectorXd squared_singular_values(const Extended& K, const Extended& A) {
 
 void expect_modes(const Designs& designs, const DesignModes& found, int n, double tolerance) {
   for (Eigen::Index design = 0; design < designs.A.rows(); ++design) {
-    const Extended A = row(designs.A, design, n).cast<long double>(), K = row(designs.K, design, n).cast<long double>();
+    const Extended A = numerics::unpacked(designs.A, design).cast<long double>(), K = numerics::unpacked(designs.K, design).cast<long double>();
     const Eigen::VectorXd exact = squared_singular_values(K, A), values = found.lambda.row(design);
     ASSERT_TRUE(found.definite[static_cast<std::size_t>(design)]);
     for (int i = 0; i < n; ++i)
@@ -108,8 +96,8 @@ TEST(DesignModes, SoftModesBesideStiffOnesKeepTheirDigits) {
     std::mt19937 generator(static_cast<unsigned>(design));
     const Eigen::MatrixXd g = random_matrix(generator, 6);
     const Eigen::VectorXd stiff = (Eigen::VectorXd(6) << 1e-3, 1, 1e3, 1e4, 1e6, 1e8).finished().cwiseSqrt();
-    set_row(designs.A, design, Eigen::MatrixXd::Identity(6, 6));
-    set_row(designs.K, design, stiff.asDiagonal() * (0.1 * (g + g.transpose()) / g.norm() + Eigen::MatrixXd::Identity(6, 6)) * stiff.asDiagonal());
+    numerics::pack(Eigen::MatrixXd::Identity(6, 6), designs.A, design);
+    numerics::pack(stiff.asDiagonal() * (0.1 * (g + g.transpose()) / g.norm() + Eigen::MatrixXd::Identity(6, 6)) * stiff.asDiagonal(), designs.K, design);
   }
   expect_modes(designs, numerics::design_modes(designs), 6, round_off);
 }
@@ -121,12 +109,12 @@ TEST(DesignModes, CoincidentAndRigidModesStayOrthonormal) {
     const Eigen::MatrixXd g = random_matrix(generator, 6), a = g * g.transpose() + Eigen::MatrixXd::Identity(6, 6);
     const Eigen::MatrixXd basis = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(g + g.transpose(), a).eigenvectors().inverse();
     const Eigen::VectorXd lambda = (Eigen::VectorXd(6) << 0, 0, 7, 7, 7, 100).finished();
-    set_row(designs.A, design, a);
-    set_row(designs.K, design, basis.transpose() * lambda.asDiagonal() * basis);
+    numerics::pack(a, designs.A, design);
+    numerics::pack(basis.transpose() * lambda.asDiagonal() * basis, designs.K, design);
   }
   const DesignModes found = numerics::design_modes(designs);
   for (Eigen::Index design = 0; design < 9; ++design) {
-    const Eigen::MatrixXd phi = Eigen::VectorXd(found.shapes.row(design)).reshaped(6, 6), A = row(designs.A, design, 6), K = row(designs.K, design, 6);
+    const Eigen::MatrixXd phi = Eigen::VectorXd(found.shapes.row(design)).reshaped(6, 6), A = numerics::unpacked(designs.A, design), K = numerics::unpacked(designs.K, design);
     EXPECT_LE((phi.transpose() * A * phi - Eigen::MatrixXd::Identity(6, 6)).cwiseAbs().maxCoeff(), round_off);
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 7, 7, 7, 100).finished();
     EXPECT_LE((phi.transpose() * K * phi - Eigen::MatrixXd(expected.asDiagonal())).cwiseAbs().maxCoeff(), 100 * round_off);
@@ -139,7 +127,7 @@ TEST(DesignModes, AMassThatIsNotDefiniteIsFlaggedAndNeverSolved) {
   const auto spoil = [&](Eigen::Index design, double smallest) {
     Eigen::MatrixXd mass = Eigen::MatrixXd::Ones(6, 6) * 0.5 + 0.5 * Eigen::MatrixXd::Identity(6, 6);
     mass(5, 4) = mass(4, 5) = 1 - smallest;  // rows 4 and 5 alike but for this
-    set_row(designs.A, design, mass);
+    numerics::pack(mass, designs.A, design);
   };
   spoil(3, 0);
   spoil(4, 1e-15);

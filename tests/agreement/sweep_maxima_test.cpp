@@ -25,22 +25,11 @@ Designs random_designs(Eigen::Index count, Eigen::Index n, bool one_load) {
   for (Eigen::Index d = 0; d < count; ++d) {
     const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n), q = Eigen::MatrixXd::Random(n, n);
     const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) + r * r.transpose(), B = 0.05 * q * q.transpose(), K = 100 * s * s.transpose();
-    for (Eigen::Index i = 0, at = 0; i < n; ++i)
-      for (Eigen::Index j = 0; j <= i; ++j, ++at) designs.A(d, at) = A(i, j), designs.B(d, at) = B(i, j), designs.K(d, at) = K(i, j);
+    pack(A, designs.A, d);
+    pack(B, designs.B, d);
+    pack(K, designs.K, d);
   }
   return designs;
-}
-
-DynamicMatrices design(const Designs& designs, Eigen::Index which) {
-  const Eigen::Index n = designs.coordinates();
-  DynamicMatrices m{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n), {}, true};
-  for (Eigen::Index i = 0, at = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j <= i; ++j, ++at) {
-      m.A(i, j) = m.A(j, i) = designs.A(which, at);
-      m.B(i, j) = m.B(j, i) = designs.B(which, at);
-      m.K(i, j) = m.K(j, i) = designs.K(which, at);
-    }
-  return m;
 }
 
 std::vector<double> frequencies(std::size_t count) {
@@ -57,8 +46,8 @@ TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
     const SweepMaxima together = sweep_maxima(designs, omega, quick);
     for (Eigen::Index d = 0; d < designs.count(); ++d) {
       const Eigen::VectorXcd load = designs.load.row(designs.load.rows() > 1 ? d : 0).matrix().transpose().cast<Complex>();
-      const Eigen::MatrixXd all = sweep(design(designs, d), load, omega, quick).response.cwiseAbs();
-      const SweepMaxima found = sweep_maxima(design(designs, d), load, omega, quick);
+      const Eigen::MatrixXd all = sweep(matrices_of(designs, d), load, omega, quick).response.cwiseAbs();
+      const SweepMaxima found = sweep_maxima(matrices_of(designs, d), load, omega, quick);
       for (Eigen::Index j = 0; j < n; ++j) {
         Eigen::Index where = 0;
         EXPECT_NEAR(found.amplitude(0, j), all.row(j).maxCoeff(&where), round_off * found.amplitude(0, j));

@@ -50,8 +50,9 @@ inline numerics::Designs random_designs(int count, int n, double least, unsigned
     }
     const Eigen::MatrixXd K = to_modes.transpose() * omega.cwiseAbs2().asDiagonal() * to_modes;
     const Eigen::MatrixXd B = kind == DampingKind::of_stiffness ? Eigen::MatrixXd(ratio() / 20 * K) : Eigen::MatrixXd(to_modes.transpose() * modal * to_modes);
-    for (int i = 0, k = 0; i < n; ++i)
-      for (int j = 0; j <= i; ++j, ++k) designs.A(d, k) = A(i, j), designs.B(d, k) = B(i, j), designs.K(d, k) = K(i, j);
+    numerics::pack(A, designs.A, d);
+    numerics::pack(B, designs.B, d);
+    numerics::pack(K, designs.K, d);
     designs.load.row(d) = random(1, n).array();
   }
   return designs;

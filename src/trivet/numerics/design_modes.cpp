@@ -121,8 +121,8 @@ DesignModes design_modes(const Designs& designs, const DesignModesOptions& optio
 
 void design_modes(const Designs& designs, DesignModes& result, const DesignModesOptions& options) {
   const Eigen::Index count = designs.A.rows(), entries = designs.A.cols();
-  const int n = static_cast<int>((std::sqrt(8.0 * static_cast<double>(entries) + 1) - 1) / 2);
-  if (n < 1 || n * (n + 1) / 2 != entries || designs.K.cols() != entries || designs.K.rows() != count)
+  const int n = static_cast<int>(coordinates_of(entries));
+  if (n < 1 || designs.K.cols() != entries || designs.K.rows() != count)
     throw foundation::InvalidInput("designs: A and K must have as many rows and n(n + 1)/2 columns, n ≥ 1");
   result.lambda.resize(count, n);
   result.shapes.resize(count, options.shapes ? n * n : 0);

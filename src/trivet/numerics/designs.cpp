@@ -17,8 +17,18 @@ void require_shapes(const Designs& designs, const char* what) {
   if (designs.load.rows() != 1 && designs.load.rows() != designs.count()) refuse("the load needs one row, or one for every design");
 }
 
+Eigen::Index coordinates_of(Eigen::Index entries) {
+  const auto n = static_cast<Eigen::Index>((std::sqrt(8.0 * static_cast<double>(entries) + 1) - 1) / 2);
+  return n * (n + 1) / 2 == entries ? n : 0;
+}
+
+void pack(const Eigen::MatrixXd& matrix, Eigen::ArrayXXd& packed, Eigen::Index design) {
+  for (Eigen::Index i = 0, entry = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j <= i; ++j, ++entry) packed(design, entry) = matrix(i, j);
+}
+
 Eigen::MatrixXd unpacked(const Eigen::ArrayXXd& packed, Eigen::Index design) {
-  const auto n = static_cast<Eigen::Index>((std::sqrt(8.0 * static_cast<double>(packed.cols()) + 1) - 1) / 2);
+  const Eigen::Index n = coordinates_of(packed.cols());
   Eigen::MatrixXd matrix(n, n);
   for (Eigen::Index i = 0, entry = 0; i < n; ++i)
     for (Eigen::Index j = 0; j <= i; ++j, ++entry) matrix(i, j) = matrix(j, i) = packed(design, entry);

@@ -23,6 +23,12 @@ struct Designs {
 /// every design, and one row of the load or one for every design
 void require_shapes(const Designs& designs, const char* what);
 
+/// n of a packed lower triangle of n(n + 1)/2 entries; 0 if no n has so many.
+[[nodiscard]] Eigen::Index coordinates_of(Eigen::Index entries);
+
+/// The lower triangle of a symmetric matrix as row `design` of A, B or K.
+void pack(const Eigen::MatrixXd& matrix, Eigen::ArrayXXd& packed, Eigen::Index design);
+
 /// Row `design` of A, B or K as a matrix.
 [[nodiscard]] Eigen::MatrixXd unpacked(const Eigen::ArrayXXd& packed, Eigen::Index design);
 

@@ -35,8 +35,8 @@ Extended quadratic_form(const Eigen::MatrixXd& m, const double* v) {
 std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
   const int n = static_cast<int>(m.size());
   Designs design{Eigen::ArrayXXd(1, n * (n + 1) / 2), {}, Eigen::ArrayXXd(1, n * (n + 1) / 2), {}};
-  for (int i = 0, entry = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j, ++entry) design.A(0, entry) = m.A(i, j), design.K(0, entry) = m.K(i, j);
+  pack(m.A, design.A, 0);
+  pack(m.K, design.K, 0);
   const DesignModes found = design_modes(design, {.threads = 1});
   if (!found.definite[0] || !(found.lambda(0, 0) > 0)) return std::nullopt;
   ExtendedModes modes;
