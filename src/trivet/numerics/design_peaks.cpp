@@ -48,25 +48,11 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
 }
 
 ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const PeakQuestion& question) {
-  const auto height = [](double y) { return std::isnan(y) ? std::numeric_limits<double>::infinity() : y; };  // Z is singular
-  const double start = height(curve.at_start), end = height(curve.at_end);
-  ChannelPeaks answer{start, question.from, 0, 0};
-  double top = std::isfinite(start) ? start : 0;
-  const auto see = [&](double amplitude, double omega) {
-    if (std::isfinite(amplitude)) top = std::max(top, amplitude);
-    if (!(amplitude > answer.highest)) return;
-    answer.highest = amplitude;
-    answer.highest_at = omega;
-  };
-  std::vector<double> heights = {start};
-  for (const Extremum& e : curve.extrema) {
-    heights.push_back(e.amplitude);
-    if (e.maximum) see(e.amplitude, e.angular_frequency);
-  }
-  see(end, question.to);
-  heights.push_back(end);
+  if (curve.largest_share <= vanishing_share) return {0, question.from, 0, 0};
+  const CurveHeights heights = heights_of(curve, question.from, question.to);
+  ChannelPeaks answer{heights.highest, heights.highest_at, 0, 0};
   if (!question.count_peaks) return answer;
-  const PeakCount count = prominent_peaks(heights, question.min_prominence * top);
+  const PeakCount count = prominent_peaks(heights.along, question.min_prominence * heights.finite_top);
   answer.peaks = count.peaks;
   answer.largest_rise = count.largest_rise;
   return answer;

@@ -25,16 +25,23 @@ struct Band {
   double from = 0, to = 0;
 };
 
+/// Where the sizes of coordinates on a panel are taken: in its middle, or where the last one begins.
+double where_sized(const Panel& panel) { return panel.at_infinity ? 1 / panel.radius : panel.centre; }
+
+/// Their sizes there if all weighed the same.
+Eigen::VectorXd sizes_on(const Panel& panel, const SeriesAtInfinity& q, const Eigen::VectorXd& scale) {
+  const Eigen::VectorXcd there = panel.at_infinity ? Eigen::VectorXcd(std::pow(panel.radius, q.power) * q.coefficients.rowwise().sum()) : Eigen::VectorXcd(q.coefficients.col(0));
+  return there.cwiseAbs().cwiseQuotient(scale).maxCoeff() * scale;
+}
+
 void search_panel(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates, const Eigen::VectorXd& sizes,
                   const Eigen::VectorXd& given, const Band& band, SearchedCurve& result) {
   const CurveSeries series = curve_series(curve, panel, coordinates);
-  if (panel.at_infinity) {
-    result.at_end = limit_at_infinity(series);
-  } else {
-    const double size = size_of(series), possible = possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, panel.centre)).value();
-    if (!(size > vanishing_share * possible)) return;  // its ups and downs are round-off
-    result.largest_share = std::max(result.largest_share, size / possible);
-  }
+  if (panel.at_infinity) result.at_end = limit_at_infinity(series);
+  const double size = size_of(series) * (panel.at_infinity ? std::pow(panel.radius, series.power) : 1);
+  const double possible = possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
+  if (!(size > vanishing_share * possible)) return;  // its ups and downs are round-off
+  result.largest_share = std::max(result.largest_share, size / possible);
   add_extrema(series, panel, band.from, band.to, result.extrema);
 }
 
@@ -90,8 +97,8 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
       for (SearchedCurve& curve : result.curves) curve.complete = false;
       continue;
     }
-    const Eigen::VectorXd sizes = q.response.coefficients.col(0).cwiseAbs().cwiseQuotient(scale).maxCoeff() * scale;
-    const Eigen::VectorXd given = panel.at_infinity || system.given.vanishes() ? Eigen::VectorXd() : system.given.possible(panel.centre);
+    const Eigen::VectorXd sizes = sizes_on(panel, q.response, scale);
+    const Eigen::VectorXd given = system.given.vanishes() ? Eigen::VectorXd() : system.given.possible(where_sized(panel));
     for (std::size_t c = 0; c < curves.size(); ++c) search_panel(curves[c], panel, q, sizes, given, band, result.curves[c]);
   }
   std::vector<double> inside;

@@ -14,7 +14,7 @@ struct FoundExtremum {
   double upper = 0;
   bool maximum = false;
   double value = 0;   ///< half of |y|², once refined
-  double missed = 0;  ///< what a further step would change of it, at most
+  double missed = 0;  ///< what a further step would change of it, and round-off
 };
 
 using FoundExtrema = std::vector<FoundExtremum>;

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "trivet/numerics/coupling-inl.h"
 #include "trivet/numerics/maxima_from_roots.h"
-#include "trivet/numerics/tabled_roots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -18,11 +18,16 @@ void maxima_of(Size n, const RootTable& table, const std::vector<double>& omega,
   PoleProducts products;
   SquaredResponse f[Size::most];
   Pack best[Size::most], where[Size::most];
+  PackOfResidues residues;
+  LaneMask known = hn::Eq(all(0.0), all(0.0));
   roots_in_table(n, table, lane, roots, poles);
+  residues_in_table(n, table, lane, roots, residues);
   form_products(roots, products);
   for (int j = 0; j < n; ++j) {
     PairPack r[most_pairs];
-    for (int k = 0; k < n; ++k) r[k] = {from_table(table.r_first[k][j], lane), from_table(table.r_second[k][j], lane)};
+    Pack weight[most_pairs];
+    for (int k = 0; k < n; ++k) r[k] = residues.r[k][j], weight[k] = hn::Mul(residues.unit[j], residues.unit[j]);
+    known = hn::And(known, drop_round_off(n, residues, weight, r));
     form_squared_response(roots, products, r, 0, true, f[j]);
     best[j] = all(-1.0);
     where[j] = all(omega.front());
@@ -45,7 +50,9 @@ void maxima_of(Size n, const RootTable& table, const std::vector<double>& omega,
   for (int j = 0; j < n; ++j) {
     hn::StoreU(hn::Sqrt(hn::Max(hn::Zero(Lanes()), hn::Add(best[j], best[j]))), Lanes(), maxima.amplitude[j] + lane);
     hn::StoreU(where[j], Lanes(), maxima.angular_frequency[j] + lane);
+    known = hn::And(known, has_digits(poles, f[j], hn::Mul(where[j], where[j]), best[j]));
   }
+  store_mask(known, maxima.known + lane);
 }
 
 void maxima_in_lanes(const RootTable& table, const std::vector<double>& omega, TableMaxima& maxima) {

@@ -11,10 +11,10 @@
 
 #include "trivet/numerics/axis_tail-inl.h"
 #include "trivet/numerics/certain_top-inl.h"
+#include "trivet/numerics/coupling-inl.h"
 #include "trivet/numerics/peak_count.h"
 #include "trivet/numerics/peak_question.h"
 #include "trivet/numerics/refined_extrema-inl.h"
-#include "trivet/numerics/tabled_roots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -45,22 +45,38 @@ HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves,
   }
 }
 
-/// Residues of one channel; zero columns of the rows are skipped.
-HWY_NOINLINE void residues_of(const RootTable& table, int lane, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
-  for (int k = 0; k < poles.count; ++k) {
-    PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())}, rate = sum;
-    for (int j = 0; j < table.coordinates; ++j) {
-      const double on_displacement = row.on_displacement(j), on_velocity = row.on_velocity.size() > 0 ? row.on_velocity(j) : 0;
-      const Pack first = from_table(table.r_first[k][j], lane), second = from_table(table.r_second[k][j], lane);
-      if (on_displacement != 0) sum = {hn::MulAdd(all(on_displacement), first, sum.first), hn::MulAdd(all(on_displacement), second, sum.second)};
-      if (on_velocity != 0) rate = {hn::MulAdd(all(on_velocity), first, rate.first), hn::MulAdd(all(on_velocity), second, rate.second)};
-    }
-    r[k] = sum;
+/// A row times the residues of one pair of poles; its zeros are skipped.
+HWY_INLINE PairPack row_times(const Eigen::VectorXd& row, const PairPack* r) {
+  PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())};
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (row(j) != 0) sum = {hn::MulAdd(all(row(j)), r[j].first, sum.first), hn::MulAdd(all(row(j)), r[j].second, sum.second)};
+  return sum;
+}
+
+/// Σ_j |row_j| / √A_jj
+HWY_INLINE Pack weight_of(const Eigen::VectorXd& row, const Pack* unit) {
+  Pack sum = hn::Zero(Lanes());
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (row(j) != 0) sum = hn::MulAdd(all(std::abs(row(j))), unit[j], sum);
+  return sum;
+}
+
+/// Residues of one channel. @return lanes where they have their digits
+template <typename Size>
+HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
+  const Pack plain = weight_of(row.on_displacement, residues.unit), of_rate = weight_of(row.on_velocity, residues.unit);
+  Pack weight[most_pairs];
+  for (int k = 0; k < n; ++k) {
+    r[k] = row_times(row.on_displacement, residues.r[k]);
+    weight[k] = plain;
     if (row.on_velocity.size() > 0) {
-      const PairPack turned = times(poles.real[k], poles.lambda[k], rate);
-      r[k] = {hn::Add(sum.first, turned.first), hn::Add(sum.second, turned.second)};
+      const PairPack lambda = poles.lambda[k], turned = times(poles.real[k], lambda, row_times(row.on_velocity, residues.r[k]));
+      r[k] = {hn::Add(r[k].first, turned.first), hn::Add(r[k].second, turned.second)};
+      weight[k] = hn::MulAdd(hn::Add(hn::Abs(lambda.first), hn::Abs(lambda.second)), of_rate, plain);
     }
+    weight[k] = hn::Mul(weight[k], weight[k]);
   }
+  return drop_round_off(n, residues, weight, r);
 }
 
 /// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and where no peaks are counted; ∞ where
@@ -104,9 +120,9 @@ class PackOfCurves {
 
   void tell(TablePeaks& peaks) const {
     const int lanes = lane_count();
-    alignas(64) double complete[table_lanes], numbers[6][table_lanes];
-    hn::StoreU(hn::IfThenElseZero(complete_, all(1.0)), Lanes(), complete);
-    for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = complete[i] != 0;
+    alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes];
+    bool known[table_lanes];
+    store_mask(complete_, peaks.complete + lane_);
     // The extrema of one curve, ascending, as a chain.
     std::vector<int> first(static_cast<std::size_t>(channels_ * lanes), -1), next(found_.size(), -1);
     for (std::size_t e = found_.size(); e-- > 0;) {
@@ -140,13 +156,17 @@ class PackOfCurves {
         }
         heights.push_back(amplitude(numbers[1][i]));
         see(heights.back(), question_.to);
-        if (std::isinf(doubtful)) peaks.complete[lane_ + i] = false;
+        highest[i] = answer.highest, highest_at[i] = answer.highest_at;
+        // Nor may anything seen on the way have been higher.
+        if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9)) peaks.complete[lane_ + i] = false;
         if (!question_.count_peaks) continue;
         const PeakCount count = prominent_peaks(heights, question_.min_prominence * answer.highest);
         if (count.closest < 2 * doubtful) peaks.complete[lane_ + i] = false;  // what is in doubt may decide
         answer.peaks = count.peaks;
         answer.largest_rise = count.largest_rise;
       }
+      store_mask(has_digits_at(c, hn::LoadU(Lanes(), highest), hn::LoadU(Lanes(), highest_at)), known);
+      for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = peaks.complete[lane_ + i] && known[i];
     }
   }
 
@@ -157,6 +177,15 @@ class PackOfCurves {
   [[nodiscard]] Pack* at_poles() const { return values_.get() + 2 * channels_; }  ///< [pole][channel]
   static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
 
+  /// Whether a height is known to nine digits.
+  [[nodiscard]] LaneMask has_digits_at(int channel, const Pack& height, const Pack& omega) const {
+    const SquaredResponse& f = curves_[channel].f;
+    const Pack infinity = all(std::numeric_limits<double>::infinity()), value = hn::Mul(all(0.5), hn::Mul(height, height));
+    const LaneMask endless = hn::Eq(omega, infinity), sum = has_digits(pack_.poles, f, hn::IfThenElse(endless, pack_.from, hn::Mul(omega, omega)), value);
+    const LaneMask limit = hn::Le(f.constant_parts, hn::Mul(all(most_cancellation), value));
+    return hn::Or(hn::And(endless, limit), hn::AndNot(endless, sum));
+  }
+
   void form(Size n, const RootTable& table) {
     double asked[table_lanes];
     for (int i = 0; i < lane_count(); ++i) asked[i] = table.good[lane_ + i];
@@ -165,19 +194,21 @@ class PackOfCurves {
     roots_in_table(n, table, lane_, roots, pack_.poles);
     pack_.from = all(question_.from * question_.from);
     pack_.to = all(question_.to * question_.to);
+    PackOfResidues residues;
+    residues_in_table(n, table, lane_, roots, residues);
     PoleProducts products;
     form_products(roots, products);
+    complete_ = hn::Eq(pack_.from, pack_.from);
     for (int c = 0; c < channels_; ++c) {
       const ObservedRow& row = question_.rows[static_cast<std::size_t>(c)];
       PairPack r[most_pairs];
-      residues_of(table, lane_, roots, row, r);
+      complete_ = hn::And(complete_, residues_of(n, residues, roots, row, r));
       WalkedCurve& curve = curves_[c];
       form_squared_response(roots, products, r, row.derivative, row.on_velocity.size() == 0, curve.f);
       curve.best = curve.sign = curve.tail = hn::Zero(Lanes());
       curve.covered_from = all(1.0);
       curve.covered_to = all(-1.0);
     }
-    complete_ = hn::Eq(pack_.from, pack_.from);
   }
 
   void see_end() {
@@ -191,6 +222,9 @@ class PackOfCurves {
       const LaneMask grows = hn::Gt(slope, hn::Zero(Lanes()));
       at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
       if (question_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
+      // Whether it does is not known where that sum is round-off.
+      const LaneMask cancelled = hn::Gt(curves_[c].f.slope_parts, hn::Mul(all(1e12), hn::Abs(slope)));
+      complete_ = hn::AndNot(cancelled, complete_);
       curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);
     }
   }

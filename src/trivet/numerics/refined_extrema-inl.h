@@ -20,7 +20,7 @@ template <typename Size>
 class LaneStore {
  public:
   LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels)
-      : count_(poles.count), of_channel_(static_cast<std::size_t>((poles.count + 1) * 2)), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+      : count_(poles.count), of_channel_(static_cast<std::size_t>((poles.count + 2) * 2)), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
     for (int k = 0; k < count_; ++k) {
       hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
       hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
@@ -38,6 +38,8 @@ class LaneStore {
       }
       keep(curves[c].f.constant);
       keep(curves[c].f.slope);
+      keep(curves[c].f.constant_parts);
+      keep(curves[c].f.slope_parts);
     }
   }
 
@@ -59,22 +61,24 @@ class LaneStore {
     place(poles);
     const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
     for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
-    f.constant = number(of_channel_ - 2);
-    f.slope = number(of_channel_ - 1);
+    f.constant = number(of_channel_ - 4);
+    f.slope = number(of_channel_ - 3);
+    f.constant_parts = number(of_channel_ - 2);
+    f.slope_parts = number(of_channel_ - 1);
   }
 
  private:
   Size count_;
   std::size_t of_channel_;
   alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes];
-  std::vector<double> C_;  ///< [channel][pair, constant and slope][2][lane]
+  std::vector<double> C_;  ///< [channel][pair, constant and slope, their parts][2][lane]
 };
 
 /// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
 template <typename Size>
 HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
   constexpr int steps_at_most = 4;
-  constexpr double settled = 1e-13;
+  constexpr double settled = 1e-13, round_off_of_value = 2e-15;
   SquarePoles<Size> poles;
   SquaredResponse f;
   const auto count = static_cast<int>(found.size());
@@ -99,7 +103,7 @@ HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
     }
     hn::StoreU(x, Lanes(), numbers[0]);
     hn::StoreU(s.value, Lanes(), numbers[1]);
-    hn::StoreU(missed, Lanes(), numbers[2]);
+    hn::StoreU(hn::MulAdd(all(round_off_of_value), sum_of_moduli(poles, f, x), missed), Lanes(), numbers[2]);
     for (int i = 0; i < taken; ++i) e[i].at = numbers[0][i], e[i].value = numbers[1][i], e[i].missed = numbers[2][i];
   }
 }

@@ -18,6 +18,7 @@ struct RootTable {
   alignas(64) Row first[most_pairs], second[most_pairs];
   alignas(64) Row real[most_pairs];                                        ///< 1: two real roots, else 0
   alignas(64) Row r_first[most_pairs][most_pairs], r_second[most_pairs][most_pairs];  ///< [pair][coordinate]
+  alignas(64) Row mass[most_pairs];                                        ///< A_jj
   bool definite[table_lanes];                                              ///< A is positive definite
   bool good[table_lanes];                                                  ///< all roots found, decaying, and far enough from defective
 };

@@ -37,6 +37,7 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
   const LaneMask definite = modes_of_pack<true>(n, a, k, modes);
   poles_of_pack(n, modes, b, h, poles);
   LaneMask good = hn::And(hn::And(modes.settled, poles.good), hn::Le(poles.condition, all(most_condition)));
+  for (int j = 0; j < n; ++j) hn::StoreU(a[packed(j, j)], Lanes(), table.mass[j] + lane);
   for (int p = 0; p < n; ++p) {
     const LaneMask real = poles.real[p];
     const Pack slow = poles.lambda[p].re;

@@ -44,6 +44,7 @@ bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, Root
   const Eigen::MatrixXcd r = form.shapes * form.participation.col(0).asDiagonal();
   if (!sums_hold(m, load, form.poles, r)) return false;
   table.coordinates = n;
+  for (int j = 0; j < n; ++j) table.mass[j][lane] = m.A(j, j);
   std::vector<Eigen::Index> turning, real;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     if (form.poles(k).imag() > 0) turning.push_back(k);

@@ -60,6 +60,7 @@ struct PolePairs {
 struct SquaredResponse {
   PairPack C[most_pairs];
   Pack constant, slope;
+  Pack constant_parts, slope_parts;  ///< sums of the moduli of what these are sums of
 };
 
 /// Where the poles stand in x = ω².
@@ -116,12 +117,16 @@ HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts
     }
     f.C[k] = times(poles.real[k], all(-2.0) * poles.lambda[k], times(poles.real[k], r[k], y));
   }
-  f.constant = f.slope = hn::Zero(Lanes());
+  f.constant = f.slope = f.constant_parts = f.slope_parts = hn::Zero(Lanes());
   for (int d = 0; d < derivative; ++d) {  // x/(x − z) = 1 + z/(x − z)
     f.slope = f.constant;
-    f.constant = hn::Zero(Lanes());
+    f.slope_parts = f.constant_parts;
+    f.constant = f.constant_parts = hn::Zero(Lanes());
     for (int k = 0; k < n; ++k) {
-      if (d > 0 || !proper) f.constant = hn::Add(f.constant, half_sum(poles.real[k], f.C[k]));
+      if (d > 0 || !proper) {
+        f.constant = hn::Add(f.constant, half_sum(poles.real[k], f.C[k]));
+        f.constant_parts = hn::Add(f.constant_parts, half_sum(poles.real[k], {hn::Abs(f.C[k].first), hn::Abs(f.C[k].second)}));
+      }
       f.C[k] = times(poles.real[k], pole_in_square(poles.real[k], poles.lambda[k]), f.C[k]);
     }
   }

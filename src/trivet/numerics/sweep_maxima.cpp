@@ -50,7 +50,7 @@ std::vector<Eigen::Index> by_poles(const Designs& designs, Eigen::Index first, E
     roots_of_designs(designs, first, table);
     maxima_from_roots(table, omega, maxima);
     for (int lane = 0; lane < table_lanes && first + lane < last; ++lane) {
-      if (!table.good[lane]) {
+      if (!table.good[lane] || !maxima.known[lane]) {
         open.push_back(first + lane);
         continue;
       }

@@ -19,8 +19,8 @@ struct SweepMaxima : SweepCounts {
                                        const SweepOptions& options = {});
 
 /// Of many, in pieces on threads. Where no backward errors are asked for, by the poles of eight designs at once, if these pass the checks of design_peaks.h
-/// (up to twelve coordinates, 32 frequencies at least): near a resonance as far off as a direct solution may be, ε/ζ. Otherwise the frequencies of one
-/// design after the other through the kernels of `sweep`.
+/// (up to twelve coordinates, 32 frequencies at least): to nine digits, near a resonance as far off as a direct solution may be, ε/ζ; a coordinate that
+/// the load moves by round-off only is 0 then. Otherwise the frequencies of one design after the other through the kernels of `sweep`.
 [[nodiscard]] SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omega, const SweepOptions& options = {});
 
 }  // namespace trivet::numerics

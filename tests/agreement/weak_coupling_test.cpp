@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Coordinates that the load hardly moves, by poles: their terms cancel, or are round-off. Against solutions in long double.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "trivet/numerics/design_peaks.h"
+#include "trivet/numerics/sweep_maxima.h"
+
+namespace {
+
+using namespace trivet::numerics;
+
+constexpr double nine_digits = 1e-9;
+
+/// One design.
+Designs design_of(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K, const Eigen::VectorXd& load) {
+  const Eigen::Index n = A.rows(), entries = n * (n + 1) / 2;
+  Designs designs{Eigen::ArrayXXd(1, entries), Eigen::ArrayXXd(1, entries), Eigen::ArrayXXd(1, entries), load.transpose().array()};
+  pack(A, designs.A, 0);
+  pack(B, designs.B, 0);
+  pack(K, designs.K, 0);
+  return designs;
+}
+
+/// Equal masses between walls on equal springs, 10 rad/s each, the force on the last.
+Designs chain(int masses) {
+  Eigen::MatrixXd K = 200 * Eigen::MatrixXd::Identity(masses, masses);
+  for (int i = 1; i < masses; ++i) K(i, i - 1) = K(i - 1, i) = -100;
+  Eigen::MatrixXd B = 0.002 * K;
+  B(0, 0) += 0.01;
+  return design_of(Eigen::MatrixXd::Identity(masses, masses), B, K, Eigen::VectorXd::Unit(masses, masses - 1));
+}
+
+/// |q| of the only design.
+Eigen::ArrayXd amplitudes(const Designs& designs, double omega) {
+  using Extended = std::complex<long double>;
+  const DynamicMatrices m = matrices_of(designs, 0);
+  const Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> Z =
+      m.K.cast<Extended>() - Extended(static_cast<long double>(omega) * omega) * m.A.cast<Extended>() + Extended(0, omega) * m.B.cast<Extended>();
+  const Eigen::Matrix<Extended, Eigen::Dynamic, 1> load = designs.load.row(0).matrix().transpose().cast<Extended>();
+  return Z.partialPivLu().solve(load).cwiseAbs().cast<double>().array();
+}
+
+/// All |q| fall above the resonances, at most 20 rad/s: their highest stand at the beginning of such bands.
+TEST(WeakCoupling, FarFromTheForceAndAboveAllResonancesHighestValuesHaveNineDigits) {
+  for (const int masses : {2, 3, 6})
+    for (const double from : {30.0, 60.0, 200.0, 2000.0}) {
+      const Designs designs = chain(masses);
+      const Eigen::ArrayXd expected = amplitudes(designs, from);
+      std::vector<double> omega;
+      for (int i = 0; i < 40; ++i) omega.push_back(from * (1 + 0.05 * i));
+      const SweepMaxima on_list = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
+      EXPECT_LE((on_list.amplitude.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits) << masses << " masses from " << from;
+      for (const bool count : {false, true})
+        for (const double to : {3 * from, std::numeric_limits<double>::infinity()}) {
+          DesignPeakOptions options;
+          options.from = from, options.to = to, options.count_peaks = count;
+          const DesignPeaks peaks = design_peaks(designs, options);
+          EXPECT_LE((peaks.highest.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits) << masses << " masses from " << from << " to " << to;
+          if (count) EXPECT_EQ(peaks.peaks.maxCoeff(), 0) << masses << " masses from " << from << " to " << to;
+        }
+    }
+}
+
+TEST(WeakCoupling, NearTheResonancesPolesAloneTellThat) {
+  for (const int masses : {2, 6}) EXPECT_EQ(design_peaks(chain(masses)).status[0], DesignStatus::proven) << masses;
+}
+
+Designs two_masses(double coupling) {
+  Eigen::Matrix2d K;
+  K << 100, coupling, coupling, 225;
+  return design_of(Eigen::Matrix2d::Identity(), Eigen::Vector2d(1, 1.5).asDiagonal(), K, Eigen::Vector2d(1, 0));
+}
+
+TEST(WeakCoupling, ByRoundOffIsNone) {
+  for (const double coupling : {1e-15, 1e-18, 0.0}) {
+    const DesignPeaks peaks = design_peaks(two_masses(coupling));
+    EXPECT_EQ(peaks.highest(0, 1), 0) << coupling;
+    EXPECT_EQ(peaks.peaks(0, 1), 0) << coupling;
+    EXPECT_EQ(peaks.peaks(0, 0), 1) << coupling;
+  }
+}
+
+/// y₂ = −coupling / (Z₁₁ Z₂₂ − coupling²)
+TEST(WeakCoupling, ThatIsRealIsSeenToNineDigits) {
+  for (const double coupling : {1e-9, 1e-7, 1e-5, 1e-3}) {
+    const Designs designs = two_masses(coupling);
+    const DesignPeaks peaks = design_peaks(designs);
+    const double there = amplitudes(designs, peaks.highest_at(0, 1))(1);
+    EXPECT_NEAR(peaks.highest(0, 1), there, nine_digits * there) << coupling;
+    EXPECT_EQ(peaks.peaks(0, 1), 2) << coupling;
+  }
+}
+
+TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithoutEnd) {
+  Eigen::Matrix2d K;
+  K << 300, -100, -100, 250;
+  const Designs designs = design_of(Eigen::Vector2d(2, 3).asDiagonal(), 0.003 * K, K, Eigen::Vector2d(0.7, 0));
+  for (const bool count : {false, true}) {
+    DesignPeakOptions options;
+    options.rows = Eigen::ArrayXXd::Zero(1, 2);
+    options.rows(0, 0) = 1;
+    options.rows_on_velocity = Eigen::ArrayXXd::Zero(1, 2);
+    options.rows_on_velocity(0, 1) = 1;
+    options.derivative = {2};
+    options.count_peaks = count;
+    const DesignPeaks peaks = design_peaks(designs, options);
+    ASSERT_TRUE(std::isfinite(peaks.highest(0, 0))) << count;
+    double seen = 0;
+    for (double omega = 1; omega < 1e4; omega *= 1.0005) {
+      const Eigen::VectorXcd q = matrices_of(designs, 0).at(omega).partialPivLu().solve(Eigen::Vector2cd(0.7, 0));
+      seen = std::max(seen, omega * omega * std::abs(q(0) + std::complex<double>(0, omega) * q(1)));
+    }
+    EXPECT_LE(seen, peaks.highest(0, 0) * (1 + nine_digits));
+    EXPECT_GE(seen, peaks.highest(0, 0) * (1 - 1e-4)) << "the grid is that fine";
+  }
+}
+
+}  // namespace
