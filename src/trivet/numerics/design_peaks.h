@@ -34,7 +34,7 @@ struct DesignPeakOptions {
 /// All designs × channels; zero where the status is `impossible`.
 struct DesignPeaks {
   Eigen::ArrayXXd highest;             ///< supremum of |y| on the band, its ends included; infinite at an undamped natural frequency. A system that is free
-                                       ///< to move is searched from 1e-6 of its lowest natural frequency on
+                                       ///< to move is searched from far below its lowest nonzero |λ| on (axis_panels.h)
   Eigen::ArrayXXd highest_at;          ///< [rad/s]; infinity if only approached there
   Eigen::ArrayXXi peaks;               ///< resonance peaks inside the band; empty if not asked for
   Eigen::ArrayXXd largest_rise;        ///< of these peaks over their base, the higher of those two minima: height / base − 1; 0 without peaks, empty if not asked for

@@ -12,18 +12,12 @@
 namespace trivet::numerics {
 namespace {
 
-/// What is given by its acceleration grows without end at ω = 0: a pole there.
-Eigen::VectorXcd with_load(const Eigen::VectorXcd& poles, const DrivenSystem& system) {
-  if (std::min(system.load.lowest_power(), system.given.lowest_power()) >= 0) return poles;
-  Eigen::VectorXcd all = Eigen::VectorXcd::Zero(poles.size() + 1);
-  all.head(poles.size()) = poles;
-  return all;
-}
-
 /// From, to [rad/s].
 struct Band {
   double from = 0, to = 0;
 };
+
+constexpr double round_off = 1e-9;  // of the ends of panels
 
 /// Where the sizes of coordinates on a panel are taken: in its middle, or where the last one begins.
 double where_sized(const Panel& panel) { return panel.at_infinity ? 1 / panel.radius : panel.centre; }
@@ -38,6 +32,7 @@ void search_panel(const ObservedCurve& curve, const Panel& panel, const Coordina
                   const Eigen::VectorXd& given, const Band& band, SearchedCurve& result) {
   const CurveSeries series = curve_series(curve, panel, coordinates);
   if (panel.at_infinity) result.at_end = limit_at_infinity(series);
+  else if (const double tau = (band.from - panel.centre) / panel.radius; std::abs(tau) <= 1 + round_off) result.at_start = amplitude(series, panel, tau);
   const double size = size_of(series) * (panel.at_infinity ? std::pow(panel.radius, series.power) : 1);
   const double possible = possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
   if (!(size > vanishing_share * possible)) return;  // its ups and downs are round-off
@@ -56,7 +51,9 @@ Eigen::MatrixXd amplitudes(const DrivenSystem& system, const std::vector<Observe
   return result;
 }
 
-void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const std::vector<double>& poles, AxisSearch& search) {
+/// @param beside_free_motion  the search begins there: Z may count as singular for its sake, while a curve that takes no part has a height, which its series tells
+void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const std::vector<double>& poles, bool beside_free_motion,
+                         AxisSearch& search) {
   std::vector<double> omega = {search.from};
   if (std::isfinite(search.to)) omega.push_back(search.to);
   const auto ends = static_cast<Eigen::Index>(omega.size());
@@ -66,7 +63,7 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto row = static_cast<Eigen::Index>(c);
     SearchedCurve& curve = search.curves[c];
-    curve.at_start = y(row, 0);
+    if (!beside_free_motion || !std::isnan(y(row, 0))) curve.at_start = y(row, 0);
     if (ends > 1) curve.at_end = y(row, 1);
     Eigen::Index at = ends;
     for (const double pole : poles) {
@@ -82,12 +79,13 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
 AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const Eigen::VectorXcd& poles,
                            const DiscSearchOptions& options) {
   const double delay = std::max(system.load.longest_delay(), system.given.longest_delay());
-  const PanelCover cover = cover_axis(with_load(poles, system), {delay, options.to});
+  const bool unbounded_at_rest = std::min(system.load.lowest_power(), system.given.lowest_power()) < 0;
+  const PanelCover cover = cover_axis(poles, {unbounded_at_rest, delay, options.to});
   AxisSearch result{std::vector<SearchedCurve>(curves.size()), std::max(options.from, cover.lowest), options.to, static_cast<int>(cover.panels.size())};
   if (system.load.vanishes() && system.given.vanishes()) return result;
   const Eigen::VectorXd scale = unit_scale(system.matrices);
   // Panels of a delayed load end beyond the band: what the last one shows there tells how far the last peaks stand out.
-  const Band band{options.from, delay > 0 ? std::numeric_limits<double>::infinity() : options.to};
+  const Band band{result.from, delay > 0 ? std::numeric_limits<double>::infinity() : options.to};
   double done = 0;
   for (const Panel& panel : cover.panels) {
     foundation::report_progress(options.progress, "peaks", done++ / static_cast<double>(cover.panels.size()));
@@ -104,7 +102,7 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
   std::vector<double> inside;
   for (const double pole : cover.poles_on_axis)
     if (pole >= band.from && pole <= band.to) inside.push_back(pole);
-  note_ends_and_poles(system, curves, inside, result);
+  note_ends_and_poles(system, curves, inside, result.from > options.from, result);
   return result;
 }
 

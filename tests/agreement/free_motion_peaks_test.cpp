@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Peaks of machines that are free to move in some direction, against the same held there by next to nothing.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/projects.h"
+#include "trivet/assembly/loads.h"
+#include "trivet/modal/roots.h"
+#include "trivet/response/peaks.h"
+
+namespace {
+
+using namespace trivet;
+
+response::Peaks peaks_of(const std::string& text) {
+  const study::Project project = test::project(text);
+  const model::System& system = project.base().system;
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const modal::Modes modes = modal::modes(system, assembled);
+  response::PeakOptions options;
+  options.min_prominence = 1e-12;  // of the highest, which stands at rest where almost nothing holds the machine
+  response::Peaks peaks = response::peaks(assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
+                                          assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), options);
+  std::erase_if(peaks.list, [](const response::Peak& peak) { return peak.prominence < 1e-6 * peak.amplitude; });
+  return peaks;
+}
+
+/// Held softly along y, stiffly along z, by `along_x` [N/m] along x, all of it turned about the diagonal if `skew`.
+std::string sled(double along_x, double stiff, double damping, bool skew) {
+  return fmt::format(R"(trivet = 1
+[bodies.b]
+mass = 6
+center_of_mass = [0, 0, 0]
+inertia = {{about = "center_of_mass", xx = 2.5, yy = 3, zz = 3.5}}
+free = ["x", "y", "z"]
+[elements.e]
+type = "bushing"
+on = "b"
+at = [0, 0, 0]
+{}
+translation = [{}, 3000, {}]
+damping = {{translation = [{}, {}, {}]}}
+[excitations.f]
+type = "harmonic"
+on = "b"
+at = [0, 0, 0]
+force = [0, 1, 1]
+)",
+                     skew ? "orientation = {axis = [3, 4, -5], angle = 0.7}" : "", along_x, stiff, skew ? 0.1 * damping : 0.0, damping, 20 * damping);
+}
+
+void expect_same_peaks(const response::Peaks& found, const response::Peaks& expected, double tolerance, const std::string& what) {
+  ASSERT_EQ(found.list.size(), expected.list.size()) << what;
+  for (std::size_t k = 0; k < found.list.size(); ++k) {
+    const response::Peak &a = found.list[k], &b = expected.list[k];
+    EXPECT_EQ(a.curve, b.curve) << what;
+    EXPECT_NEAR(a.angular_frequency, b.angular_frequency, tolerance * b.angular_frequency) << what;
+    EXPECT_NEAR(a.amplitude, b.amplitude, tolerance * b.amplitude) << what;
+  }
+}
+
+/// Of decoupled directions the spring that holds the third changes nothing.
+TEST(PeaksBesideAFreeMotion, AreThoseOfTheSameMachineHeldThere) {
+  for (const double stiff : {3e3, 3e5, 3e6, 3e9}) {
+    const response::Peaks found = peaks_of(sled(0, stiff, 1, false));
+    EXPECT_EQ(found.list.size(), 2U);
+    expect_same_peaks(found, peaks_of(sled(1e-3, stiff, 1, false)), 1e-9, fmt::format("{} N/m", stiff));
+    for (std::size_t c = 1; c < 3; ++c) EXPECT_NEAR(found.curves[c].highest, peaks_of(sled(1e-3, stiff, 1, false)).curves[c].highest, 1e-9) << stiff;
+  }
+}
+
+/// Of heavily damped directions nothing peaks, and the highest is at rest: F/k.
+TEST(PeaksBesideAFreeMotion, HeightsAtRestAreThoseOfTheSprings) {
+  const response::Peaks found = peaks_of(sled(0, 3e4, 3e4, false));
+  EXPECT_TRUE(found.list.empty());
+  EXPECT_NEAR(found.curves[1].highest, 1 / 3e3, 1e-4 / 3e3);
+  EXPECT_NEAR(found.curves[2].highest, 1 / 3e4, 1e-4 / 3e4);
+}
+
+/// Turned, all coordinates move freely, and rise towards rest. A spring of 1e-5 N/m along that direction, which is damped, has no resonance of its own.
+TEST(PeaksBesideAFreeMotion, OfACoupledOneAreThoseOfTheSameMachineHeldThere) {
+  for (const double stiff : {3e4, 3e5, 3e6}) {
+    const response::Peaks found = peaks_of(sled(0, stiff, 1, true));
+    EXPECT_GE(found.list.size(), 6U) << stiff;
+    expect_same_peaks(found, peaks_of(sled(1e-5, stiff, 1, true)), 1e-7, fmt::format("{} N/m", stiff));
+  }
+}
+
+}  // namespace
