@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps by poles and residues of interpolated matrices against every design assembled and searched by itself.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -63,6 +64,61 @@ limits = {"m1.x" = "0.5 m/s", "m2.x" = ["60 mm", "9 m/s2"], "m3.x" = "20 m/s2"}
 no_peak = ["m3"]
 )");
   expect_equal(mapped(project, 6, 5, true), mapped(project, 6, 5, false));
+}
+
+/// A light body on a heavy one: accelerations of the low resonances, on which the rise of the light one hangs, are a hundred-millionth of the highest.
+TEST(DesignMap, OfAccelerationsFarBelowTheHighestIsTheSameDesignByDesign) {
+  const auto bushing = [](const std::string& name, const std::string& between, const std::string& at, const std::string& translation) {
+    return "[elements." + name + "]\ntype = \"bushing\"\n" + between + "\nat = " + at + "\ntranslation = " + translation + "\nscale = 1\ndamping = {proportional = 0.009}\n";
+  };
+  const study::Project project = test::project(R"(trivet = 1
+bodies.light = {mass = 1, center_of_mass = [0, 0, 0.2], inertia = {about = "center_of_mass", xx = 0.2, yy = 0.2, zz = 0.2}, free = ["z", "rx", "ry"]}
+bodies.heavy = {mass = 2000, center_of_mass = [0, 0, 0], inertia = {about = "center_of_mass", xx = 500, yy = 600, zz = 700}, free = ["z", "rx", "ry"]}
+)" + bushing("a", "on = \"light\"", "[0, 0.6, 0]", "[1e3, 1e3, 1e3]") + bushing("b", "on = \"light\"", "[0, 0, 0]", "[3e3, 3e3, 5e3]") +
+                                               bushing("c", "on = \"light\"", "[0.5, -0.9, 0]", "[2e3, 2e3, 4e3]") +
+                                               bushing("d", "on = \"heavy\"\nfrom = \"light\"", "[0, 0, 0]", "[7e5, 7e5, 1e6]") +
+                                               bushing("e", "on = \"heavy\"\nfrom = \"light\"", "[-0.8, -0.6, 0]", "[8e5, 8e5, 1e6]") +
+                                               bushing("f", "on = \"heavy\"", "[0, 0.5, 0]", "[3e5, 3e5, 5e5]") + R"(
+[excitations.force]
+type = "harmonic"
+on = "light"
+at = [0, 0, 0]
+force = [-5, 0, 0.5]
+moment = [-7, 0, 0]
+[analyses.map]
+x = {parameter = "elements.a.scale", from = 30, to = 33}
+y = {parameter = "elements.b.scale", from = 0.736, to = 0.81}
+no_peak = "light.z"
+quantity = "acceleration"
+)");
+  expect_equal(mapped(project, 3, 3, true), mapped(project, 3, 3, false));
+}
+
+/// A force along the axis of three equal mounts moves a machine along it alone: what round-off says of the other coordinates is no peak.
+TEST(DesignMap, OfASymmetricMachineHasNoPeaksOfRoundOff) {
+  std::string text = R"(trivet = 1
+bodies.machine = {mass = 250, center_of_mass = [0, 0, 0.1], inertia = {about = "center_of_mass", xx = 8.1, yy = 12.4, zz = 13.0}}
+)";
+  for (const double degrees : {0.0, 120.0, 240.0}) {
+    const double angle = degrees / 180 * 3.14159265358979323846;
+    text += fmt::format("[elements.mount{:.0f}]\ntype = \"bushing\"\non = \"machine\"\nat = [{:.17g}, {:.17g}, 0]\ntranslation = [720e3, 720e3, 1680e3]\n"
+                        "rotation = [60, 60, 140]\ndamping = {{proportional = 0.05}}\n",
+                        degrees, 0.3 * std::cos(angle), 0.3 * std::sin(angle));
+  }
+  const study::Project project = test::project(text + R"(
+[excitations.engine]
+type = "harmonic"
+on = "machine"
+at = [0, 0, 0.2]
+force = [0, 0, 120]
+[analyses.map]
+x = {parameter = "bodies.machine.mass", from = 200, to = 300}
+y = {parameter = "bodies.machine.inertia.xx", from = 8, to = 9}
+no_peak = "coordinates"
+)");
+  const study::DesignMap map = mapped(project, 5, 5, true);
+  EXPECT_TRUE(std::all_of(map.outcomes.begin(), map.outcomes.end(), [](const study::DesignOutcome& o) { return std::isinf(o.margin) && o.kept(); }));
+  expect_equal(map, mapped(project, 5, 5, false));
 }
 
 TEST(DesignMap, IsTheSameByteForByteFor1And16Threads) {

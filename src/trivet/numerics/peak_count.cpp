@@ -6,20 +6,42 @@
 
 namespace trivet::numerics {
 
+namespace {
+
+/// Where the higher of the two minima stands that part a peak from higher ground or from an end; the peak itself if there is none.
+std::size_t base_of(std::span<const double> heights, std::size_t peak) {
+  std::size_t left = peak, right = peak;
+  for (std::size_t k = peak; k-- > 0 && heights[k] <= heights[peak];)
+    if (heights[k] < heights[left]) left = k;
+  for (std::size_t k = peak + 1; k < heights.size() && heights[k] <= heights[peak]; ++k)
+    if (heights[k] < heights[right]) right = k;
+  return heights[left] > heights[right] ? left : right;
+}
+
+bool stands_out(std::span<const double> heights, std::size_t i) { return heights[i] > heights[i - 1] && heights[i] > heights[i + 1]; }
+
+}  // namespace
+
 double prominence(std::span<const double> heights, std::size_t peak) {
-  const double height = heights[peak];
-  if (std::isinf(height)) return height;
-  double left = height, right = height;
-  for (std::size_t k = peak; k-- > 0 && heights[k] <= height;) left = std::min(left, heights[k]);
-  for (std::size_t k = peak + 1; k < heights.size() && heights[k] <= height; ++k) right = std::min(right, heights[k]);
-  return height - std::max(left, right);
+  return std::isinf(heights[peak]) ? heights[peak] : heights[peak] - heights[base_of(heights, peak)];
+}
+
+bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least, double largest_rise, double accuracy) {
+  for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
+    if (!stands_out(heights, i) || std::isinf(heights[i])) continue;
+    const std::size_t base = base_of(heights, i);
+    if (!(heights[i] - heights[base] > least)) continue;
+    const double ratio = heights[i] / heights[base], doubt = doubts[i] + doubts[base];
+    if (doubt > 0 && !(ratio * doubt <= accuracy * largest_rise || ratio * (1 + 2 * doubt) < 1 + largest_rise)) return false;
+  }
+  return true;
 }
 
 PeakCount prominent_peaks(std::span<const double> heights, double least) {
   PeakCount result;
   for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
     const double height = heights[i];
-    if (!(height > heights[i - 1] && height > heights[i + 1])) continue;
+    if (!stands_out(heights, i)) continue;
     const double above = prominence(heights, i);
     result.closest = std::min(result.closest, std::abs(above / least - 1));
     if (!(above > least)) continue;

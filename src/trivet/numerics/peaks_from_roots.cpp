@@ -79,6 +79,8 @@ HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const 
   return drop_round_off(n, residues, weight, r);
 }
 
+constexpr double accuracy_of_rise = 1e-6;  // relative
+
 /// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and where no peaks are counted; ∞ where
 /// the steps towards it did not settle.
 inline double doubt(const FoundExtremum& e, double best, const PeakQuestion& question) {
@@ -105,6 +107,8 @@ class PackOfCurves {
   void search() {
     const SquarePoles<Size>& poles = pack_.poles;
     see_values(pack_, pack_.from, curves_.get(), channels_, at_start());
+    for (int c = 0; c < channels_ && question_.from == 0; ++c)
+      if (question_.rows[static_cast<std::size_t>(c)].derivative > 0) at_start()[c] = hn::Zero(Lanes());  // to the last digit
     for (int k = 0; k < poles.count; ++k) {
       const Pack above = hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
       see_values(pack_, above, curves_.get(), channels_, at_poles() + k * channels_);
@@ -115,12 +119,12 @@ class PackOfCurves {
     complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
     // A slope that turned where the walk could not tell its sign, and that keeps the new one to x = ∞.
     for (int c = 0; c < channels_; ++c) complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
-    refine(LaneStore<Size>(poles, curves_.get(), channels_), found_);
+    refine(LaneStore<Size>(poles, curves_.get(), channels_, question_.rows), found_);
   }
 
   void tell(TablePeaks& peaks) const {
     const int lanes = lane_count();
-    alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes];
+    alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes], start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
     bool known[table_lanes];
     store_mask(complete_, peaks.complete + lane_);
     // The extrema of one curve, ascending, as a chain.
@@ -130,7 +134,7 @@ class PackOfCurves {
       next[e] = head;
       head = static_cast<int>(e);
     }
-    std::vector<double> heights;
+    std::vector<double> heights, doubts;
     for (int c = 0; c < channels_; ++c) {
       hn::StoreU(at_start()[c], Lanes(), numbers[0]);
       hn::StoreU(at_end()[c], Lanes(), numbers[1]);
@@ -138,6 +142,10 @@ class PackOfCurves {
       if (!question_.count_peaks) {
         hn::StoreU(hn::IfThenElseZero(tops_[c].settled, tops_[c].value), Lanes(), numbers[3]);
         hn::StoreU(tops_[c].at, Lanes(), numbers[4]);
+      }
+      if (question_.count_peaks) {
+        hn::StoreU(doubt_at(c, pack_.from, question_.from, at_start()[c]), Lanes(), start_doubts);
+        hn::StoreU(doubt_at(c, pack_.to, question_.to, at_end()[c]), Lanes(), end_doubts);
       }
       for (int i = 0; i < lanes; ++i) {
         ChannelPeaks& answer = peaks.channels[static_cast<std::size_t>(c * table_lanes + lane_ + i)];
@@ -148,20 +156,25 @@ class PackOfCurves {
         if (!question_.count_peaks) see(amplitude(numbers[3][i]), std::sqrt(numbers[4][i]));
         double doubtful = 1e-6;  // round-off
         heights.assign(1, answer.highest);
+        doubts.assign(1, start_doubts[i]);
         for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0; at = next[static_cast<std::size_t>(at)]) {
           const FoundExtremum& e = found_[static_cast<std::size_t>(at)];
           doubtful = std::max(doubtful, doubt(e, numbers[2][i], question_));
           heights.push_back(amplitude(e.value));
+          doubts.push_back(share(e.missed, e.value));
           if (e.maximum) see(heights.back(), std::sqrt(e.at));
         }
         heights.push_back(amplitude(numbers[1][i]));
+        doubts.push_back(end_doubts[i]);
         see(heights.back(), question_.to);
         highest[i] = answer.highest, highest_at[i] = answer.highest_at;
         // Nor may anything seen on the way have been higher.
         if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9)) peaks.complete[lane_ + i] = false;
         if (!question_.count_peaks) continue;
-        const PeakCount count = prominent_peaks(heights, question_.min_prominence * answer.highest);
+        const double least = question_.min_prominence * answer.highest;
+        const PeakCount count = prominent_peaks(heights, least);
         if (count.closest < 2 * doubtful) peaks.complete[lane_ + i] = false;  // what is in doubt may decide
+        if (!rise_is_known(heights, doubts, least, count.largest_rise, accuracy_of_rise)) peaks.complete[lane_ + i] = false;
         answer.peaks = count.peaks;
         answer.largest_rise = count.largest_rise;
       }
@@ -175,6 +188,14 @@ class PackOfCurves {
   [[nodiscard]] Pack* at_start() const { return values_.get(); }
   [[nodiscard]] Pack* at_end() const { return values_.get() + channels_; }
   [[nodiscard]] Pack* at_poles() const { return values_.get() + 2 * channels_; }  ///< [pole][channel]
+  static double share(double missed, double value) { return missed <= 0 ? 0 : 0.5 * missed / std::abs(value); }
+  /// What round-off may do to a height at an end of the band, as a share of it.
+  [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
+    const SquaredResponse& f = curves_[channel].f;
+    if (omega == 0 && question_.rows[static_cast<std::size_t>(channel)].derivative > 0) return hn::Zero(Lanes());  // nothing moves at rest
+    const Pack missed = hn::Mul(all(0.5 * round_off_of_value), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
+    return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));
+  }
   static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
 
   /// Whether a height is known to nine digits.

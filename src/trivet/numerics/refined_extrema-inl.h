@@ -10,17 +10,25 @@
 #include <algorithm>
 #include <vector>
 
+#include "trivet/numerics/observed_curve.h"
 #include "trivet/numerics/axis_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
+/// A curve of several, each in a lane of its own: |y|², and before its derivatives, x^−derivative of that, whose terms cancel less where x is small.
+struct GatheredCurve {
+  SquaredResponse f, plain;
+  Pack derivative;
+};
+
 /// What is known of all curves of all lanes, for extrema that stand in any of them.
 template <typename Size>
 class LaneStore {
  public:
-  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels)
-      : count_(poles.count), of_channel_(static_cast<std::size_t>((poles.count + 2) * 2)), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels, const std::vector<ObservedRow>& rows)
+      : count_(poles.count), differentiated_(std::any_of(rows.begin(), rows.end(), [](const ObservedRow& row) { return row.derivative > 0; })),
+        of_channel_(static_cast<std::size_t>(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
     for (int k = 0; k < count_; ++k) {
       hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
       hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
@@ -40,11 +48,21 @@ class LaneStore {
       keep(curves[c].f.slope);
       keep(curves[c].f.constant_parts);
       keep(curves[c].f.slope_parts);
+      if (!differentiated_) continue;
+      const int derivative = rows[static_cast<std::size_t>(c)].derivative;
+      keep(all(derivative));
+      for (int k = 0; k < count_; ++k) {
+        PairPack C = at_poles(poles.real[k], curves[c].f.C[k]);
+        for (int d = 0; d < derivative; ++d) C = times(poles.real[k], C, inverse(poles.real[k], poles.z[k]));
+        C = for_half_sum(poles.real[k], C);
+        keep(C.first);
+        keep(C.second);
+      }
     }
   }
 
   /// The curve of each extremum in a lane of its own; the last again where they end.
-  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, SquaredResponse& f) const {
+  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, GatheredCurve& curve_of) const {
     const hn::RebindToSigned<Lanes> integers;
     HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
     for (int i = 0; i < lane_count(); ++i) {
@@ -60,32 +78,54 @@ class LaneStore {
     }
     place(poles);
     const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count_); ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
-    f.constant = number(of_channel_ - 4);
-    f.slope = number(of_channel_ - 3);
-    f.constant_parts = number(of_channel_ - 2);
-    f.slope_parts = number(of_channel_ - 1);
+    const auto pairs = static_cast<std::size_t>(count_);
+    SquaredResponse &f = curve_of.f, &plain = curve_of.plain;
+    for (std::size_t k = 0; k < pairs; ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
+    f.constant = number(2 * pairs);
+    f.slope = number(2 * pairs + 1);
+    f.constant_parts = number(2 * pairs + 2);
+    f.slope_parts = number(2 * pairs + 3);
+    if (!differentiated_) return;
+    const std::size_t from = 2 * pairs + 4;
+    curve_of.derivative = number(from);
+    for (std::size_t k = 0; k < pairs; ++k) plain.C[k] = {number(from + 1 + 2 * k), number(from + 2 + 2 * k)};
+    plain.constant = plain.slope = plain.constant_parts = plain.slope_parts = hn::Zero(Lanes());
   }
+  [[nodiscard]] bool differentiated() const { return differentiated_; }
 
  private:
   Size count_;
+  bool differentiated_;
   std::size_t of_channel_;
   alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes];
-  std::vector<double> C_;  ///< [channel][pair, constant and slope, their parts][2][lane]
+  std::vector<double> C_;  ///< [channel][pairs, constant and slope, their parts; if anything is differentiated: derivative, pairs before it][lane]
 };
+
+/// Value at x and its round-off, by those terms that cancel less.
+template <typename Size>
+HWY_INLINE void by_plain_terms(const SquarePoles<Size>& poles, const GatheredCurve& curve, const Pack& x, Pack& value, Pack& moduli) {
+  const Pack one = all(1.0), power = hn::Mul(hn::IfThenElse(hn::Ge(curve.derivative, one), x, one), hn::IfThenElse(hn::Ge(curve.derivative, all(2.0)), x, one));
+  const Pack other = hn::Mul(power, sum_of_moduli(poles, curve.plain, x));
+  Pack sum = hn::Zero(Lanes());
+  each(poles.count, [&](int k) TRIVET_LANES { sum = sum_of(curve.plain.C[k], reach(poles, k, x), sum); });
+  const LaneMask better = hn::Lt(other, moduli);
+  value = hn::IfThenElse(better, hn::Mul(power, sum), value);
+  moduli = hn::IfThenElse(better, other, moduli);
+}
 
 /// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
 template <typename Size>
 HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
   constexpr int steps_at_most = 4;
-  constexpr double settled = 1e-13, round_off_of_value = 2e-15;
+  constexpr double settled = 1e-13;
   SquarePoles<Size> poles;
-  SquaredResponse f;
+  GatheredCurve curve;
+  const SquaredResponse& f = curve.f;
   const auto count = static_cast<int>(found.size());
   for (int begin = 0; begin < count; begin += lane_count()) {
     FoundExtremum* e = found.data() + begin;
     const int taken = std::min(lane_count(), count - begin);
-    store.gather(e, taken, poles, f);
+    store.gather(e, taken, poles, curve);
     alignas(64) double numbers[3][table_lanes];
     for (int i = 0; i < lane_count(); ++i) {
       const FoundExtremum& own = e[std::min(i, taken - 1)];
@@ -102,8 +142,10 @@ HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
       s = slopes_at(poles, f, x);
     }
     hn::StoreU(x, Lanes(), numbers[0]);
+    Pack moduli = sum_of_moduli(poles, f, x);
+    if (store.differentiated()) by_plain_terms(poles, curve, x, s.value, moduli);
     hn::StoreU(s.value, Lanes(), numbers[1]);
-    hn::StoreU(hn::MulAdd(all(round_off_of_value), sum_of_moduli(poles, f, x), missed), Lanes(), numbers[2]);
+    hn::StoreU(hn::MulAdd(all(round_off_of_value), moduli, missed), Lanes(), numbers[2]);
     for (int i = 0; i < taken; ++i) e[i].at = numbers[0][i], e[i].value = numbers[1][i], e[i].missed = numbers[2][i];
   }
 }
