@@ -67,13 +67,11 @@ HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const
   return hn::Or(none, hn::Not(little));
 }
 
-/// Above this, Σ of the moduli of what a value is the sum of, over the value, leaves it fewer than nine digits.
-constexpr double most_cancellation = 1e5;
-
-/// Lanes where f keeps nine digits at x.
-template <typename Size>
-HWY_INLINE LaneMask has_digits(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x, const Pack& value) {
-  return hn::Le(sum_of_moduli(poles, f, x), hn::Mul(all(most_cancellation), value));
+/// Lanes where a value keeps nine digits (an amplitude twice as many as its square loses), of terms with such moduli.
+/// @param of_sums  round-off of a sum against its terms
+HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value) {
+  constexpr double nine_digits = 2e-10;
+  return hn::Le(hn::Mul(of_sums, moduli), hn::Mul(all(nine_digits), value));
 }
 
 HWY_INLINE void store_mask(const LaneMask& mask, bool* to) {

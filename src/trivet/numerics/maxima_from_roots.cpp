@@ -50,7 +50,7 @@ void maxima_of(Size n, const RootTable& table, const std::vector<double>& omega,
   for (int j = 0; j < n; ++j) {
     hn::StoreU(hn::Sqrt(hn::Max(hn::Zero(Lanes()), hn::Add(best[j], best[j]))), Lanes(), maxima.amplitude[j] + lane);
     hn::StoreU(where[j], Lanes(), maxima.angular_frequency[j] + lane);
-    known = hn::And(known, has_digits(poles, f[j], hn::Mul(where[j], where[j]), best[j]));
+    known = hn::And(known, has_digits(sum_of_moduli(poles, f[j], hn::Mul(where[j], where[j])), from_table(table.round_off, lane), best[j]));
   }
   store_mask(known, maxima.known + lane);
 }

@@ -119,7 +119,7 @@ class PackOfCurves {
     complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
     // A slope that turned where the walk could not tell its sign, and that keeps the new one to x = ∞.
     for (int c = 0; c < channels_; ++c) complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
-    refine(LaneStore<Size>(poles, curves_.get(), channels_, question_.rows), found_);
+    refine(LaneStore<Size>(poles, curves_.get(), channels_, question_.rows, round_off_), found_);
   }
 
   void tell(TablePeaks& peaks) const {
@@ -193,7 +193,7 @@ class PackOfCurves {
   [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
     const SquaredResponse& f = curves_[channel].f;
     if (omega == 0 && question_.rows[static_cast<std::size_t>(channel)].derivative > 0) return hn::Zero(Lanes());  // nothing moves at rest
-    const Pack missed = hn::Mul(all(0.5 * round_off_of_value), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
+    const Pack missed = hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
     return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));
   }
   static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
@@ -202,9 +202,9 @@ class PackOfCurves {
   [[nodiscard]] LaneMask has_digits_at(int channel, const Pack& height, const Pack& omega) const {
     const SquaredResponse& f = curves_[channel].f;
     const Pack infinity = all(std::numeric_limits<double>::infinity()), value = hn::Mul(all(0.5), hn::Mul(height, height));
-    const LaneMask endless = hn::Eq(omega, infinity), sum = has_digits(pack_.poles, f, hn::IfThenElse(endless, pack_.from, hn::Mul(omega, omega)), value);
-    const LaneMask limit = hn::Le(f.constant_parts, hn::Mul(all(most_cancellation), value));
-    return hn::Or(hn::And(endless, limit), hn::AndNot(endless, sum));
+    const LaneMask endless = hn::Eq(omega, infinity);
+    const Pack moduli = sum_of_moduli(pack_.poles, f, hn::IfThenElse(endless, pack_.from, hn::Mul(omega, omega)));
+    return has_digits(hn::IfThenElse(endless, f.constant_parts, moduli), round_off_, value);
   }
 
   void form(Size n, const RootTable& table) {
@@ -213,6 +213,7 @@ class PackOfCurves {
     pack_.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
     PolePairs roots;
     roots_in_table(n, table, lane_, roots, pack_.poles);
+    round_off_ = from_table(table.round_off, lane_);
     pack_.from = all(question_.from * question_.from);
     pack_.to = all(question_.to * question_.to);
     PackOfResidues residues;
@@ -266,6 +267,7 @@ class PackOfCurves {
   std::unique_ptr<WalkedCurve[]> curves_;
   std::unique_ptr<Pack[]> values_;  ///< of all curves at the start, at the end, and above each pole
   std::unique_ptr<Top[]> tops_;
+  Pack round_off_;  ///< of sums over the roots, against their terms
   LaneMask complete_;
   FoundExtrema found_;
 };

@@ -19,16 +19,17 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// A curve of several, each in a lane of its own: |y|², and before its derivatives, x^−derivative of that, whose terms cancel less where x is small.
 struct GatheredCurve {
   SquaredResponse f, plain;
-  Pack derivative;
+  Pack derivative, round_off;
 };
 
 /// What is known of all curves of all lanes, for extrema that stand in any of them.
 template <typename Size>
 class LaneStore {
  public:
-  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels, const std::vector<ObservedRow>& rows)
+  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels, const std::vector<ObservedRow>& rows, const Pack& of_sums)
       : count_(poles.count), differentiated_(std::any_of(rows.begin(), rows.end(), [](const ObservedRow& row) { return row.derivative > 0; })),
         of_channel_(static_cast<std::size_t>(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+    hn::StoreU(of_sums, Lanes(), round_off_);
     for (int k = 0; k < count_; ++k) {
       hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
       hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
@@ -78,6 +79,7 @@ class LaneStore {
     }
     place(poles);
     const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
+    curve_of.round_off = hn::GatherIndex(Lanes(), round_off_, of_lane);
     const auto pairs = static_cast<std::size_t>(count_);
     SquaredResponse &f = curve_of.f, &plain = curve_of.plain;
     for (std::size_t k = 0; k < pairs; ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
@@ -97,20 +99,32 @@ class LaneStore {
   Size count_;
   bool differentiated_;
   std::size_t of_channel_;
-  alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes];
+  alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes], round_off_[table_lanes];
   std::vector<double> C_;  ///< [channel][pairs, constant and slope, their parts; if anything is differentiated: derivative, pairs before it][lane]
 };
 
-/// Value at x and its round-off, by those terms that cancel less.
+/// Value and slopes of f = x^d g from those of g.
+HWY_INLINE Slopes times_power(const Pack& d, const Pack& x, const Slopes& g) {
+  const Pack one = all(1.0), x_if_squared = hn::IfThenElse(hn::Ge(d, all(2.0)), x, one);
+  const Pack power = hn::Mul(hn::IfThenElse(hn::Ge(d, one), x, one), x_if_squared), rise = hn::Mul(d, x_if_squared), bend = hn::Mul(d, hn::Sub(d, one));
+  const Pack twice = hn::Add(rise, rise), thrice = hn::Add(twice, rise);
+  return {hn::Mul(power, g.value), hn::MulAdd(rise, g.value, hn::Mul(power, g.first)),
+          hn::MulAdd(bend, g.value, hn::MulAdd(twice, g.first, hn::Mul(power, g.second))),
+          hn::MulAdd(hn::Mul(all(3.0), bend), g.first, hn::MulAdd(thrice, g.second, hn::Mul(power, g.third)))};
+}
+
+/// Slopes at x and the round-off of the value, by those terms that cancel less there.
 template <typename Size>
-HWY_INLINE void by_plain_terms(const SquarePoles<Size>& poles, const GatheredCurve& curve, const Pack& x, Pack& value, Pack& moduli) {
-  const Pack one = all(1.0), power = hn::Mul(hn::IfThenElse(hn::Ge(curve.derivative, one), x, one), hn::IfThenElse(hn::Ge(curve.derivative, all(2.0)), x, one));
-  const Pack other = hn::Mul(power, sum_of_moduli(poles, curve.plain, x));
-  Pack sum = hn::Zero(Lanes());
-  each(poles.count, [&](int k) TRIVET_LANES { sum = sum_of(curve.plain.C[k], reach(poles, k, x), sum); });
-  const LaneMask better = hn::Lt(other, moduli);
-  value = hn::IfThenElse(better, hn::Mul(power, sum), value);
-  moduli = hn::IfThenElse(better, other, moduli);
+HWY_INLINE Slopes slopes_of(const SquarePoles<Size>& poles, const GatheredCurve& curve, bool differentiated, const Pack& x, Pack& moduli) {
+  Slopes s = slopes_at(poles, curve.f, x);
+  moduli = sum_of_moduli(poles, curve.f, x);
+  if (!differentiated) return s;
+  const Pack zero = hn::Zero(Lanes()), of_plain = times_power(curve.derivative, x, {sum_of_moduli(poles, curve.plain, x), zero, zero, zero}).value;
+  const Slopes other = times_power(curve.derivative, x, slopes_at(poles, curve.plain, x));
+  const LaneMask better = hn::Lt(of_plain, moduli);
+  moduli = hn::Min(of_plain, moduli);
+  return {hn::IfThenElse(better, other.value, s.value), hn::IfThenElse(better, other.first, s.first), hn::IfThenElse(better, other.second, s.second),
+          hn::IfThenElse(better, other.third, s.third)};
 }
 
 /// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.
@@ -120,7 +134,6 @@ HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
   constexpr double settled = 1e-13;
   SquarePoles<Size> poles;
   GatheredCurve curve;
-  const SquaredResponse& f = curve.f;
   const auto count = static_cast<int>(found.size());
   for (int begin = 0; begin < count; begin += lane_count()) {
     FoundExtremum* e = found.data() + begin;
@@ -133,19 +146,18 @@ HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
     }
     Pack x = hn::LoadU(Lanes(), numbers[0]), missed;
     const Pack lower = hn::LoadU(Lanes(), numbers[1]), upper = hn::LoadU(Lanes(), numbers[2]);
-    Slopes s = slopes_at(poles, f, x);
+    Pack moduli;
+    Slopes s = slopes_of(poles, curve, store.differentiated(), x, moduli);
     for (int i = 0; i <= steps_at_most; ++i) {
       const Pack step = step_to_extremum(s);
       missed = hn::Abs(hn::Mul(s.first, step));
       if (i == steps_at_most || hn::AllTrue(Lanes(), hn::Le(missed, hn::Mul(all(settled), s.value)))) break;
       x = hn::Max(lower, hn::Min(upper, hn::Add(x, step)));
-      s = slopes_at(poles, f, x);
+      s = slopes_of(poles, curve, store.differentiated(), x, moduli);
     }
     hn::StoreU(x, Lanes(), numbers[0]);
-    Pack moduli = sum_of_moduli(poles, f, x);
-    if (store.differentiated()) by_plain_terms(poles, curve, x, s.value, moduli);
     hn::StoreU(s.value, Lanes(), numbers[1]);
-    hn::StoreU(hn::MulAdd(all(round_off_of_value), moduli, missed), Lanes(), numbers[2]);
+    hn::StoreU(hn::MulAdd(curve.round_off, moduli, missed), Lanes(), numbers[2]);
     for (int i = 0; i < taken; ++i) e[i].at = numbers[0][i], e[i].value = numbers[1][i], e[i].missed = numbers[2][i];
   }
 }

@@ -19,6 +19,7 @@ struct RootTable {
   alignas(64) Row real[most_pairs];                                        ///< 1: two real roots, else 0
   alignas(64) Row r_first[most_pairs][most_pairs], r_second[most_pairs][most_pairs];  ///< [pair][coordinate]
   alignas(64) Row mass[most_pairs];                                        ///< A_jj
+  alignas(64) Row round_off;                                               ///< of sums over these roots, against the sums of their terms' moduli
   bool definite[table_lanes];                                              ///< A is positive definite
   bool good[table_lanes];                                                  ///< all roots found, decaying, and far enough from defective
 };

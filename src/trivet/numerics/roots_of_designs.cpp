@@ -24,7 +24,7 @@ HWY_INLINE Pack column_of(const Eigen::ArrayXXd& numbers, Eigen::Index column, E
 
 template <typename Size>
 void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, RootTable& table) {
-  constexpr double most_condition = 1e3;
+  constexpr double most_condition = 1e3, round_off = 2e-15;
   Pack a[Size::most * (Size::most + 1) / 2], b[Size::most * (Size::most + 1) / 2], k[Size::most * (Size::most + 1) / 2], h[Size::most];
   for (int entry = 0; entry < n * (n + 1) / 2; ++entry) {
     a[entry] = column_of(designs.A, entry, first);
@@ -38,6 +38,7 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
   poles_of_pack(n, modes, b, h, poles);
   LaneMask good = hn::And(hn::And(modes.settled, poles.good), hn::Le(poles.condition, all(most_condition)));
   for (int j = 0; j < n; ++j) hn::StoreU(a[packed(j, j)], Lanes(), table.mass[j] + lane);
+  hn::StoreU(all(round_off), Lanes(), table.round_off + lane);
   for (int p = 0; p < n; ++p) {
     const LaneMask real = poles.real[p];
     const Pack slow = poles.lambda[p].re;

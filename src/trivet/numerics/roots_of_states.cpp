@@ -2,6 +2,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/pole_residue.h"
@@ -15,18 +16,21 @@ constexpr double tolerance = 1e-10;
 constexpr double most_cancellation = 1e4;
 /// Least decay rate against the fastest pole: below, round-off of the eigensolver (in units of that pole) shows in the height of a peak.
 constexpr double least_decay = 1e-5;
+/// Round-off of sums over these roots: so many times what the sums above miss, which may lie well by chance.
+constexpr double margin = 10, least_round_off = 2e-15;
 
 /// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of them.
-bool sums_hold(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles, const Eigen::MatrixXcd& r) {
+/// @return by how much they are missed at most, as a share of their terms; infinite where terms cancel too far
+double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles, const Eigen::MatrixXcd& r) {
   const Eigen::VectorXd acceleration = m.A.llt().solve(load), displacement = -m.K.llt().solve(load);
   const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // metres and radians by what they weigh
-  const auto holds = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
+  const auto share = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
     const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
     const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(), weighed = weight.cwiseProduct(sum).norm();
-    return (weighed == 0 || size <= most_cancellation * weighed) && missed.cwiseAbs().maxCoeff() <= tolerance * size;
+    return weighed > 0 && size > most_cancellation * weighed ? std::numeric_limits<double>::infinity() : missed.cwiseAbs().maxCoeff() / size;
   };
-  return holds(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())) && holds(poles, acceleration) &&
-         holds(poles.cwiseInverse(), displacement);
+  return std::max({share(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())), share(poles, acceleration),
+                   share(poles.cwiseInverse(), displacement)});
 }
 
 }  // namespace
@@ -42,9 +46,11 @@ bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, Root
   if (form.poles.size() != 2 * n || !(form.poles.real().array() < 0).all() || !form.shapes.allFinite()) return false;
   if (form.poles.real().cwiseAbs().minCoeff() < least_decay * form.poles.cwiseAbs().maxCoeff()) return false;
   const Eigen::MatrixXcd r = form.shapes * form.participation.col(0).asDiagonal();
-  if (!sums_hold(m, load, form.poles, r)) return false;
+  const double missed = missed_sums(m, load, form.poles, r);
+  if (!(missed <= tolerance)) return false;
   table.coordinates = n;
   for (int j = 0; j < n; ++j) table.mass[j][lane] = m.A(j, j);
+  table.round_off[lane] = std::max(least_round_off, margin * missed);
   std::vector<Eigen::Index> turning, real;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     if (form.poles(k).imag() > 0) turning.push_back(k);

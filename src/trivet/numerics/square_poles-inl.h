@@ -62,7 +62,6 @@ HWY_INLINE Pack modulus_above(const LaneMask& real, const PairPack& a) {
 
 HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others) { return hn::MulAdd(C.first, w.first, hn::MulAdd(C.second, w.second, others)); }
 
-constexpr double round_off_of_value = 2e-15;  ///< of f against the sum of the moduli of its terms
 /// Of the moduli of all that f is the sum of at x, which tells what round-off its value has.
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
