@@ -9,86 +9,18 @@
 #include <optional>
 
 #include "trivet/report/answer_figures.h"
+#include "trivet/report/map_picture.h"
+#include "trivet/report/map_points.h"
 #include "trivet/report/map_regions.h"
 #include "trivet/report/map_words.h"
-#include "trivet/report/plot_panel.h"
-#include "trivet/study/axis_words.h"
 
 namespace trivet::report {
 namespace {
 
-constexpr const char* halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
 // Okabe and Ito's colours mixed with white: neighbours in this order differ in lightness too.
 constexpr std::array<const char*, 7> colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab", "#dba6c6", "#f5ec8e", "#7aa9cf"};
 constexpr const char* other_colour = "#d8d8d8";
 constexpr const char* unknown_colour = "#8f8f8f";
-constexpr double letter = 6.1;  // width of a sign of 11 pixels, about
-
-struct Box {
-  double left = 0, top = 0, right = 0, bottom = 0;
-  [[nodiscard]] bool meets(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
-};
-
-/// Signs of a UTF-8 text.
-double width_of(const std::string& text) {
-  return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-struct MapPicture {
-  const study::DesignMap& map;
-  SvgCanvas canvas;
-  PlotPanel panel;
-  std::vector<Box> taken = {};
-
-  [[nodiscard]] PixelPoint at(const study::MapPlace& p) const { return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height}; }
-  [[nodiscard]] std::vector<PixelPoint> line(const study::MapLine& places) const {
-    std::vector<PixelPoint> points;
-    for (const study::MapPlace& p : places) points.push_back(at(p));
-    return points;
-  }
-  [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<study::MapLine>& lines) const {
-    std::vector<std::vector<PixelPoint>> all;
-    for (const study::MapLine& ring : lines) all.push_back(line(ring));
-    return all;
-  }
-  [[nodiscard]] bool inside(const Box& b) const {
-    return b.left >= panel.corner.x + 2 && b.right <= panel.corner.x + panel.width - 2 && b.top >= panel.corner.y + 2 && b.bottom <= panel.corner.y + panel.height - 2;
-  }
-  [[nodiscard]] bool is_free(const Box& b) const {
-    return inside(b) && std::none_of(taken.begin(), taken.end(), [&](const Box& t) { return t.meets(b); });
-  }
-};
-
-/// A sample and its words in the key right of the panel.
-class Key {
- public:
-  Key(SvgCanvas& canvas, PixelPoint at) : canvas_(canvas), at_(at) {}
-  void heading(const std::string& text) {
-    at_.y += 8;
-    canvas_.text({at_.x, at_.y}, text, "font-weight=\"bold\"");
-    at_.y += 18;
-  }
-  void patch(const std::string& style, const std::string& text, const std::string& second = "") {
-    canvas_.rectangle({at_.x, at_.y - 9}, 22, 13, style);
-    words(text, second);
-  }
-  void stroke(const std::string& style, const std::string& text) {
-    canvas_.line({at_.x, at_.y - 3}, {at_.x + 22, at_.y - 3}, style);
-    words(text, "");
-  }
-  [[nodiscard]] PixelPoint sample() const { return {at_.x + 11, at_.y - 3}; }
-  void words(const std::string& text, const std::string& second) {
-    const double size = std::clamp(11 * 225 / width_of(text), 7.0, 11.0);
-    canvas_.text({at_.x + 30, at_.y + 1}, text, fmt::format("font-size=\"{:.1f}\"", size));
-    if (!second.empty()) canvas_.text({at_.x + 30, at_.y + 14}, second, "fill=\"#555\" font-size=\"10\"");
-    at_.y += second.empty() ? 18 : 32;
-  }
-
- private:
-  SvgCanvas& canvas_;
-  PixelPoint at_;
-};
-
 void draw_regions(MapPicture& picture, Key& key) {
   const std::vector<MapRegion> regions = map_regions(picture.map);
   const auto share = [&](std::size_t designs) { return 100.0 * static_cast<double>(designs) / static_cast<double>(picture.map.outcomes.size()); };
@@ -156,114 +88,6 @@ void draw_margins(MapPicture& picture, Key& key) {
     picture.canvas.text({place->x, place->y + 4}, text, fmt::format("text-anchor=\"middle\" fill=\"#333\" font-size=\"10\" {}", halo));
   }
   if (any) key.stroke(style, "margin = limit / value, as written");
-}
-
-void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
-  canvas.circle(p, 4.5, kept ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\"" : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
-  if (kept) return;
-  canvas.line({p.x - 2, p.y - 2}, {p.x + 2, p.y + 2}, "stroke=\"black\" stroke-width=\"1.3\"");
-  canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
-}
-
-/// Full where it keeps every rule.
-void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
-  canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
-              kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\"" : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
-}
-
-/// Does a line of margin 1 run through a box?
-bool meets_boundary(const MapPicture& picture, const Box& box) {
-  constexpr double step = 3;  // pixels, less than a letter is high
-  for (const study::MapLine& line : picture.map.feasible.lines)
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      const PixelPoint a = picture.at(line[k - 1]), b = picture.at(line[k]);
-      const int pieces = 1 + static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / step);
-      for (int i = 0; i <= pieces; ++i) {
-        const double x = a.x + (b.x - a.x) * i / pieces, y = a.y + (b.y - a.y) * i / pieces;
-        if (x > box.left && x < box.right && y > box.top && y < box.bottom) return true;
-      }
-    }
-  return false;
-}
-
-/// Beside the point where it covers nothing, else farther off with a leader. Was there room?
-bool is_placed(MapPicture& picture, PixelPoint p, const std::string& text, bool on_boundary) {
-  const double width = width_of(text);
-  for (const double distance : {9.0, 20.0, 34.0, 50.0, 70.0})
-    for (const auto& [dx, dy] : {std::pair{1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, -0.8}, {-0.8, 0.8}}) {
-      const double left = p.x + dx * distance - (dx < 0 ? width : dx == 0 ? width / 2 : 0), base = p.y + 4 + dy * (distance + 4);
-      const Box box{left - 2, base - 11, left + width + 2, base + 3};
-      if (!picture.is_free(box) || (!on_boundary && meets_boundary(picture, box))) continue;
-      picture.taken.push_back(box);
-      if (distance > 9) picture.canvas.line({p.x + 5 * dx, p.y + 5 * dy}, {std::clamp(p.x + dx * distance, left, left + width), base - 4 + (dy < 0 ? 5 : dy > 0 ? -5 : 0)}, "stroke=\"#333\" stroke-width=\"0.8\"");
-      picture.canvas.text({left, base}, text, halo);
-      return true;
-    }
-  return false;
-}
-
-/// On a line of margin 1 only where there is no other room.
-void place_label(MapPicture& picture, PixelPoint p, const std::string& text) {
-  if (!is_placed(picture, p, text, false)) static_cast<void>(is_placed(picture, p, text, true));
-}
-
-struct PlacedMark {
-  PixelPoint point;
-  std::string names;
-  bool kept = false;
-};
-
-/// Cases of this model inside the frame; those in one place share a label.
-std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
-  std::vector<PlacedMark> placed;
-  for (const study::MapMark& mark : picture.map.marks) {
-    if (!is_drawn(picture.map, mark)) continue;
-    const PixelPoint p = picture.at({picture.map.request.x.share(*mark.x), picture.map.request.y.share(*mark.y)});
-    const std::string name = mark.name.empty() ? "base" : mark.name;
-    const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) { return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1; });
-    if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.kept()});
-    else same->names += ", " + name;
-  }
-  return placed;
-}
-
-/// Sample and words of the best design, or of the nearest where none keeps every rule.
-void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
-  const study::DesignMap& map = picture.map;
-  const study::DesignOutcome& best = map.outcomes[*map.best];
-  const study::DesignPoint p = map.point(*map.best);
-  draw_best(canvas, key.sample(), best.kept());
-  const std::string where = fmt::format("{}, {}", study::axis_value(p.x, map.request.x), study::axis_value(p.y, map.request.y));
-  if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
-  else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
-}
-
-PixelPoint best_point(const MapPicture& picture) {
-  const auto nx = static_cast<std::size_t>(picture.map.grid.nx);
-  return picture.at(picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
-}
-
-/// Nothing is written over the points.
-void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed) {
-  const auto around = [&](PixelPoint p, double room) { picture.taken.push_back({p.x - room, p.y - room, p.x + room, p.y + room}); };
-  for (const PlacedMark& mark : placed) around(mark.point, 6);
-  if (picture.map.best) around(best_point(picture), 8);
-}
-
-void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
-  if (picture.map.best) draw_best(picture.canvas, best_point(picture), picture.map.outcomes[*picture.map.best].kept());
-  for (const PlacedMark& mark : placed) {
-    draw_mark(picture.canvas, mark.point, mark.kept);
-    place_label(picture, mark.point, mark.names);
-  }
-  if (placed.empty() && !picture.map.best) return;
-  key.heading("Points");
-  for (const bool kept : {true, false}) {
-    if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.kept == kept; })) continue;
-    draw_mark(picture.canvas, key.sample(), kept);
-    key.words(kept ? "case that keeps every rule" : "case that breaks a rule", "");
-  }
-  if (picture.map.best) explain_best(picture, picture.canvas, key);
 }
 
 /// Paths of the two numbers, small, where the axes are called otherwise; and what the picture does not show.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/report/plot_panel.h"
+#include "trivet/report/svg_canvas.h"
+#include "trivet/study/design_map.h"
+
+namespace trivet::report {
+
+/// White around letters.
+inline constexpr const char* halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
+
+struct Box {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  [[nodiscard]] bool meets(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
+};
+
+/// Of a line of 11 pixels, about.
+[[nodiscard]] double width_of(const std::string& text);
+
+/// The panel of a map, and what of it is written on already.
+struct MapPicture {
+  const study::DesignMap& map;
+  SvgCanvas canvas;
+  PlotPanel panel;
+  std::vector<Box> taken = {};
+
+  [[nodiscard]] PixelPoint at(const study::MapPlace& p) const { return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height}; }
+  [[nodiscard]] std::vector<PixelPoint> line(const study::MapLine& places) const;
+  [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<study::MapLine>& lines) const;
+  /// Inside the frame, and nothing is written there.
+  [[nodiscard]] bool is_free(const Box& box) const;
+};
+
+/// A sample and its words in the key right of the panel.
+class Key {
+ public:
+  Key(SvgCanvas& canvas, PixelPoint at) : canvas_(canvas), at_(at) {}
+  void heading(const std::string& text);
+  void patch(const std::string& style, const std::string& text, const std::string& second = "");
+  void stroke(const std::string& style, const std::string& text);
+  /// Where a sample of another kind stands.
+  [[nodiscard]] PixelPoint sample() const { return {at_.x + 11, at_.y - 3}; }
+  void words(const std::string& text, const std::string& second);
+
+ private:
+  SvgCanvas& canvas_;
+  PixelPoint at_;
+};
+
+}  // namespace trivet::report

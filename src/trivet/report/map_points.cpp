@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/map_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/report/map_words.h"
+#include "trivet/study/axis_words.h"
+
+namespace trivet::report {
+namespace {
+
+void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
+  canvas.circle(p, 4.5, kept ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\"" : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
+  if (kept) return;
+  canvas.line({p.x - 2, p.y - 2}, {p.x + 2, p.y + 2}, "stroke=\"black\" stroke-width=\"1.3\"");
+  canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
+}
+
+/// Full where it keeps every rule.
+void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
+  canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
+              kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\"" : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
+}
+
+/// Does a line of margin 1 run through a box?
+bool meets_boundary(const MapPicture& picture, const Box& box) {
+  constexpr double step = 3;  // pixels, less than a letter is high
+  for (const study::MapLine& line : picture.map.feasible.lines)
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const PixelPoint a = picture.at(line[k - 1]), b = picture.at(line[k]);
+      const int pieces = 1 + static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / step);
+      for (int i = 0; i <= pieces; ++i) {
+        const double x = a.x + (b.x - a.x) * i / pieces, y = a.y + (b.y - a.y) * i / pieces;
+        if (x > box.left && x < box.right && y > box.top && y < box.bottom) return true;
+      }
+    }
+  return false;
+}
+
+/// Beside the point where it covers nothing, else farther off with a leader. Was there room?
+bool is_placed(MapPicture& picture, PixelPoint p, const std::string& text, bool on_boundary) {
+  const double width = width_of(text);
+  for (const double distance : {9.0, 20.0, 34.0, 50.0, 70.0})
+    for (const auto& [dx, dy] : {std::pair{1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, -0.8}, {-0.8, 0.8}}) {
+      const double left = p.x + dx * distance - (dx < 0 ? width : dx == 0 ? width / 2 : 0), base = p.y + 4 + dy * (distance + 4);
+      const Box box{left - 2, base - 11, left + width + 2, base + 3};
+      if (!picture.is_free(box) || (!on_boundary && meets_boundary(picture, box))) continue;
+      picture.taken.push_back(box);
+      if (distance > 9) picture.canvas.line({p.x + 5 * dx, p.y + 5 * dy}, {std::clamp(p.x + dx * distance, left, left + width), base - 4 + (dy < 0 ? 5 : dy > 0 ? -5 : 0)}, "stroke=\"#333\" stroke-width=\"0.8\"");
+      picture.canvas.text({left, base}, text, halo);
+      return true;
+    }
+  return false;
+}
+
+/// On a line of margin 1 only where there is no other room.
+void place_label(MapPicture& picture, PixelPoint p, const std::string& text) {
+  if (!is_placed(picture, p, text, false)) static_cast<void>(is_placed(picture, p, text, true));
+}
+
+/// Sample and words of the best design, or of the nearest where none keeps every rule.
+void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
+  const study::DesignMap& map = picture.map;
+  const study::DesignOutcome& best = map.outcomes[*map.best];
+  const study::DesignPoint p = map.point(*map.best);
+  draw_best(canvas, key.sample(), best.kept());
+  const std::string where = fmt::format("{}, {}", study::axis_value(p.x, map.request.x), study::axis_value(p.y, map.request.y));
+  if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
+  else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
+}
+
+PixelPoint best_point(const MapPicture& picture) {
+  const auto nx = static_cast<std::size_t>(picture.map.grid.nx);
+  return picture.at(picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
+}
+
+}  // namespace
+
+std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
+  std::vector<PlacedMark> placed;
+  for (const study::MapMark& mark : picture.map.marks) {
+    if (!is_drawn(picture.map, mark)) continue;
+    const PixelPoint p = picture.at({picture.map.request.x.share(*mark.x), picture.map.request.y.share(*mark.y)});
+    const std::string name = mark.name.empty() ? "base" : mark.name;
+    const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) { return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1; });
+    if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.kept()});
+    else same->names += ", " + name;
+  }
+  return placed;
+}
+
+void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed) {
+  const auto around = [&](PixelPoint p, double room) { picture.taken.push_back({p.x - room, p.y - room, p.x + room, p.y + room}); };
+  for (const PlacedMark& mark : placed) around(mark.point, 6);
+  if (picture.map.best) around(best_point(picture), 8);
+}
+
+void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
+  if (picture.map.best) draw_best(picture.canvas, best_point(picture), picture.map.outcomes[*picture.map.best].kept());
+  for (const PlacedMark& mark : placed) {
+    draw_mark(picture.canvas, mark.point, mark.kept);
+    place_label(picture, mark.point, mark.names);
+  }
+  if (placed.empty() && !picture.map.best) return;
+  key.heading("Points");
+  for (const bool kept : {true, false}) {
+    if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.kept == kept; })) continue;
+    draw_mark(picture.canvas, key.sample(), kept);
+    key.words(kept ? "case that keeps every rule" : "case that breaks a rule", "");
+  }
+  if (picture.map.best) explain_best(picture, picture.canvas, key);
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/report/map_picture.h"
+
+namespace trivet::report {
+
+struct PlacedMark {
+  PixelPoint point;
+  std::string names;
+  bool kept = false;
+};
+
+/// Cases of this model inside the frame; those in one place share a label.
+[[nodiscard]] std::vector<PlacedMark> placed_marks(const MapPicture& picture);
+
+/// Nothing is written over the points.
+void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed);
+
+/// The best design and the cases with their names.
+void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key);
+
+}  // namespace trivet::report
