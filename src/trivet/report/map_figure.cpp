@@ -21,29 +21,52 @@ namespace {
 constexpr std::array<const char*, 7> colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab", "#dba6c6", "#f5ec8e", "#7aa9cf"};
 constexpr const char* other_colour = "#d8d8d8";
 constexpr const char* unknown_colour = "#8f8f8f";
-void draw_regions(MapPicture& picture, Key& key) {
-  const std::vector<MapRegion> regions = map_regions(picture.map);
-  const auto share = [&](std::size_t designs) { return 100.0 * static_cast<double>(designs) / static_cast<double>(picture.map.outcomes.size()); };
-  key.heading("Rule with the least margin");
-  std::size_t next = 0, others = 0;
-  for (const MapRegion& region : regions) {
-    const bool free = region.governing == MapRegion::unlimited, known = free || region.governing < study::DesignOutcome::not_computed, other = known && next >= colours.size();
-    const char* colour = !known ? unknown_colour : other ? other_colour : colours[next];
-    picture.canvas.area(picture.rings(region.rings), fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour));
-    if (other) others += region.designs;
-    else if (known) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", colour), free ? "no rule limits it: no peak" : picture.map.rules[region.governing].words, fmt::format("{:.1f} % of the designs", share(region.designs))), ++next;
-  }
-  if (others > 0) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", other_colour), "other rules", fmt::format("{:.1f} % of the designs", share(others)));
-  if (picture.map.unknown > 0) key.patch(fmt::format("fill=\"{}\" stroke=\"#777\"", unknown_colour), "no answer: no real body, or no model", fmt::format("{:.1f} % of the designs", share(picture.map.unknown)));
+
+/// Regions by their size get the colours; what comes after these is grey.
+const char* colour_of(const MapRegion& region, std::size_t rank) {
+  if (!region.known()) return unknown_colour;
+  return rank < colours.size() ? colours[rank] : other_colour;
 }
 
-void draw_feasible(MapPicture& picture, Key& key) {
-  const study::MapContours& feasible = picture.map.feasible;
-  picture.canvas.area(picture.rings(feasible.rings), "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"");
-  for (const study::MapLine& line : feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
+/// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while colours follow the nearest design of their side.
+void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& heading) {
+  const auto paint = [&](std::vector<study::MapLine> MapRegion::* side) {
+    for (std::size_t rank = 0; rank < regions.size(); ++rank)
+      picture.canvas.area(picture.rings(regions[rank].*side), fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
+  };
+  const auto outline = picture.rings(picture.map.feasible.rings);
+  paint(&MapRegion::broken);
+  picture.canvas.begin_clip(outline, "feasible of " + heading);
+  paint(&MapRegion::kept);
+  picture.canvas.end_clip();
+  picture.canvas.area(outline, lighter);
+  for (const study::MapLine& line : picture.map.feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
+}
+
+void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& regions, Key& key) {
+  const auto share = [&](std::size_t designs) { return fmt::format("{:.1f} % of the designs", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
+  key.heading("Rule with the least margin");
+  MapRegion others;
+  for (std::size_t rank = 0; rank < regions.size(); ++rank) {
+    const MapRegion& region = regions[rank];
+    const bool broken = !region.broken.empty(), kept = !region.kept.empty();
+    if (!region.known()) break;
+    if (rank >= colours.size()) {
+      others.designs += region.designs;
+      if (broken) others.broken = region.broken;
+      if (kept) others.kept = region.kept;
+    } else {
+      key.region(colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: no peak" : map.rules[region.governing].words, share(region.designs));
+    }
+  }
+  if (others.designs > 0) key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
+  if (map.unknown > 0) key.region(unknown_colour, true, false, "no answer: no real body, or no model", share(map.unknown));
+}
+
+void explain_feasible(const study::DesignMap& map, Key& key) {
   key.heading("Feasible region");
-  if (feasible.rings.empty()) return key.words("no design of this map keeps every rule", "");
-  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)", fmt::format("{} of {} designs", picture.map.kept, picture.map.outcomes.size()));
+  if (map.feasible.rings.empty()) return key.words("no design of this map keeps every rule", "");
+  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)", fmt::format("{} of {} designs", map.kept, map.outcomes.size()));
   key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
 }
 
@@ -121,8 +144,10 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
                       drawn_axis(map.request.y)}};
   picture.canvas.text({width / 2, 22}, heading, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   Key key(picture.canvas, {picture.panel.corner.x + picture.panel.width + 22, picture.panel.corner.y});
-  draw_regions(picture, key);
-  draw_feasible(picture, key);
+  const std::vector<MapRegion> regions = map_regions(map);
+  draw_regions(picture, regions, heading);
+  explain_regions(map, regions, key);
+  explain_feasible(map, key);
   draw_frame(picture.canvas, picture.panel);
   const std::vector<PlacedMark> placed = placed_marks(picture);
   keep_free(picture, placed);

@@ -47,6 +47,13 @@ void Key::patch(const std::string& style, const std::string& text, const std::st
   words(text, second);
 }
 
+void Key::region(const std::string& colour, bool broken, bool kept, const std::string& text, const std::string& second) {
+  const PixelPoint corner{at_.x, at_.y - 9};
+  canvas_.rectangle(corner, 22, 13, fmt::format("fill=\"{}\"", colour));
+  if (kept) canvas_.rectangle({corner.x + (broken ? 11 : 0), corner.y}, broken ? 11 : 22, 13, lighter);
+  patch("fill=\"none\" stroke=\"#777\"", text, second);
+}
+
 void Key::stroke(const std::string& style, const std::string& text) {
   canvas_.line({at_.x, at_.y - 3}, {at_.x + 22, at_.y - 3}, style);
   words(text, "");

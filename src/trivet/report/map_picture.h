@@ -13,6 +13,9 @@ namespace trivet::report {
 /// White around letters.
 inline constexpr const char* halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
 
+/// Laid over the colours of designs that keep every rule.
+inline constexpr const char* lighter = "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"";
+
 struct Box {
   double left = 0, top = 0, right = 0, bottom = 0;
   [[nodiscard]] bool meets(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
@@ -41,6 +44,8 @@ class Key {
   Key(SvgCanvas& canvas, PixelPoint at) : canvas_(canvas), at_(at) {}
   void heading(const std::string& text);
   void patch(const std::string& style, const std::string& text, const std::string& second = "");
+  /// The colour as it stands in the picture: full, lighter, or half and half.
+  void region(const std::string& colour, bool broken, bool kept, const std::string& text, const std::string& second);
   void stroke(const std::string& style, const std::string& text);
   /// Where a sample of another kind stands.
   [[nodiscard]] PixelPoint sample() const { return {at_.x + 11, at_.y - 3}; }

@@ -3,7 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 namespace trivet::report {
+namespace {
+
+std::string path_of(const std::vector<std::vector<PixelPoint>>& rings) {
+  std::string path;
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      path += fmt::format("{}{:.2f} {:.2f}{}", i == 0 ? "M" : "L", ring[i].x, ring[i].y, i + 1 == ring.size() ? "Z" : "");
+  return path;
+}
+
+/// Any text as an identifier that is safe in a reference: FNV-1a.
+std::string identifier(std::string_view name) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return fmt::format("clip-{:016x}", hash);
+}
+
+}  // namespace
 
 void SvgCanvas::line(PixelPoint a, PixelPoint b, std::string_view style) {
   body_ += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", a.x, a.y, b.x, b.y, style);
@@ -17,12 +37,16 @@ void SvgCanvas::polyline(const std::vector<PixelPoint>& points, std::string_view
 }
 
 void SvgCanvas::area(const std::vector<std::vector<PixelPoint>>& rings, std::string_view style) {
-  std::string path;
-  for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      path += fmt::format("{}{:.2f} {:.2f}{}", i == 0 ? "M" : "L", ring[i].x, ring[i].y, i + 1 == ring.size() ? "Z" : "");
+  const std::string path = path_of(rings);
   if (!path.empty()) body_ += fmt::format("<path fill-rule=\"evenodd\" d=\"{}\" {}/>\n", path, style);
 }
+
+void SvgCanvas::begin_clip(const std::vector<std::vector<PixelPoint>>& rings, std::string_view name) {
+  const std::string id = identifier(name);
+  body_ += fmt::format("<clipPath id=\"{0}\"><path clip-rule=\"evenodd\" d=\"{1}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n", id, path_of(rings));
+}
+
+void SvgCanvas::end_clip() { body_ += "</g>\n"; }
 
 void SvgCanvas::circle(PixelPoint centre, double radius, std::string_view style) {
   body_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" {}/>\n", centre.x, centre.y, radius, style);

@@ -21,6 +21,10 @@ class SvgCanvas {
   void polyline(const std::vector<PixelPoint>& points, std::string_view style);
   /// Closed outlines, filled between each other (even–odd).
   void area(const std::vector<std::vector<PixelPoint>>& rings, std::string_view style);
+  /// What is drawn until `end_clip` shows inside of closed outlines only (even–odd).
+  /// @param name  tells this outline apart from those of other pictures on one page
+  void begin_clip(const std::vector<std::vector<PixelPoint>>& rings, std::string_view name);
+  void end_clip();
   void circle(PixelPoint centre, double radius, std::string_view style);
   void rectangle(PixelPoint corner, double width, double height, std::string_view style);
   /// `attributes` may hold anchor, size, weight, transform.
