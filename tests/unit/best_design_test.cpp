@@ -58,6 +58,13 @@ TEST(BestDesign, OfAFineGridIsOneOfItsOwnDesigns) {
   EXPECT_TRUE(std::isinf(all[found->design].margin));
 }
 
+TEST(BestDesign, StandsInTheMidstWhereEveryMarginIsZero) {
+  const study::MapGrid grid{11, 11};
+  const auto found = study::best_design(study::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }));
+  EXPECT_EQ(found->design, grid.index(5, 5));
+  EXPECT_EQ(found->equals, 121u);
+}
+
 TEST(BestDesign, IsNoneWithoutAnyModel) {
   const study::MapGrid grid{2, 2};
   EXPECT_FALSE(study::best_design(study::drawn_grid(grid), std::vector<study::DesignOutcome>(4, {0, study::DesignOutcome::no_model})));

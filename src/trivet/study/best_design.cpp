@@ -44,7 +44,7 @@ std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<D
   best->without_bound = without_bound;
   constexpr float tie = 1 - 1e-6F;
   const float least = outcomes[best->design].margin * tie;
-  const auto equal = [&](std::size_t k) { return outcomes[k].known() && outcomes[k].margin > 0 && outcomes[k].margin >= least; };
+  const auto equal = [&](std::size_t k) { return outcomes[k].known() && outcomes[k].margin >= least; };
   best->equals = 0;
   for (std::size_t k = 0; k < outcomes.size(); ++k) best->equals += equal(k);
   if (best->equals < 2) return best;
