@@ -52,4 +52,23 @@ TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
       for (const study::MapPlace& p : line) EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
 }
 
+TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
+  const study::MapGrid grid{201, 101};
+  for (const auto& [least, largest] : {std::pair{1e-4, 0.95}, {0.5, 0.9}, {0.037, 0.042}}) {
+    const double growth = std::log(largest / least);
+    const auto all = outcomes(grid, [&](int i, int) { return static_cast<float>(least * std::exp(growth * i / 200)); });
+    const auto lines = study::margin_lines(study::drawn_grid(grid), all, largest);
+    EXPECT_GE(lines.size(), 3u) << largest;
+    EXPECT_LE(lines.size(), 6u) << largest;
+    for (const study::MarginLine& margin : lines)
+      for (const study::MapLine& line : margin.lines)
+        for (const study::MapPlace& p : line) EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, 1e-5 * largest);
+  }
+}
+
+TEST(MarginLines, AreNoneWhereNoMarginIsAboveZero) {
+  const study::MapGrid grid{5, 5};
+  EXPECT_TRUE(study::margin_lines(study::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }), 0).empty());
+}
+
 }  // namespace

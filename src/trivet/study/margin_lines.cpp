@@ -21,6 +21,32 @@ std::vector<double> round_margins(double largest) {
   return {};
 }
 
+/// Half a dozen round margins below the largest where none reaches 1: the coarsest steps of which four lie above the least.
+std::vector<double> round_margins_below(double largest, double least) {
+  constexpr std::size_t enough = 4, most = 6;
+  std::vector<double> every_tenth;
+  for (int k = 10; k < 100; ++k) every_tenth.push_back(0.1 * k);
+  std::vector<double> margins;
+  for (const auto& steps : {std::vector{1.0, 2.0, 5.0}, {1.0, 1.5, 2.0, 3.0, 5.0, 7.0}, {1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0}, every_tenth}) {
+    margins.clear();
+    for (double decade = std::pow(10, std::floor(std::log10(largest))); decade * 10 > least && margins.size() < most; decade /= 10)
+      for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+        if (decade * *step < largest && decade * *step > least) margins.push_back(decade * *step);
+    if (margins.size() >= enough) break;
+  }
+  const std::size_t stride = std::max<std::size_t>(1, margins.size() / most);  // tenths are many: spread over their range
+  std::vector<double> chosen;
+  for (std::size_t k = 0; k < margins.size() && chosen.size() < most; k += stride) chosen.push_back(margins[k]);
+  return chosen;
+}
+
+double least_above_zero(const std::vector<DesignOutcome>& outcomes) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const DesignOutcome& outcome : outcomes)
+    if (outcome.known() && outcome.margin > 0) least = std::min(least, static_cast<double>(outcome.margin));
+  return least;
+}
+
 double length(const MapLine& line) {
   double sum = 0;
   for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
@@ -69,7 +95,7 @@ std::vector<MapLine> lines_of(const DrawnGrid& grid, const std::vector<DesignOut
 }  // namespace
 
 std::vector<MarginLine> margin_lines(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes, double largest) {
-  const std::vector<double> margins = round_margins(largest);
+  const std::vector<double> margins = largest < 1 ? round_margins_below(largest, least_above_zero(outcomes)) : round_margins(largest);
   std::vector<double> with_boundary = {1};
   with_boundary.insert(with_boundary.end(), margins.begin(), margins.end());
   std::vector<MarginLine> all;
