@@ -179,8 +179,8 @@ class Map(unittest.TestCase):
         picture = self.folder / "map.svg"
         run("map", self.project, "--picture", str(picture))
         svg = picture.read_text()
-        self.assertIn("Outside the frame: far (9, 50 ms).", svg)
-        self.assertIn("more than the two numbers: heavy.", svg)
+        self.assertIn("Outside the frame: far (9, 50 ms: keeps every rule).", svg)
+        self.assertIn("more than the two numbers: heavy (breaks a rule).", svg)
 
     def test_the_picture_shows_the_nearest_design_where_none_is_feasible(self):
         picture = self.folder / "map.svg"
@@ -195,6 +195,47 @@ class Map(unittest.TestCase):
         self.assertTrue("amplitudes over" in both and "resonance peaks" in both)
         self.assertTrue("amplitudes over" not in peaks and "resonance peaks" in peaks)
         self.assertTrue("amplitudes over" in amplitudes and "resonance peaks" not in amplitudes)
+
+    def test_picture_and_report_say_what_was_asked(self):
+        asked = "amplitudes over all frequencies; resonance peaks wherever they lie, from 1 % above the minimum beside them (rises below 1e-06 of a curve are none)"
+        out = self.folder / "out"
+        self.assertIn(asked, run("run", self.project, "-o", str(out))[0])
+        self.assertIn("Asked: " + asked, (out / "00-base" / "map.svg").read_text())
+        report = (out / "report.html").read_text()
+        self.assertGreater(report.count("Asked: " + asked), 1)  # section and picture
+
+    def test_text_and_report_name_axes_and_order_rules_alike(self):
+        out = self.folder / "out"
+        text = run("run", self.project, "-o", str(out))[0]
+        report = (out / "report.html").read_text()
+        best = re.search("Best design: .*", text).group()
+        self.assertTrue(best.startswith("Best design: stiffness scale of spring = 4, "), best)
+        self.assertIn(best, report)
+        pathlib.Path(self.project).write_text(ONE_MASS.replace("30 mm", "1 m").replace("300 ms", "60 ms"))  # now peaks govern most designs
+        text = run("run", self.project, "-o", str(self.folder / "wide"))[0]
+        report = (self.folder / "wide" / "report.html").read_text()
+        for page in (text, report):
+            table = page[page.index("governs, kept"):]
+            self.assertLess(table.index("no peak of mass.z"), table.index("mass.z ≤ 1 m"))
+
+    def test_nothing_moves_without_a_load(self):
+        still = ("--set", "excitations.force.force=[0,0,0]", "--set", "analyses.map.no_peak=[]")
+        self.assertIn("no rule limits them: nothing moves", run("map", self.project, *still)[0])
+        svg = self.picture(*still)
+        self.assertIn("no rule limits it: nothing moves", svg)
+
+    def test_numbers_of_lines_stand_on_a_ground_above_all_lines(self):
+        svg = self.picture()
+        lines = [m.start() for m in re.finditer('stroke-dasharray="4,3"', svg[:svg.index("margin = limit / value")])][:-1]  # the last is the sample of the key
+        grounds = [m.start() for m in re.finditer('rx="3" fill="white"', svg)]
+        self.assertGreater(len(grounds), 0)
+        self.assertGreater(min(grounds), max(lines))
+
+    def test_lines_below_one_lead_to_the_nearest_design(self):
+        svg = self.picture("--set", "analyses.map.limits={\"mass.z\"=\"4 mm\"}")
+        self.assertIn("nearest design: margin 0.8", svg)
+        self.assertRegex(svg, 'font-size="10">0[.]5<')
+        self.assertNotIn("clipPath", svg)  # nothing is feasible
 
     def test_a_coarse_grid_is_called_coarse(self):
         self.assertIn("a coarse grid: regions below 25 % of an axis", run("map", self.project, "--points", "5")[0])

@@ -23,25 +23,15 @@ TEST(MapVerdicts, TellsWhereACaseGoesBeyondItsLimits) {
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}), testing::HasSubstr(" m/s² towards ω = ∞, allowed 0.9"));
 }
 
-study::DesignMap nearly_all_kept(std::size_t steep) {
-  study::DesignMap map;
-  map.outcomes = {{2, 0}, {2, 0}, {2, 0}, {0.99F, 0}};
-  map.kept = 3;
-  map.feasible.area = 0.999996;
-  map.steep = steep;
-  return map;
-}
-
-TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
-  study::DesignMap map = nearly_all_kept(0);
-  EXPECT_EQ(study::feasible_words(map), "Feasible: less than 100 % of the map, 3 of 4 designs");
-  map.kept = 4;
-  EXPECT_EQ(study::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
-}
-
-TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
-  EXPECT_THAT(study::feasible_words(nearly_all_kept(1)), testing::HasSubstr("; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
-  EXPECT_THAT(study::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));
+TEST(MapVerdicts, CallOnlySmallRisesSlight) {
+  const auto words = [&](const std::string& damping) {
+    const study::Project changed =
+        test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"machine\", peak_tolerance = 0.9}\n"), {"elements.spring.damping.proportional=" + damping});
+    const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
+    return study::verdict_words(map, map.marks.at(0)).at(0);
+  };
+  EXPECT_THAT(words("0.12"), testing::MatchesRegex("machine.z rises slightly at .* rad/s \\(4.17 %\\)"));
+  EXPECT_THAT(words("0.06"), testing::MatchesRegex("machine.z has a peak within the tolerance at .* rad/s \\(74.7 %\\)"));
 }
 
 }  // namespace

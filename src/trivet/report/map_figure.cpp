@@ -7,12 +7,15 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/map_picture.h"
 #include "trivet/report/map_points.h"
 #include "trivet/report/map_regions.h"
 #include "trivet/report/map_words.h"
+#include "trivet/study/axis_words.h"
+#include "trivet/study/map_summary.h"
 
 namespace trivet::report {
 namespace {
@@ -34,8 +37,9 @@ void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, co
     for (std::size_t rank = 0; rank < regions.size(); ++rank)
       picture.canvas.area(picture.rings(regions[rank].*side), fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
   };
-  const auto outline = picture.rings(picture.map.feasible.rings);
   paint(&MapRegion::broken);
+  const auto outline = picture.rings(picture.map.feasible.rings);
+  if (outline.empty()) return;
   picture.canvas.begin_clip(outline, "feasible of " + heading);
   paint(&MapRegion::kept);
   picture.canvas.end_clip();
@@ -56,7 +60,7 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
       if (broken) others.broken = region.broken;
       if (kept) others.kept = region.kept;
     } else {
-      key.region(colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: no peak" : map.rules[region.governing].words, share(region.designs));
+      key.region(colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: " + study::unlimited_words(map) : map.rules[region.governing].words, share(region.designs));
     }
   }
   if (others.designs > 0) key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
@@ -96,28 +100,33 @@ std::optional<PixelPoint> label_place(const MapPicture& picture, const study::Ma
   return best;
 }
 
-/// Lines of equal margin with their numbers; a line without room for its number would say nothing.
+/// Lines of equal margin with their numbers; a line without room for its number would say nothing. Numbers stand on a ground of their own above all lines: a dash
+/// between two digits reads as a sign.
 void draw_margins(MapPicture& picture, Key& key) {
   constexpr const char* style = "stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
-  bool any = false;
+  std::vector<std::pair<PixelPoint, std::string>> labels;
   for (const study::MarginLine& margin : picture.map.margin_lines) {
     const std::string text = fmt::format("{:g}", margin.margin);
     const double half = 0.5 * width_of(text) + 2;
     const auto place = label_place(picture, margin, half);
     if (!place) continue;
-    any = true;
     for (const study::MapLine& line : margin.lines) picture.canvas.polyline(picture.line(line), style);
     picture.taken.push_back({place->x - half, place->y - 7, place->x + half, place->y + 7});
-    picture.canvas.text({place->x, place->y + 4}, text, fmt::format("text-anchor=\"middle\" fill=\"#333\" font-size=\"10\" {}", halo));
+    labels.emplace_back(*place, text);
   }
-  if (any) key.stroke(style, "margin = limit / value, as written");
+  for (const auto& [place, text] : labels) {
+    const double width = width_of(text) + 3;
+    picture.canvas.rectangle({place.x - width / 2, place.y - 6}, width, 12, "rx=\"3\" fill=\"white\" fill-opacity=\"0.85\"");
+    picture.canvas.text({place.x, place.y + 4}, text, "text-anchor=\"middle\" fill=\"#333\" font-size=\"10\"");
+  }
+  if (!labels.empty()) key.stroke(style, "margin = limit / value, as written");
 }
 
-/// Paths of the two numbers, small, where the axes are called otherwise; and what the picture does not show.
+/// Paths of the two numbers, small, where the axes are called otherwise; then what was asked, and what the picture does not show.
 void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
   constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
   const PlotPanel& panel = picture.panel;
-  const auto path = [](const study::MapAxis& axis) { return axis_name(axis) == axis.parameter ? "" : axis.parameter; };
+  const auto path = [](const study::MapAxis& axis) { return study::axis_name(axis) == axis.parameter ? "" : axis.parameter; };
   const double bottom = panel.corner.y + panel.height, x = panel.corner.x - 66, y = panel.corner.y + panel.height / 2;
   picture.canvas.text({panel.corner.x + panel.width / 2, bottom + 44}, path(picture.map.request.x), small);
   picture.canvas.text({x, y}, path(picture.map.request.y), fmt::format("{} transform=\"rotate(-90 {:.2f} {:.2f})\"", small, x, y));
@@ -131,7 +140,8 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
 }  // namespace
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
-  std::vector<std::string> notes = doubts(map);
+  std::vector<std::string> notes = {"Asked: " + study::asked_words(map) + "."};
+  for (std::string& sentence : doubts(map)) notes.push_back(std::move(sentence));
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 990, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;

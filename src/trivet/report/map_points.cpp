@@ -8,6 +8,7 @@
 
 #include "trivet/report/map_words.h"
 #include "trivet/study/axis_words.h"
+#include "trivet/study/map_summary.h"
 
 namespace trivet::report {
 namespace {
@@ -67,8 +68,10 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
   const study::DesignOutcome& best = map.outcomes[*map.best];
   const study::DesignPoint p = map.point(*map.best);
   draw_best(canvas, key.sample(), best.kept());
-  const std::string where = fmt::format("{}, {}", study::axis_value(p.x, map.request.x), study::axis_value(p.y, map.request.y));
+  const std::size_t ends = study::best_ends(map).size();
+  const std::string where = fmt::format("{}, {}{}", study::axis_value(p.x, map.request.x), study::axis_value(p.y, map.request.y), ends == 0 ? "" : ends == 1 ? ": an axis ends there" : ": both axes end there");
   if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
+  else if (best.margin == 0) key.words("midst of equals: every margin is 0", where);
   else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
 }
 

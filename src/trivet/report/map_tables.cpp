@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/map_words.h"
 #include "trivet/report/svg_canvas.h"
 #include "trivet/study/axis_words.h"
+#include "trivet/study/map_summary.h"
 #include "trivet/study/map_verdicts.h"
 
 namespace trivet::report {
@@ -18,11 +17,12 @@ std::string value_or_dash(const std::optional<double>& value, const study::MapAx
 std::string rules_table(const study::DesignMap& map) {
   std::vector<std::vector<Cell>> rows;
   const auto share = [&](std::size_t designs) { return percent_cell(static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
-  for (std::size_t r = 0; r < map.rules.size(); ++r)
-    if (map.shares[r].kept + map.shares[r].broken > 0) rows.push_back({{map.rules[r].words}, share(map.shares[r].broken), share(map.shares[r].kept)});
   std::size_t limited = 0;
-  for (const study::RuleShare& s : map.shares) limited += s.kept;
-  if (map.kept > limited) rows.push_back({{"no rule limits them: no peak"}, right(""), share(map.kept - limited)});
+  for (const std::size_t r : study::governing_rules(map)) {
+    rows.push_back({{map.rules[r].words}, share(map.shares[r].broken), share(map.shares[r].kept)});
+    limited += map.shares[r].kept;
+  }
+  if (map.kept > limited) rows.push_back({{"no rule limits them: " + study::unlimited_words(map)}, right(""), share(map.kept - limited)});
   return html_table({{"rule"}, right("governs, broken"), right("governs, kept")}, rows);
 }
 
@@ -35,7 +35,7 @@ std::string marks_table(const study::DesignMap& map) {
     rows.push_back({{mark.name.empty() ? "base model" : mark.name}, right(value_or_dash(mark.x, map.request.x)), right(value_or_dash(mark.y, map.request.y)),
                     {kept ? "keeps every rule" : "breaks a rule", false, !kept}, {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
-  return rows.empty() ? "" : html_table({{"case"}, right(axis_name(map.request.x)), right(axis_name(map.request.y)), {"verdict"}, {"found"}}, rows);
+  return rows.empty() ? "" : html_table({{"case"}, right(study::axis_name(map.request.x)), right(study::axis_name(map.request.y)), {"verdict"}, {"found"}}, rows);
 }
 
 }  // namespace
@@ -43,12 +43,8 @@ std::string marks_table(const study::DesignMap& map) {
 std::string map_tables(const study::Answers& answers) {
   if (!answers.map) return "";
   const study::DesignMap& map = *answers.map;
-  std::string text = study::feasible_words(map) + ".";
-  if (map.best) {
-    const study::DesignPoint p = map.point(*map.best);
-    const char* what = std::isinf(map.outcomes[*map.best].margin) ? "In the midst of the designs that no rule limits" : map.outcomes[*map.best].kept() ? "Largest margin" : "No design keeps every rule; the nearest";
-    text += fmt::format(" {}: {} = {}, {} = {}.", what, axis_name(map.request.x), study::axis_value(p.x, map.request.x), axis_name(map.request.y), study::axis_value(p.y, map.request.y));
-  }
+  std::string text = "Asked: " + study::asked_words(map) + ". " + study::feasible_words(map) + ".";
+  if (map.best) text += " " + study::best_words(map) + ".";
   for (const study::MissingReason& reason : map.report.missing) text += fmt::format(" {} designs without an answer, for instance: {}.", reason.designs, reason.words);
   for (const std::string& doubt : doubts(map)) text += " " + doubt;
   return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));

@@ -4,29 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "trivet/study/axis_words.h"
 #include "trivet/study/design_parameter.h"
 
 namespace trivet::report {
 namespace {
-
-/// Keys in the field's words.
-constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"scale", "stiffness scale"},
-                                                                             {"stiffening", "dynamic stiffening"},
-                                                                             {"proportional", "proportional damping δ"},
-                                                                             {"coefficient", "damping coefficient"},
-                                                                             {"loss_factor", "loss factor"},
-                                                                             {"mass", "mass"},
-                                                                             {"xx", "moment of inertia xx"},
-                                                                             {"yy", "moment of inertia yy"},
-                                                                             {"zz", "moment of inertia zz"},
-                                                                             {"xy", "product of inertia xy"},
-                                                                             {"xz", "product of inertia xz"},
-                                                                             {"yz", "product of inertia yz"}}};
 
 /// Too short for ticks that show whole numbers.
 bool is_narrow(const study::MapAxis& axis) { return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to)); }
@@ -49,19 +33,9 @@ bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
 
 }  // namespace
 
-std::string axis_name(const study::MapAxis& axis) {
-  const std::vector<std::string> keys = study::path_keys(axis.parameter);
-  if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
-  std::string words = keys.back();
-  std::replace(words.begin(), words.end(), '_', ' ');
-  for (const auto& [key, meaning] : known_keys)
-    if (keys.back() == key) words = meaning;
-  return keys.size() > 2 ? words + " of " + keys[1] : words;
-}
-
 std::string axis_label(const study::MapAxis& axis) {
   const std::vector<std::string> keys = study::path_keys(axis.parameter);
-  const std::string unit = study::axis_unit(axis), words = axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
+  const std::string unit = study::axis_unit(axis), words = study::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
   if (unit.empty() && !keys.empty() && is_pure(keys.back())) return words;
   return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }
@@ -78,9 +52,13 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
   for (const study::MapMark& mark : map.marks) {
     if (is_drawn(map, mark)) continue;
     const std::string name = mark.name.empty() ? "base model" : mark.name;
-    if (!mark.judged) failed.push_back(name);
-    else if (!mark.placed() || !mark.of_this_model) another.push_back(name);
-    else outside.push_back(fmt::format("{} ({}, {})", name, study::axis_value(*mark.x, map.request.x), study::axis_value(*mark.y, map.request.y)));
+    if (!mark.judged) {
+      failed.push_back(name);
+      continue;
+    }
+    const char* verdict = mark.judged->governing.kept() ? "keeps every rule" : "breaks a rule";
+    if (!mark.placed() || !mark.of_this_model) another.push_back(fmt::format("{} ({})", name, verdict));
+    else outside.push_back(fmt::format("{} ({}, {}: {})", name, study::axis_value(*mark.x, map.request.x), study::axis_value(*mark.y, map.request.y), verdict));
   }
   std::vector<std::string> sentences;
   if (!outside.empty()) sentences.push_back("Outside the frame: " + listed(outside) + ".");

@@ -9,16 +9,13 @@
 
 namespace trivet::report {
 
-/// What an axis is called: its name, or what its path means in the field's words ("stiffness scale of suspension").
-[[nodiscard]] std::string axis_name(const study::MapAxis& axis);
-
-/// The same with its unit in brackets.
+/// What an axis is called, with its unit in brackets.
 [[nodiscard]] std::string axis_label(const study::MapAxis& axis);
 
 /// The axis as pictures draw it: one that is short beside its numbers counts from its beginning, and its label says so.
 [[nodiscard]] Axis drawn_axis(const study::MapAxis& axis);
 
-/// Why cases stand nowhere on the picture, one sentence for each reason; empty if all do.
+/// Why cases stand nowhere on the picture, with their verdicts, one sentence for each reason; empty if all do.
 [[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);
 
 /// Warnings of the map, a sentence each.

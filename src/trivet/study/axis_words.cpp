@@ -25,6 +25,20 @@ constexpr std::array<std::pair<const char*, const char*>, 11> units = {{{"propor
                                                                         {"xz", "kg m²"},
                                                                         {"yz", "kg m²"}}};
 
+/// Keys in the field's words.
+constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"scale", "stiffness scale"},
+                                                                             {"stiffening", "dynamic stiffening"},
+                                                                             {"proportional", "proportional damping δ"},
+                                                                             {"coefficient", "damping coefficient"},
+                                                                             {"loss_factor", "loss factor"},
+                                                                             {"mass", "mass"},
+                                                                             {"xx", "moment of inertia xx"},
+                                                                             {"yy", "moment of inertia yy"},
+                                                                             {"zz", "moment of inertia zz"},
+                                                                             {"xy", "product of inertia xy"},
+                                                                             {"xz", "product of inertia xz"},
+                                                                             {"yz", "product of inertia yz"}}};
+
 int digits_on(const MapAxis& axis) {
   constexpr int usual = 5, most = 17;
   const double steps = axis.points - 1;
@@ -33,6 +47,16 @@ int digits_on(const MapAxis& axis) {
 }
 
 }  // namespace
+
+std::string axis_name(const MapAxis& axis) {
+  const std::vector<std::string> keys = path_keys(axis.parameter);
+  if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
+  std::string words = keys.back();
+  std::replace(words.begin(), words.end(), '_', ' ');
+  for (const auto& [key, meaning] : known_keys)
+    if (keys.back() == key) words = meaning;
+  return keys.size() > 2 ? words + " of " + keys[1] : words;
+}
 
 std::string axis_unit(const MapAxis& axis) {
   if (!axis.unit.empty()) return axis.unit;

@@ -6,21 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/study/map_warnings.h"
 #include "trivet/study/shown_apart.h"
 
 namespace trivet::study {
+namespace {
 
-std::string feasible_words(const DesignMap& map) {
-  const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
-  const bool rounded_up = share == "100.00 %" && map.kept < map.outcomes.size();
-  std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
-  if (map.steep > 0)
-    text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
-                        "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
-  if (std::any_of(map.marks.begin(), map.marks.end(), [&](const MapMark& mark) { return contradicts(map, mark); })) text += "; not to be trusted: a case contradicts all designs around it";
-  return text;
+/// A peak that the tolerance allows is called slight only where a reader of the curve would hardly see it.
+std::string peak_words(bool counted, double tallest) {
+  constexpr double slight = 0.05;
+  return counted ? "peaks" : tallest <= slight ? "rises slightly" : "has a peak within the tolerance";
 }
+
+}  // namespace
 
 std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark) {
   std::vector<std::string> words;
@@ -47,12 +44,14 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
       const std::string& name = judged.peaks.curves[c].name;
       const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit; });
       std::string list;
+      double tallest = 0;
       for (const response::Peak& peak : judged.peaks.list) {
         const double prominence = response::relative_prominence(peak);
         if (!ruled || peak.curve != c || (prominence > map.request.peak_tolerance) != counted) continue;
+        tallest = std::max(tallest, prominence);
         list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency, std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
       }
-      if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, counted ? "peaks" : "rises slightly", list));
+      if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, peak_words(counted, tallest), list));
     }
   if (judged.governing.kept())
     words.push_back(std::isinf(judged.governing.margin) ? "no rule limits it" : fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));

@@ -8,9 +8,6 @@
 
 namespace trivet::study {
 
-/// How much of the map is feasible, and what of it may have been missed between designs.
-[[nodiscard]] std::string feasible_words(const DesignMap& map);
-
 /// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
 [[nodiscard]] std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark);
 
