@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include "support/mapped_machine.h"
 #include "support/projects.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/figures.h"
@@ -92,6 +93,31 @@ TEST(Figures, OnePerGroupOfCurves) {
     EXPECT_THAT(figure.svg, testing::StartsWith("<svg"));
     EXPECT_THAT(figure.svg, testing::Not(testing::HasSubstr("nan")));
   }
+}
+
+/// Of a block that is pushed along x and z: a case with another stiffness along z has the first curve of the base model, and is another all the same.
+std::string overview_with(const std::string& the_case) {
+  const std::string block = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2}", "{parameter = \"bodies.block.mass\", from = 5, to = 20}");
+  const study::Project project = test::project(block + "[analyses.response]\nband = [0, 40]\n" + the_case, {"excitations.force.force=[1, 0, 1]"});
+  std::vector<study::Answers> answers;
+  for (const study::Case& variant : project.cases) {
+    study::Analyses asked;
+    asked.response = variant.analyses.response;
+    answers.push_back(study::answers(variant, asked));
+  }
+  return report::overview("Block", answers).svg;
+}
+
+TEST(Overview, SaysWhichCaseStandsForTheBaseModel) {
+  const std::string svg = overview_with("[cases.same]\nelements.spring.scale = 1\n");
+  EXPECT_THAT(svg, testing::HasSubstr(">same = base model: block<"));
+  EXPECT_THAT(svg, testing::Not(testing::HasSubstr(">Base model")));
+}
+
+TEST(Overview, ShowsTheBaseModelBesideACaseThatDiffersInALaterCurve) {
+  const std::string svg = overview_with("[cases.stiffer]\nelements.spring.translation = [900, 1100, 2600]\n");
+  EXPECT_THAT(svg, testing::HasSubstr(">Base model: block<"));
+  EXPECT_THAT(svg, testing::HasSubstr(">stiffer: block<"));
 }
 
 }  // namespace

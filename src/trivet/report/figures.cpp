@@ -166,12 +166,18 @@ std::string quantity_of(const study::ResponseAnswer& answer, const std::vector<G
 
 bool is_drawable(const study::Answers& answers) { return answers.response && answers.response->curves.angular_frequency.size() >= 2; }
 
-/// Does a case show the very curves of the base model (as where the base is the first of a series)?
-bool repeats_as_case(const study::Answers& base, const std::vector<study::Answers>& cases) {
-  return std::any_of(cases.begin(), cases.end(), [&](const study::Answers& other) {
-    return &other != &base && is_drawable(other) && other.response->curves.curves.front().value.size() == base.response->curves.curves.front().value.size() &&
-           other.response->curves.curves.front().value == base.response->curves.curves.front().value;
+/// The case that shows the very curves of the base model (as where the base is the first of a series), if there is one.
+const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
+  const auto base = std::find_if(cases.begin(), cases.end(), [](const study::Answers& answers) { return answers.case_name.empty() && is_drawable(answers); });
+  if (base == cases.end()) return nullptr;
+  const auto same = [](const response::Curve& a, const response::Curve& b) { return a.name == b.name && a.value.size() == b.value.size() && a.value == b.value; };
+  const auto& curves = base->response->curves.curves;
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const study::Answers& other) {
+    if (&other == &*base || !is_drawable(other) || other.response->curves.angular_frequency != base->response->curves.angular_frequency) return false;
+    const auto& others = other.response->curves.curves;
+    return std::equal(curves.begin(), curves.end(), others.begin(), others.end(), same);
   });
+  return found == cases.end() ? nullptr : &*found;
 }
 
 Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
@@ -218,9 +224,10 @@ std::vector<Figure> characteristics(const study::Answers& answers) {
 Figure overview(const std::string& title, const std::vector<study::Answers>& cases) {
   constexpr std::size_t columns = 3, most_cases = 12;
   const double width = 270, height = 120, column_pitch = 335, row_pitch = 2 * height + 110;
+  const study::Answers* const as_base = repeating_case(cases);
   std::vector<const study::Answers*> shown;
   for (const study::Answers& answers : cases)
-    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && repeats_as_case(answers, cases))) shown.push_back(&answers);
+    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && as_base)) shown.push_back(&answers);
   const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
   const std::size_t rows = (shown.size() + columns - 1) / columns;
   const double canvas_width = std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
@@ -237,7 +244,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
     const study::Answers& answers = *shown[i];
     const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
     const double left = 68 + column_pitch * static_cast<double>(i % columns), top = 66 + row_pitch * static_cast<double>(i / columns);
-    canvas.text({left + width / 2, top - 8}, (answers.case_name.empty() ? "Base model" : answers.case_name) + ": " + group.name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    canvas.text({left + width / 2, top - 8}, (answers.case_name.empty() ? "Base model" : answers.case_name) + (&answers == as_base ? " = base model: " : ": ") + group.name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const Extent& range = ranges[static_cast<std::size_t>(part)];
