@@ -831,9 +831,18 @@ function notice(style, title, items) {
 function buildNotices() {
   const warnings = gathered(c => c.warnings), failed = gathered(failures);
   const clean = cases.length && !warnings.length && !failed.length;
+  const exceeded = cases.flatMap((c, i) => brokenLimits(c) ? [`${caseName(i)} (${brokenLimits(c)} of ${allLimits(c).length})`] : []);
   put('notices', notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
     notice('note', 'Free motions', gathered(c => c.free_motions)),
-    clean ? html('p', {class: 'calm'}, `✓ No warnings; all checks of the data passed${cases.length > 1 ? ' in all cases' : ''}.${cases.some(brokenLimits) ? ' But limits are exceeded: see below.' : ''}`) : null);
+    exceeded.length ? html('p', {class: 'alert', role: 'note'}, bad('✗ Limits are exceeded: '), `${exceeded.join(', ')}; see below.`) : null,
+    clean ? html('p', {class: exceeded.length ? 'note' : 'calm'}, `${exceeded.length ? '' : '✓ '}No warnings; all checks of the data passed${cases.length > 1 ? ' in all cases' : ''}.`) : null);
+}
+
+/// What the map of a case, or else the first of the report, found at its design.
+const mapMark = c => (c.map ?? cases.find(other => other.map)?.map)?.marks.find(mark => (mark.case ?? '') === (c.name ?? ''));
+function mapCell(c) {
+  const mark = mapMark(c), whose = c.map && c.name ? ' (own map)' : '';
+  return !mark ? '–' : 'kept' in mark ? verdict(mark.kept, 'kept' + whose, 'BROKEN' + whose) : bad('not computed');
 }
 
 function glanceRow(c, i) {
@@ -844,13 +853,13 @@ function glanceRow(c, i) {
   };
   return [html('button', {type: 'button', class: 'link', onclick: open}, caseName(i)), num(c.changes.length || '–'),
     c.warnings.length ? bad(`⚠ ${c.warnings.length}`) : 'none', verdict(!failed, 'ok', `${failed} FAILED`),
-    limits ? verdict(!broken, 'kept', `${broken} of ${limits} EXCEEDED`) : '–',
+    limits ? verdict(!broken, 'kept', `${broken} of ${limits} EXCEEDED`) : '–', ...(cases.some(mapMark) ? [mapCell(c)] : []),
     grows(c) ? bad('▲ grows') : c.free_motions.length ? 'free motion' : 'stable',
     ...omegaAndHertz(natural.length ? smallestOf(natural) : null), ...omegaAndHertz(natural.length ? largestOf(natural) : null)];
 }
 function buildGlance() {
   if (!cases.length) return;
-  byId('cases').append(table(['case', num('changes'), 'warnings', 'checks', 'limits', 'motion', num('lowest mode [rad/s]'), num('[Hz]'), num('highest mode [rad/s]'), num('[Hz]')],
+  byId('cases').append(table(['case', num('changes'), 'warnings', 'checks', 'limits', ...(cases.some(mapMark) ? ['rules of the map'] : []), 'motion', num('lowest mode [rad/s]'), num('[Hz]'), num('highest mode [rad/s]'), num('[Hz]')],
     cases.map(glanceRow)));
   byId('cases').hidden = false;
 }

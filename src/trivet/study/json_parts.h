@@ -50,5 +50,7 @@ Json rows(const Matrix& matrix) {
 /// Random, transient, orders … of those answers that there are, by their names.
 void add_further(const Answers& answers, Json& result);
 [[nodiscard]] Json design_map(const DesignMap& map);
+/// Of its cases the verdicts alone.
+[[nodiscard]] Json map_marks(const DesignMap& map);
 
 }  // namespace trivet::study::json

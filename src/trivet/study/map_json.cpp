@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "trivet/study/axis_words.h"
 #include "trivet/study/csv_field.h"
@@ -142,6 +143,15 @@ Json json::design_map(const DesignMap& map) {
   pieces.hand_on();
   result["grid"] = Json::parse(grid);
   return result;
+}
+
+Json json::map_marks(const DesignMap& map) {
+  Json marks = Json::array();
+  for (const MapMark& m : map.marks) {
+    marks.push_back({{"case", m.name}});
+    if (m.judged) marks.back()["kept"] = m.judged->governing.kept();
+  }
+  return {{"marks", std::move(marks)}};
 }
 
 void write_map_json(const DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {

@@ -129,8 +129,12 @@ Json case_json(const Case& variant, const Answers& answers, Reader reader) {
   }
   if (answers.peaks) result["peaks"] = json::peaks(answers);
   if (answers.statics) result["static"] = json::statics(answers);
-  if (reader == Reader::file) json::add_further(answers, result);
-  else if (!answers.limit_lines.empty()) result["limit_lines"] = json::limit_lines(answers);
+  if (reader == Reader::file) {
+    json::add_further(answers, result);
+    return result;
+  }
+  if (!answers.limit_lines.empty()) result["limit_lines"] = json::limit_lines(answers);
+  if (answers.map) result["map"] = json::map_marks(*answers.map);
   return result;
 }
 
