@@ -18,7 +18,7 @@ void sweep(std::size_t count, const char* size, int turns) {
   const Eigen::VectorXcd h = problem.machine.load.cast<std::complex<double>>();
   const double items = static_cast<double>(count);
   const Eigen::Map<const Eigen::ArrayXd> omega(problem.omega.data(), static_cast<Eigen::Index>(count));
-  Eigen::ArrayXXd re(count, 6), im(count, 6), squares(count, 6);
+  Eigen::ArrayXXd re(count, 6), im(count, 6);
   Eigen::MatrixXcd q(6, count), other(6, count);
   const auto ready = numerics::PoleSweep::of(matrices, h);
   compared("Trivet, poles proven", ready ? 0 : 1, 0);
@@ -40,7 +40,6 @@ void sweep(std::size_t count, const char* size, int turns) {
   const auto medians = measure({question, size, "frequency", error},
           {here("Trivet, with set-up", items, complete),
            here("Trivet, poles known", items, known, flops),
-           here("Trivet, squared amplitudes, poles known", items, [&] { ready->squared_moduli(omega, squares); }),
            octave.way("modal", "Octave, poles vectorised", items),
            octave.way("modal_in_pieces", "Octave, poles vectorised, in pieces", items, 45),
            python.way("modal", "NumPy, poles vectorised", items, 25),

@@ -11,19 +11,12 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/quadratic_form.h"
 
 namespace trivet::numerics {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-using Extended = long double;
-
-Extended quadratic_form(const Eigen::MatrixXd& m, const Eigen::VectorXd& v) {
-  Extended sum = 0;
-  for (Eigen::Index j = 0; j < v.size(); ++j)
-    for (Eigen::Index i = 0; i < v.size(); ++i) sum += Extended(v(i)) * Extended(m(i, j)) * Extended(v(j));
-  return sum;
-}
 
 /// Shapes y and values of S y = μ P y with P positive definite, by Cholesky of P.
 void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::VectorXd& mu, Eigen::MatrixXd& y) {
@@ -48,8 +41,8 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
   Eigen::MatrixXd normed = shapes;
   const Eigen::VectorXd weight = A.diagonal().cwiseAbs().cwiseSqrt();
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Extended a = quadratic_form(A, shapes.col(i));
-    const Extended k = quadratic_form(K, shapes.col(i));
+    const long double a = quadratic_form(A, shapes.col(i));
+    const long double k = quadratic_form(K, shapes.col(i));
     lambda(i) = rayleigh ? static_cast<double>(k / a) : given(i);
     const Eigen::VectorXd magnitude = shapes.col(i).cwiseAbs();
     const double available = magnitude.dot(K.cwiseAbs() * magnitude);

@@ -69,11 +69,11 @@ inline Eigen::Index before_first_line(const PairsAtFrequencies& s) {
 /// More than caches hold goes past them in whole lines: else each line is read before it is written.
 inline bool goes_past_caches(const PairsAtFrequencies& s) {
   constexpr Eigen::Index most = 4'000'000;  // numbers
-  return lane_count() == 8 && s.count * s.n * (s.im ? 2 : 1) > most && before_first_line(s) >= 0;
+  return lane_count() == 8 && s.count * s.n * 2 > most && before_first_line(s) >= 0;
 }
 
 /// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once more.
-template <bool complex_load, bool moduli, typename Size>
+template <bool complex_load, typename Size>
 void pairs_of_size(Size n, const PairsAtFrequencies& s) {
   const int numbers = complex_load ? 4 * n + 3 : 2 * n + 3;
   const double* const pairs = s.pairs;
@@ -107,8 +107,8 @@ void pairs_of_size(Size n, const PairsAtFrequencies& s) {
         const ComplexPack imaginary = sum(3 + 2 * n);
         q = q + ComplexPack{hn::Neg(imaginary.im), imaginary.re};
       }
-      put(moduli ? squared_modulus(q) : q.re, s.re + j * s.stride + f);
-      if constexpr (!moduli) put(q.im, s.im + j * s.stride + f);
+      put(q.re, s.re + j * s.stride + f);
+      put(q.im, s.im + j * s.stride + f);
     });
   }
   if (past_caches) hwy::FlushStream();
@@ -116,8 +116,7 @@ void pairs_of_size(Size n, const PairsAtFrequencies& s) {
 
 template <typename Size>
 void pairs_of(Size n, const PairsAtFrequencies& s, bool complex_load) {
-  if (s.im) return complex_load ? pairs_of_size<true, false>(n, s) : pairs_of_size<false, false>(n, s);
-  complex_load ? pairs_of_size<true, true>(n, s) : pairs_of_size<false, true>(n, s);
+  complex_load ? pairs_of_size<true>(n, s) : pairs_of_size<false>(n, s);
 }
 
 void pairs_in_lanes(const PairsAtFrequencies& s, bool complex_load) {

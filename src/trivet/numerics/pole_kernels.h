@@ -26,7 +26,7 @@ struct PairsAtFrequencies {
   const double* pairs = nullptr;
   const double* omega = nullptr;
   Eigen::Index count = 0;
-  double *re = nullptr, *im = nullptr;  ///< without im: |q|²
+  double *re = nullptr, *im = nullptr;
   Eigen::Index stride = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "trivet/numerics/design_modes.h"
 #include "trivet/numerics/frequency_sweep.h"
 #include "trivet/numerics/pole_kernels.h"
+#include "trivet/numerics/quadratic_form.h"
 
 namespace trivet::numerics {
 namespace {
@@ -22,16 +23,6 @@ struct ExtendedModes {
   bool coupled = false;
 };
 
-Extended quadratic_form(const Eigen::MatrixXd& m, const double* v) {
-  Extended sum = 0;
-  for (Eigen::Index j = 0; j < m.cols(); ++j) {
-    Extended column = 0.5L * m(j, j) * v[j];
-    for (Eigen::Index i = 0; i < j; ++i) column += Extended(m(i, j)) * v[i];
-    sum += 2 * column * v[j];
-  }
-  return sum;
-}
-
 std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
   const int n = static_cast<int>(m.size());
   Designs design{Eigen::ArrayXXd(1, n * (n + 1) / 2), {}, Eigen::ArrayXXd(1, n * (n + 1) / 2), {}};
@@ -42,7 +33,7 @@ std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
   ExtendedModes modes;
   modes.shapes = Eigen::Map<const Eigen::MatrixXd>(found.shapes.data(), n, n);
   for (int k = 0; k < n; ++k) {
-    const Extended mass = quadratic_form(m.A, modes.shapes.col(k).data()), stiffness = quadratic_form(m.K, modes.shapes.col(k).data());
+    const Extended mass = quadratic_form(m.A, modes.shapes.col(k)), stiffness = quadratic_form(m.K, modes.shapes.col(k));
     if (!(mass > 0 && stiffness > 0)) return std::nullopt;
     modes.omega[k] = std::sqrt(stiffness / mass);
     modes.shapes.col(k) /= static_cast<double>(std::sqrt(mass));
@@ -216,13 +207,6 @@ bool PoleSweep::response(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::R
   for (Eigen::Index first = 0; first < count; first += period)
     if (!(backward_error(omega, first, std::min(checked, count - first), re, im) <= accepted_backward_error)) return false;
   return true;
-}
-
-void PoleSweep::squared_moduli(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> result) const {
-  const Eigen::Index n = matrices_.size();
-  if (result.rows() != omega.size() || result.cols() != n)
-    throw foundation::InvalidInput("moduli of a pole sweep: the result must be frequencies × coordinates");
-  pairs_at_any({static_cast<int>(n), pairs_.data(), omega.data(), omega.size(), result.data(), nullptr, result.outerStride()}, complex_load_);
 }
 
 }  // namespace trivet::numerics

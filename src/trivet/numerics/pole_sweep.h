@@ -10,7 +10,7 @@ namespace trivet::numerics {
 
 /// q(iω) of one system under a constant load from its poles: Σ over pairs (c0 + iω c1)/((ω_k² − ω²) − 2iωσ_k). Each ω_k is two numbers,
 /// the differences of frequencies so formed are exact where it counts, and Re λ has all its digits: near a lightly damped resonance
-/// this is several digits better than any solution of Z(ω) q = h can be, and ten times faster.
+/// this is several digits better than any solution of Z(ω) q = h can be, in half the time of the quickest (benchmarks/README.md).
 class PoleSweep {
  public:
   /// Nothing unless A is positive definite, K too, all is symmetric without loss factor, n ≤ 12, and poles and residues have been proven: each pole found
@@ -20,9 +20,6 @@ class PoleSweep {
   /// q at these ω, count × n by real and imaginary parts, which the caller keeps from sweep to sweep. One in 64 frequencies is
   /// put into Z q = h; false if a backward error exceeds 1e-14: then all of it must be solved directly.
   [[nodiscard]] bool response(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re, Eigen::Ref<Eigen::ArrayXXd> im) const;
-
-  /// |q|², count × n.
-  void squared_moduli(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> result) const;
 
  private:
   void evaluate(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re, Eigen::Ref<Eigen::ArrayXXd> im) const;
