@@ -23,7 +23,9 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
                                   LaneMask& complete) {
   constexpr int most_doublings = 40;
   const SquarePoles<Size>& poles = pack.poles;
-  WalkedPack<Size> inverted = pack;
+  WalkedPack<Size> inverted;
+  inverted.poles = poles;
+  inverted.asked = pack.asked;
   Pack begins = hn::Add(pack.from, pack.from);
   PairPack weight[Size::most];
   for (int k = 0; k < poles.count; ++k) {
@@ -34,7 +36,10 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
   place(inverted.poles);
   const std::unique_ptr<WalkedCurve[]> inverted_curves(new WalkedCurve[static_cast<std::size_t>(channels)]);
   for (int c = 0; c < channels; ++c) {
-    WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)] = curves[c];
+    WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+    curve.f = curves[c].f;
+    curve.best = curves[c].best;
+    curve.sign = curves[c].sign;
     curve.f.slope = hn::Zero(Lanes());
     for (int k = 0; k < poles.count; ++k) {
       const LaneMask real = poles.real[k];

@@ -211,14 +211,7 @@ HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurv
   const SquarePoles<Size>& poles = pack.poles;
   PairPack most[Size::most];  // |a| and |b| of 1/(x − z) = a + b j
   each(poles.count, [&](int k) TRIVET_LANES {
-    const Pack a = poles.centre[k], b = hn::Abs(poles.aside[k]), away = hn::Max(hn::Max(hn::Sub(x, a), hn::Sub(a, stop)), hn::Zero(Lanes()));
-    Pack square = hn::MulAdd(away, away, hn::Mul(b, b)), distance = hn::MulAdd(all(0.41422), hn::Min(away, b), hn::Max(away, b));
-    if (poles.any_real) {
-      square = hn::IfThenElse(poles.real[k], hn::Mul(hn::Sub(x, poles.z[k].first), hn::Sub(x, poles.z[k].second)), square);
-      distance = hn::IfThenElse(poles.real[k], away, distance);
-    }
-    const Pack scale = reciprocal(square);
-    most[k] = {hn::Mul(distance, scale), hn::Mul(b, scale)};
+    most[k] = most_between(poles, k, x, stop);
   });
   LaneMask below = hn::Eq(x, x), shared[Size::most];
   shared_with(pack.zones, x, stop, shared);

@@ -125,12 +125,7 @@ HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurv
     zone[m].crowded = hn::Lt(zero, zero);
     each(poles.count, [&](int k) TRIVET_LANES {
       const Pack c = poles.centre[k], away = hn::Max(hn::Sub(zones.from[m], c), hn::Sub(c, zones.to[m]));
-      PairPack& most = zone[m].most[k];
-      most = most_reach(poles.aside[k], hn::Max(away, zero));
-      if (poles.any_real) {
-        const PairPack of_real = most_reach_of_real(poles.z[k].first, poles.z[k].second, zones.from[m]);
-        most = {hn::IfThenElse(poles.real[k], of_real.first, most.first), hn::IfThenElse(poles.real[k], of_real.second, most.second)};
-      }
+      zone[m].most[k] = most_between(poles, k, zones.from[m], zones.to[m]);
       zone[m].right[k] = hn::Ge(zones.from[m], c);
       if (k != m) zone[m].crowded = hn::Or(zone[m].crowded, hn::Le(away, zero));
     });

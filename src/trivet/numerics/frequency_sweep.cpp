@@ -33,9 +33,9 @@ SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& ome
   return counts;
 }
 
-/// Frequencies from which on poles pay, measured at six coordinates with AVX-512: their set-up takes 6 … 9 µs, a direct solution 6 ns more than a
-/// sum over them.
-constexpr std::size_t worth_poles = 1500;
+/// Frequencies from which on poles pay, measured at six coordinates with AVX-512: their set-up takes 8 µs while its code is in the cache, else twice that, a
+/// direct solution 7 ns more than a sum over them.
+constexpr std::size_t worth_poles = 2400;
 
 /// Whether the sums over proven poles are all in the result.
 bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options) {

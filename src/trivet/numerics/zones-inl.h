@@ -56,6 +56,16 @@ HWY_INLINE PairPack most_reach_of_real(const Pack& first, const Pack& second, co
   return {hn::Mul(scale, hn::Add(one, other)), hn::Abs(hn::Mul(scale, hn::Sub(one, other)))};
 }
 
+/// The same for pole k on a stretch of the axis.
+template <typename Size>
+HWY_INLINE PairPack most_between(const SquarePoles<Size>& poles, int k, const Pack& from, const Pack& to) {
+  const Pack c = poles.centre[k], away = hn::Max(hn::Max(hn::Sub(from, c), hn::Sub(c, to)), hn::Zero(Lanes()));
+  const PairPack most = most_reach(poles.aside[k], away);
+  if (!poles.any_real) return most;
+  const PairPack of_real = most_reach_of_real(poles.z[k].first, poles.z[k].second, from);
+  return {hn::IfThenElse(poles.real[k], of_real.first, most.first), hn::IfThenElse(poles.real[k], of_real.second, most.second)};
+}
+
 }  // namespace trivet::numerics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
