@@ -69,8 +69,9 @@ TEST(Foundation, OfAnImpedanceIsABodyOnASpring) {
   // The totals on the ground count what the mounts do to the foundation, the built model what its springs do: only the machine is compared.
   for (const auto& curve : given.response->curves.curves)
     for (const auto& other : built.response->curves.curves)
-      if (curve.name == other.name && curve.name.starts_with("machine"))
+      if (curve.name == other.name && curve.name.starts_with("machine")) {
         EXPECT_LT((curve.value - other.value).cwiseAbs().maxCoeff(), round_off * other.value.cwiseAbs().maxCoeff()) << curve.name;
+      }
   EXPECT_TRUE(given.response->deep.passed);
   ASSERT_EQ(given.roots.list.size(), built.roots.list.size());
   for (std::size_t i = 0; i < given.roots.list.size(); ++i)

@@ -9,7 +9,7 @@
 namespace trivet::study {
 namespace {
 
-/// Corners and edges of a cell counter-clockwise: corner c at (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1); edge c from corner c to the next.
+/// From one edge of the grid to the next: a piece of a contour within a cell.
 struct Segment {
   std::size_t to = 0;
   bool on_frame = false;
@@ -84,6 +84,7 @@ class Tracing {
     return id;
   }
 
+  /// Corners and edges counter-clockwise: corner c at (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1); edge c from corner c to the next.
   void add_cell(int i, int j, const std::function<bool(int, int)>& connected) {
     const std::array<bool, 4> corner = {inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1)};
     const auto crossing = [&](int e) { return vertex(i + (e == 1 ? 1 : 0), j + (e == 2 ? 1 : 0), e == 1 || e == 3); };
