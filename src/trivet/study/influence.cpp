@@ -8,9 +8,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/dynamic_matrices.h"
-#include "trivet/numerics/pivoted_solution.h"
-#include "trivet/response/exact_response.h"
+#include "trivet/response/visible_amplitudes.h"
 #include "trivet/study/design_parameter.h"
 #include "trivet/study/highest_frequency.h"
 
@@ -19,7 +17,6 @@ namespace {
 
 constexpr std::array<double, 3> shares = {0, 0.47, 1};              // of both axes; no design of symmetry in the middle
 constexpr std::array<double, 3> frequencies = {0.0137, 0.117, 0.83}; // of the highest natural frequency
-constexpr double round_off = 1e-12;  // of what all coordinates together could make
 constexpr double unchanged = 1e-11;  // of an amplitude, solved with another load or matrix
 
 /// Amplitudes at one design, answers × frequencies; round-off is 0.
@@ -39,22 +36,8 @@ Amplitudes amplitudes(const model::System& system, const MapRequest& request, co
   double from = 0, to = std::numeric_limits<double>::infinity();
   for (const assembly::ElementMap& map : assembled.elements) from = std::max(from, map.defined_from), to = std::min(to, map.defined_to);
   Amplitudes found(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
-  for (std::size_t f = 0; f < frequencies.size(); ++f) {
-    const double omega = std::max(from, std::min(to, frequencies[f] * top));
-    const Eigen::MatrixXcd stiffness = assembled.dynamic_stiffness(omega, omega);
-    const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(stiffness.rows());
-    const Eigen::VectorXcd load = unit.asDiagonal() * assembly::exact_right_side(assembled, loading, omega, omega);
-    const Eigen::VectorXcd scaled = numerics::pivoted_solution(unit.asDiagonal() * stiffness * unit.asDiagonal(), load, false).x;
-    const Eigen::VectorXd together = scaled.cwiseAbs().maxCoeff() * unit;
-    const response::ExactValues exact = response::exact_values(assembled, channels, loading, unit.asDiagonal() * scaled, omega);
-    const Eigen::VectorXd ground = loading.motion.vanishes() ? Eigen::VectorXd() : loading.motion.possible(omega);
-    for (Eigen::Index c = 0; c < found.rows(); ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      const double possible = std::max(exact.possible(c), numerics::possible_amplitudes(channels[i].curve(), together, ground, Eigen::RowVectorXd::Constant(1, omega)).value());
-      const double size = std::abs(exact.values(c));
-      found(c, static_cast<Eigen::Index>(f)) = size <= round_off * possible ? 0 : size;
-    }
-  }
+  for (std::size_t f = 0; f < frequencies.size(); ++f)
+    found.col(static_cast<Eigen::Index>(f)) = response::visible_amplitudes(assembled, channels, loading, std::max(from, std::min(to, frequencies[f] * top)));
   return found;
 }
 
