@@ -13,6 +13,7 @@
 #include "trivet/study/design_evaluation.h"
 #include "trivet/study/map_warnings.h"
 #include "trivet/study/steep_neighbours.h"
+#include "trivet/study/unbounded_peaks.h"
 
 namespace trivet::study {
 namespace {
@@ -53,6 +54,7 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
   map.request.x.points = map.grid.nx;
   map.request.y.points = map.grid.ny;
   map.drawn = drawn_grid(map.grid);
+  refuse_unbounded_peaks(variant, map.request);
   DesignEvaluation evaluation(variant, map.request, options.evaluation);
   map.rules = evaluation.rules();
   map.outcomes = evaluation.evaluate(map.grid.count(), [&](std::size_t k) { return map.point(k); }, progress);

@@ -145,9 +145,6 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
     map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
-  if (request.quantity == assembly::Quantity::velocity && !words->empty())
-    map.error("no_peak", "asked of velocities", "a velocity vanishes at rest and at high frequency, so that its highest peak rises without bound in every design",
-              "take quantity = \"displacement\"; limits may name velocities by their unit");
   request.no_peak = *words;
 }
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/unbounded_peaks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/modes.h"
+#include "trivet/response/curve_ends.h"
+#include "trivet/study/design_parameter.h"
+
+namespace trivet::study {
+namespace {
+
+std::vector<std::string> unbounded(const model::System& system, const MapRequest& request) {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, request.no_peak, request.quantity);
+  const modal::Roots roots = modal::roots(system, assembled, modal::modes(system, assembled));
+  const std::vector<bool> vanish = response::vanish_at_both_ends(assembled, channels, assembly::harmonic_loading(system, assembled, request.excitations), roots);
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (vanish[c]) names.push_back(channels[c].name);
+  return names;
+}
+
+/// The base model may have a symmetry that the designs have not. A middle without a model tells nothing.
+void keep_those_of_the_middle(const Case& variant, const MapRequest& request, std::vector<std::string>& names) {
+  constexpr double middle = 0.47;  // of both axes; no design of symmetry
+  const auto system = changed_system(variant, {change_of(path_keys(request.x.parameter), request.x.at(middle), request.x.unit),
+                                               change_of(path_keys(request.y.parameter), request.y.at(middle), request.y.unit)});
+  if (!system) return;
+  try {
+    const std::vector<std::string> there = unbounded(*system, request);
+    std::erase_if(names, [&](const std::string& name) { return std::find(there.begin(), there.end(), name) == there.end(); });
+  } catch (const foundation::NotComputable&) {
+  } catch (const foundation::InvalidInput&) {
+  }
+}
+
+const char* name_of(assembly::Quantity quantity) {
+  return quantity == assembly::Quantity::velocity ? "velocity of " : quantity == assembly::Quantity::acceleration ? "acceleration of " : "";
+}
+
+}  // namespace
+
+void refuse_unbounded_peaks(const Case& variant, const MapRequest& request) {
+  if (request.no_peak.empty()) return;
+  std::vector<std::string> names = unbounded(variant.system, request);
+  if (!names.empty()) keep_those_of_the_middle(variant, request, names);
+  if (names.empty()) return;
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw foundation::NotComputable(fmt::format("map: no_peak asked of {}{}: a curve that vanishes at rest and at high frequency has a peak over nothing in every design; "
+                                              "name other answers in no_peak, and limit the amplitude of {}{}",
+                                              name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
+                                              request.quantity == assembly::Quantity::displacement ? "" : ", or take quantity = \"displacement\""));
+}
+
+}  // namespace trivet::study
