@@ -8,6 +8,7 @@
 #include "support/projects.h"
 #include "trivet/study/design_map.h"
 #include "trivet/study/map_json.h"
+#include "trivet/study/map_verdicts.h"
 
 namespace {
 
@@ -45,6 +46,18 @@ TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
   EXPECT_EQ(map.report.proven + map.report.redone, 0u);
   EXPECT_EQ(map.report.one_by_one, 9u);
   EXPECT_THAT(map.report.words(), testing::HasSubstr("loss factors"));
+}
+
+/// Under heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it at infinity alone.
+TEST(DesignEvaluation, KeepsALimitThatEveryDesignStandsOn) {
+  const study::Project project = test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 15}, y = {parameter = \"elements.spring.damping.proportional\", from = "
+                                                              "0.3, to = 0.9, points = 13}, limits = {\"machine.z\" = \"1 m/s2\"}}\n", "[cases.heavy]\nelements.spring.damping.proportional = 0.5\n"));
+  for (const bool fast : {true, false}) {
+    const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {0, fast}});
+    EXPECT_EQ(map.kept, map.outcomes.size());
+    for (const study::DesignOutcome& outcome : map.outcomes) EXPECT_EQ(outcome.margin, 1);
+    EXPECT_THAT(study::verdict_words(map, map.marks.at(1)), testing::ElementsAre("least margin 1: machine.z ≤ 1 m/s²"));
+  }
 }
 
 TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {

@@ -20,7 +20,17 @@ TEST(Governing, TakesTheFirstOfRulesThatRoundOffAloneTellsApart) {
 
 TEST(Governing, TakesTheLeastWhereADesignTellsRulesApart) { EXPECT_EQ(response::governing(four_limits, {0.1, 2.0, 2.0001, 2.00005}).rule, 2u); }
 
-TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) { EXPECT_EQ(response::governing(four_limits, {1 - 1e-9, 1 + 1e-9, 1.0, 0.5}).rule, 1u); }
+TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) { EXPECT_EQ(response::governing(four_limits, {1 - 1e-8, 1 + 1e-8, 1.0, 0.5}).rule, 1u); }
+
+TEST(Margin, OfAValueOnItsLimitIsOne) {
+  const response::DesignRule limit{response::DesignRule::Kind::amplitude, 0, 1e-3}, no_peak{response::DesignRule::Kind::no_peak, 0, 0.01};
+  EXPECT_EQ(response::margin(limit, 1.0000000000000002e-3), 1);
+  EXPECT_EQ(response::margin(limit, 1e-3 * (1 + 0.9 * response::on_the_limit)), 1);
+  EXPECT_LT(response::margin(limit, 1e-3 * (1 + 1.1 * response::on_the_limit)), 1);
+  EXPECT_GT(response::margin(limit, 1e-3 * (1 - 1e-12)), 1);
+  EXPECT_EQ(response::margin(no_peak, 0.01 * (1 + 1e-9)), 1);
+  EXPECT_LT(response::margin(no_peak, 0.01 * (1 + 1e-6)), 1);
+}
 
 TEST(Governing, HasNoBoundWhereNoRuleHasAMargin) {
   const response::Governing found = response::governing(four_limits, {0, 0, 0, 0});

@@ -43,9 +43,12 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
 
 double margin(const DesignRule& rule, double value) {
   if (std::isnan(value)) return 0;  // nothing unknown is ever kept
-  if (rule.kind == DesignRule::Kind::no_peak && value > rule.allowed) return (1 + rule.allowed) / (1 + value);
-  return value > 0 ? rule.allowed / value : infinity;
+  const bool stands_out = rule.kind == DesignRule::Kind::no_peak && value > rule.allowed;
+  const double reached = stands_out ? (1 + rule.allowed) / (1 + value) : value > 0 ? rule.allowed / value : infinity;
+  return reached < 1 && reached >= 1 - on_the_limit ? 1 : reached;
 }
+
+bool keeps_limit(double amplitude, double limit) { return margin({DesignRule::Kind::amplitude, 0, limit}, amplitude) >= 1; }
 
 RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                        const Peaks& found, const RuleSet& set) {

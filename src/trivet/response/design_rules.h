@@ -27,10 +27,16 @@ struct DesignRule {
   double allowed = 0;  ///< amplitude [SI], or relative prominence
 };
 
+/// A value this near above its limit, as a share, stands on it and is kept: heights keep nine digits, and equal designs must not differ by round-off.
+inline constexpr double on_the_limit = 1e-9;
+
 /// How far a rule is kept, 1 on its limit, more where it is kept. Amplitude: allowed over value. No peak: allowed over relative prominence
 /// where that is below, and (1 + allowed) over (1 + relative prominence) above, the factor by which the peak must come down; infinite
 /// without a peak.
 [[nodiscard]] double margin(const DesignRule& rule, double value);
+
+/// Is an amplitude below its limit, or on it?
+[[nodiscard]] bool keeps_limit(double amplitude, double limit);
 
 struct RuleSet {
   std::vector<DesignRule> rules;

@@ -303,7 +303,7 @@ class CaseStudy {
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
           if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
             answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[static_cast<std::size_t>(i)];
-    answer.kept = answer.in_band <= answer.limit;
+    answer.kept = response::keeps_limit(answer.in_band, answer.limit);
     return answer;
   }
 

@@ -54,7 +54,7 @@ struct LimitAnswer {
   double in_band = 0;
   double in_band_at = 0;   ///< [rad/s]
   double anywhere = 0;
-  bool kept = true;        ///< in_band ≤ limit
+  bool kept = true;        ///< in_band ≤ limit, see response::on_the_limit
 };
 
 struct RandomResult {

@@ -30,7 +30,7 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
-    if (rule.kind != response::DesignRule::Kind::amplitude || !(value > rule.allowed)) continue;
+    if (rule.kind != response::DesignRule::Kind::amplitude || response::keeps_limit(value, rule.allowed)) continue;
     const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
     if (std::isinf(value)) {
       words.push_back(fmt::format("{} has no bound {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
@@ -39,6 +39,7 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
     const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
     words.push_back(fmt::format("{} reaches {} {} {}, allowed {}", rule.answer, reached, rule.unit, where, allowed));
   }
+  const response::DesignRule no_peak{response::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
       const std::string& name = judged.peaks.curves[c].name;
@@ -47,7 +48,7 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
       double tallest = 0;
       for (const response::Peak& peak : judged.peaks.list) {
         const double prominence = response::relative_prominence(peak);
-        if (!ruled || peak.curve != c || (prominence > map.request.peak_tolerance) != counted) continue;
+        if (!ruled || peak.curve != c || (response::margin(no_peak, prominence) < 1) != counted) continue;
         tallest = std::max(tallest, prominence);
         list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency, std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
       }
