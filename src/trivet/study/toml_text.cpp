@@ -98,6 +98,41 @@ Node converted(const toml::node& from, const std::string& source) {
   return node;
 }
 
+/// Where a column, counted in characters, stands in a line of bytes.
+std::size_t byte_of(std::string_view line, unsigned column) {
+  std::size_t at = 0;
+  const auto begins = [&] { return (static_cast<unsigned char>(line[at]) & 0xC0) != 0x80; };
+  for (unsigned c = 0; at < line.size() && (c += begins()) < column;) ++at;
+  return at;
+}
+
+/// The key whose value starts at a place, or the name in the header that does, as written.
+std::string key_around(std::string_view text, const toml::source_position& place) {
+  for (unsigned l = 1; l < place.line; ++l) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::size_t at = byte_of(line, place.column);
+  std::size_t start = 0, key_start = at, key_end = at;
+  for (std::size_t i = 0; i < at; i = std::max(i + 1, skipped(line, i))) {
+    if (line[i] == '{' || line[i] == ',' || line[i] == '[') start = i + 1;
+    if (line[i] == '=') key_start = start, key_end = i;
+  }
+  if (key_end == at)  // a header
+    while (key_end < line.size() && line[key_end] != ']') key_end = std::max(key_end + 1, skipped(line, key_end));
+  const std::string_view key = line.substr(key_start, key_end - key_start);
+  const std::size_t first = key.find_first_not_of(" \t["), last = key.find_last_not_of(" \t");
+  return first == std::string_view::npos ? "" : std::string(key.substr(first, last + 1 - first));
+}
+
+/// The parser repeats letters of a quoted key that stands twice: the key comes out of the text.
+std::string finding_of(const toml::parse_error& error, std::string_view text) {
+  const std::string finding(error.description());
+  const std::size_t begin = finding.find('\''), end = finding.rfind('\'');
+  const std::string key = key_around(text, error.source().begin);
+  if (finding.find("cannot redefine existing") == std::string::npos || begin == end || key.empty()) return finding;
+  if (end + 1 == finding.size()) return key + " stands twice";
+  return finding.substr(0, begin) + key + finding.substr(end + 1);
+}
+
 tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::string finding, std::string rule, std::string remedy) {
   foundation::Problems problems;
   problems.error("", std::move(finding), std::move(rule), std::move(remedy)).origin = std::move(origin);
@@ -115,7 +150,7 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     root.origin = {source, 0, 0};
     return root;
   } catch (const toml::parse_error& error) {
-    const std::string finding(error.description());
+    const std::string finding = finding_of(error, text);
     const bool encoding = finding.find("utf-8") != std::string::npos || finding.find("UTF-8") != std::string::npos;
     return refused(origin_of(error.source(), source), finding, "the file must be valid TOML",
                    encoding ? "it is no UTF-8 text: save it as UTF-8" : "mend this line (strings in quotes, one value per key, arrays in square brackets)");
