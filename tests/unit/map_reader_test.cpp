@@ -29,6 +29,12 @@ TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
   EXPECT_EQ(limits[2].quantity, assembly::Quantity::velocity);
 }
 
+TEST(MapReader, LetsAPeakRiseToMoreThanTwiceItsMinimum) {
+  const study::Project project = test::project(mapped_machine("peaks = {peak_tolerance = 1}\nmap = {" + two_axes + ", no_peak = \"coordinates\", peak_tolerance = 1.5}\n"));
+  EXPECT_EQ(project.base().analyses.peaks->peak_tolerance, 1);
+  EXPECT_EQ(project.base().analyses.map->peak_tolerance, 1.5);
+}
+
 TEST(MapAxis, MeetsItsEndsExactlyOnBothSpacings) {
   for (const bool logarithmic : {false, true}) {
     const study::MapAxis axis{"", "", 0.3, 10, "", logarithmic, 101};

@@ -50,11 +50,7 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentio
   PeaksRequest request;
   if (response) request.wanted = response->wanted;  // the peaks of the same curves, unless it says otherwise
   read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
-  for (const auto& [key, target] : {std::pair{"min_prominence", &request.min_prominence}, {"peak_tolerance", &request.peak_tolerance}})
-    if (const auto value = reader.number(key, Quantity::pure)) {
-      if (!(*value >= 0 && *value < 1)) reader.error(key, fmt::format("{:.6g}", *value), "it is a share of the amplitude, 0 … 1", "give a fraction");
-      *target = *value;
-    }
+  read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   reader.finish();
   return request;
 }

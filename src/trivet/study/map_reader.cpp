@@ -187,11 +187,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   if (quantity) request.quantity = derivatives[*quantity == "velocity" ? 1 : *quantity == "acceleration" ? 2 : 0];
   request.limits = read_limits_of_map(reader, names, request.quantity);
   read_no_peak(reader, names, request);
-  for (const auto& [key, target] : {std::pair{"min_prominence", &request.min_prominence}, {"peak_tolerance", &request.peak_tolerance}})
-    if (const auto value = reader.number(key, Quantity::pure)) {
-      if (!(*value >= 0 && *value < 1)) reader.error(key, fmt::format("{:.6g}", *value), "it is a share of the amplitude, 0 … 1", "give a fraction");
-      *target = *value;
-    }
+  read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   if (const auto cases = reader.texts("cases")) {
     const Node* known = root.node("cases");
     for (const std::string& name : *cases)

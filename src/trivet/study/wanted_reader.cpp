@@ -151,4 +151,15 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
   return std::nullopt;
 }
 
+void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance) {
+  if (const auto share = reader.number("min_prominence", Quantity::pure)) {
+    if (!(*share >= 0 && *share < 1)) reader.error("min_prominence", fmt::format("{:.6g}", *share), "it is a share of the curve's largest amplitude: 0 or more, less than 1", "give a fraction");
+    min_prominence = *share;
+  }
+  if (const auto share = reader.number("peak_tolerance", Quantity::pure)) {
+    if (!(*share >= 0)) reader.error("peak_tolerance", fmt::format("{:.6g}", *share), "it is a share of the minimum beside a peak: 0 or more; 1 lets it rise to twice the minimum", "give 0.01 for 1 %");
+    peak_tolerance = *share;
+  }
+}
+
 }  // namespace trivet::study
