@@ -47,7 +47,7 @@ std::optional<std::size_t> standing_on_ground(const model::Description& descript
 }
 
 void read_moving_elements(TableReader& reader, const model::Description& description, const Mentioned& mentioned, model::Action& action) {
-  const auto names = reader.texts("elements");
+  const auto names = reader.texts("elements", R"(["front left", "front right"])");
   if (!names) return;
   if (names->empty()) reader.error("elements", "an empty list", "at least one element is wanted", "remove the key to move the whole foundation");
   for (const std::string& name : *names) {

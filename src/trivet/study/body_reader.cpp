@@ -32,7 +32,7 @@ bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
 }
 
 void read_free(TableReader& reader, model::Body& body) {
-  const auto names = reader.texts("free");
+  const auto names = reader.texts("free", R"(["x", "y"])");
   if (!names) return;
   body.free.fill(false);
   for (const std::string& name : *names) {

@@ -26,7 +26,7 @@ struct Ground {
 
 std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
   std::vector<int> directions;
-  const auto names = reader.texts("free");
+  const auto names = reader.texts("free", R"(["x", "y"])");
   for (int j = 0; j < (with_rotation ? 6 : 3) && !names; ++j) directions.push_back(j);
   if (!names) return directions;
   for (const std::string& name : *names) {

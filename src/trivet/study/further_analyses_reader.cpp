@@ -107,7 +107,7 @@ TransmissibilityRequest read_transmissibility(TableReader& reader, const Mention
   request.direction.rotation = reader.boolean("rotation").value_or(false);
   std::vector<std::string> places = mentioned.bodies;
   places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
-  request.of = reader.texts("of").value_or(mentioned.bodies);
+  request.of = reader.texts("of", R"(["BODY"])").value_or(mentioned.bodies);
   for (const std::string& name : request.of)
     if (std::find(places.begin(), places.end(), name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);

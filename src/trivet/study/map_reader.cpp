@@ -133,7 +133,7 @@ std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& na
 }
 
 void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& request) {
-  const auto words = map.texts("no_peak");
+  const auto words = map.texts("no_peak", R"("coordinates", or ["BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, request.quantity)) continue;
@@ -188,7 +188,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   request.limits = read_limits_of_map(reader, names, request.quantity);
   read_no_peak(reader, names, request);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
-  if (const auto cases = reader.texts("cases")) {
+  if (const auto cases = reader.texts("cases", R"(["NAME"])")) {
     const Node* known = root.node("cases");
     for (const std::string& name : *cases)
       if (!known || !known->find(name)) {

@@ -64,7 +64,7 @@ void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
 
   const Node* seats = reader.node("ends");
   std::optional<std::vector<std::string>> words;
-  if (seats && seats->kind == Node::Kind::array) words = reader.texts("ends");
+  if (seats && seats->kind == Node::Kind::array) words = reader.texts("ends", R"(["clamped", "pivoted"])");
   else if (const auto one = reader.text("ends")) words = std::vector<std::string>{*one};
   const auto ends = both_ends<std::string>(words, "clamped", wrong("ends"));
   for (const std::string& word : ends)

@@ -154,7 +154,7 @@ std::optional<bool> TableReader::boolean(const std::string& key) {
   return std::nullopt;
 }
 
-std::optional<std::vector<std::string>> TableReader::texts(const std::string& key) {
+std::optional<std::vector<std::string>> TableReader::texts(const std::string& key, const std::string& example) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
   std::vector<std::string> result;
@@ -165,7 +165,7 @@ std::optional<std::vector<std::string>> TableReader::texts(const std::string& ke
     result.push_back(item.text);
   }
   if (good) return result;
-  error(key, shown(*value), "an array of texts is wanted here", "for instance " + key + " = [\"x\", \"y\"]");
+  error(key, shown(*value), "a text or an array of texts is wanted here", "for instance " + key + " = " + example);
   return std::nullopt;
 }
 

@@ -49,7 +49,8 @@ class TableReader {
   std::optional<std::string> text(const std::string& key);
   std::string required_text(const std::string& key);
   std::optional<bool> boolean(const std::string& key);
-  std::optional<std::vector<std::string>> texts(const std::string& key);
+  /// One text or several. @param example  of both brackets and words, for the message
+  std::optional<std::vector<std::string>> texts(const std::string& key, const std::string& example);
   std::optional<Eigen::Vector3d> vector(const std::string& key, Quantity quantity);
   std::optional<std::vector<double>> numbers(const std::string& key, Quantity quantity);
   /// rows × columns of numbers; `quantity_of(i, j)` says what each entry measures.

@@ -52,7 +52,7 @@ std::vector<std::string> ResultNames::components() const {
 }
 
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
-  const auto words = reader.texts("of");
+  const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
@@ -82,7 +82,7 @@ void refuse_none(TableReader& reader, const std::vector<std::string>& names) {
 }  // namespace
 
 std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind) {
-  const auto names = reader.texts("excitations");
+  const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
   if (!names) return {};
   refuse_none(reader, *names);
   for (const std::string& name : *names)
@@ -118,7 +118,7 @@ std::string other_excitations(const Mentioned& mentioned) {
 }
 
 std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned) {
-  const auto names = reader.texts("excitations");
+  const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
   if (!names) return {};
   refuse_none(reader, *names);
   const auto type_of = [&](const std::string& name) -> std::string {
