@@ -141,9 +141,7 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
       map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "the `free` of its body leaves this coordinate out, so that it does not move", "name a free coordinate, or remove it");
       continue;
     }
-    const std::string guess = foundation::nearest_name(word, names.groups());
-    map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
-              guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these", names.remedy(word));
   }
   request.no_peak = *words;
 }

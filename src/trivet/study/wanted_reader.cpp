@@ -2,6 +2,7 @@
 #include "trivet/study/wanted_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -51,16 +52,24 @@ std::vector<std::string> ResultNames::components() const {
   return names;
 }
 
+std::string ResultNames::remedy(const std::string& name) const {
+  std::vector<std::string> longer;
+  for (const std::string& component : components())
+    if (component.starts_with(name + ".")) longer.push_back("\"" + component + "\"");
+  if (!longer.empty()) return fmt::format("name its components: {}", fmt::join(longer, ", "));
+  const std::string guess = foundation::nearest_name(name, groups_);
+  return guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?";
+}
+
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
   const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
-    const std::string guess = foundation::nearest_name(word, names.groups());
     reader.error("of", "\"" + word.substr(0, 60) + "\"",
                  "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection or .foot, or one component (x … rz of a motion "
                  "that is free, force.x … moment.z of an element or the ground)",
-                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+                 names.remedy(word));
   }
   if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
   of = *words;

@@ -23,6 +23,9 @@ class ResultNames {
   /// All full names.
   [[nodiscard]] std::vector<std::string> components() const;
 
+  /// What to do about a name that is none: the components that it lacks, the group it resembles, or to look again.
+  [[nodiscard]] std::string remedy(const std::string& name) const;
+
   /// A coordinate that the `free` of its body leaves out: it does not move.
   [[nodiscard]] bool is_guided(const std::string& name) const;
 
