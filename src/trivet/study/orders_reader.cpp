@@ -197,7 +197,12 @@ void read_unbalance(TableReader& reader, model::Action& action) {
       if (reader.has(key) && !(value > 0)) reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "mend it");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
   } else {
-    if (!reader.has("mass_eccentricity")) reader.missing("mass_eccentricity", "give mass × eccentricity in kg m, or grade, rotor_mass and service_speed");
+    const bool called_unbalance = !reader.has("mass_eccentricity") && reader.has("unbalance");
+    if (called_unbalance) {
+      static_cast<void>(reader.node("unbalance"));
+      reader.error("unbalance", "unknown key", "the unbalance is given as mass × eccentricity, or by its grade", "did you mean \"mass_eccentricity\"?");
+    }
+    if (!called_unbalance && !reader.has("mass_eccentricity")) reader.missing("mass_eccentricity", "give mass × eccentricity in kg m, or grade, rotor_mass and service_speed");
     mass_eccentricity = reader.number("mass_eccentricity", Quantity::mass_length).value_or(0);
     if (mass_eccentricity < 0) reader.error("mass_eccentricity", fmt::format("{:.6g} kg m", mass_eccentricity), "it is ≥ 0", "shift the phase by half a turn instead");
   }
