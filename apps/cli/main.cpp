@@ -33,7 +33,7 @@ CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& 
 
 void add_picture(CLI::App& command, const std::string& drawn, Options& options) {
   const auto is_svg = [](const std::string& path) {
-    return std::filesystem::path(path).extension() == ".svg" ? std::string() : path + ": pictures are SVG; name a file that ends in .svg";
+    return std::filesystem::path(path).extension() == ".svg" ? std::string() : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
   };
   command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
 }
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   suspension->add_option("--torque", options.torque, "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default");
   suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s");
   CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
-  map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150");
+  map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150, or 100 for both");
   add_picture(*map, "map", options);
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();

@@ -23,7 +23,7 @@ study::MapOptions sizes(const std::string& text) {
   const auto whole = [&](const std::string& part) {
     int value = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size() || value < 2) throw BadArgument(fmt::format("--points {}: give the points of both axes, each 2 or more, as in 200x150", text));
+    if (error != std::errc() || end != part.data() + part.size() || value < 2) throw BadArgument(fmt::format("--points {}: give the points of both axes as in 200x150, or one number for both, each 2 or more", text));
     return value;
   };
   const std::size_t cross = text.find('x');

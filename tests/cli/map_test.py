@@ -112,7 +112,7 @@ class Map(unittest.TestCase):
     def test_a_picture_that_cannot_be_written_is_refused_before_the_answer(self):
         self.refused_picture(self.folder / "none" / "map.svg", "there is no folder")
         self.refused_picture("/proc/map.svg", "choose a folder where you may write")
-        self.refused_picture("", "name a file that ends in .svg")
+        self.refused_picture("", '--picture: "": pictures are SVG; name a file that ends in .svg')
 
     def test_a_full_disk_spares_the_old_picture_and_the_answer(self):
         picture = self.folder / "map.svg"
@@ -278,6 +278,7 @@ class Map(unittest.TestCase):
         self.assertIn("add map = ", run("map", str(SOURCE / "examples/paper/corrected.toml"), code=2)[1])
         for points in ("1", "0x5", "axb", "5x", "100000x100000", "-3x4"):
             self.assertIn("--points", run("map", self.project, "--points", points, code=2)[1])
+        self.assertIn("as in 200x150, or one number for both, each 2 or more", run("map", self.project, "--points", "0x0", code=2)[1])
         impossible = ("--set", "analyses.map.x.parameter=\"bodies.mass.mass\"", "--set", "analyses.map.x.from=-4", "--set", "analyses.map.x.to=-1")
         self.assertIn("none of the 81 designs", run("map", self.project, *impossible, code=1)[1])
 

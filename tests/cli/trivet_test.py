@@ -210,6 +210,7 @@ class Faults(InTemporaryFolder):
         self.assertEqual(trivet("run", PAPER, "-o", self.folder / "other").returncode, 1)
         self.assertEqual(trivet("run", PAPER, "-o", ".", cwd=self.folder).returncode, 1)
         self.assertEqual(trivet("run", PAPER, "-o", "").returncode, 2)
+        self.assertIn("choose another folder with -o", trivet("run", PAPER, "-o", "/proc/x").stderr)
 
     def test_an_earlier_result_survives_a_failed_run_and_is_replaced_by_a_good_one(self):
         target = self.folder / "out"

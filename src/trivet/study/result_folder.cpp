@@ -43,7 +43,7 @@ ResultFolder::ResultFolder(fs::path target) : target_(fs::absolute(target).lexic
   working_ = name_beside(target_, "partial");
   std::error_code error;
   fs::create_directories(working_, error);
-  if (error) throw std::runtime_error(fmt::format("cannot write beside {}: {}", target_.string(), error.message()));
+  if (error) throw std::runtime_error(fmt::format("cannot write beside {}: {}; choose another folder with -o", target_.string(), error.message()));
 }
 
 ResultFolder::~ResultFolder() {
