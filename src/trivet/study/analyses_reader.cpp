@@ -68,6 +68,10 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, cons
       continue;
     }
     if (!quantity_is_clear) continue;  // its unit depends on what could not be read
+    if (const Node* value = reader.node(name); value->kind == Node::Kind::array) {
+      reader.error(name, "a list", "[limits] holds one number for each answer", "several limits of one answer belong to [analyses.map.limits]");
+      continue;
+    }
     const auto amplitude = reader.number(name, *measured);
     if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");
     if (amplitude) limits.push_back({name, *amplitude});

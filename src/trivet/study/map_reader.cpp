@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "trivet/study/design_parameter.h"
@@ -13,12 +14,25 @@ namespace {
 
 constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity, assembly::Quantity::acceleration};
 
+/// A blank that is no part of a quoted name.
+bool has_stray_blank(const std::string& path) {
+  char quote = 0;
+  for (const char c : path) {
+    if (quote == 0 && std::isspace(static_cast<unsigned char>(c))) return true;
+    if (quote == 0 && (c == '"' || c == '\'')) quote = c;
+    else if (c == quote) quote = 0;
+  }
+  return false;
+}
+
 /// The path must lead to a number of the model, or to a key that is not written because its default holds.
 void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
   if (path.find('[') != std::string::npos)
     return static_cast<void>(reader.error("parameter", shown, "entries of an array have no path, and parts are named, not counted",
                                           "name a number that stands alone: \"elements.mount.scale\" in place of its matrix, \"bodies.machine.mass\""));
+  if (has_stray_blank(path))
+    return static_cast<void>(reader.error("parameter", shown, "a path has blanks in quoted names alone", R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
   const std::vector<std::string> keys = path_keys(path);
   const std::vector<std::string> parts = {"bodies", "elements", "excitations", "damping", "foundations"};
   if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
@@ -64,7 +78,8 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
   }
   TableReader reader(*table, "analyses.map." + key, root.problems());
   axis.parameter = reader.required_text("parameter");
-  if (!axis.parameter.empty()) check_parameter(root, reader, axis.parameter);
+  const Node* parameter = reader.node("parameter");
+  if (parameter && parameter->kind == Node::Kind::text) check_parameter(root, reader, axis.parameter);
   axis.name = reader.text("name").value_or(axis.parameter);
   axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
@@ -110,6 +125,14 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
   if (amplitude) limits.push_back({name, usual, *amplitude});
 }
 
+/// Of two limits of one quantity the looser never governs.
+void check_limits_differ(TableReader& reader, const std::string& name, const Node& list, const std::vector<MapLimit>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    for (std::size_t j = i + 1; j < limits.size(); ++j)
+      if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
+        return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()), "of two limits of one quantity the looser never governs", "keep the smaller"));
+}
+
 std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& names, assembly::Quantity usual) {
   std::vector<MapLimit> limits;
   const Node* table = map.table("limits");
@@ -124,6 +147,7 @@ std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& na
       reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
     } else if (value.kind == Node::Kind::array) {
       for (const Node& item : value.items) read_limit(reader, name, item, names, usual, limits);
+      check_limits_differ(reader, name, value, limits);
     } else {
       read_limit(reader, name, value, names, usual, limits);
     }

@@ -151,15 +151,6 @@ void read_wanted(TableReader& reader, const ResultNames& result_names, const std
   if (reader.has("excitations")) wanted.excitations = read_selected(reader, known, kind);
 }
 
-std::optional<response::Band> read_band(TableReader& reader, const std::string& key) {
-  const auto band = reader.numbers(key, Quantity::angular_frequency);
-  if (!band) return std::nullopt;
-  if (band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0]) return response::Band{(*band)[0], (*band)[1]};
-  reader.error(key, fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.6g} to {:.6g} rad/s", (*band)[0], (*band)[1]) : ""),
-               "a " + std::string(key == "band" ? "band" : "range") + " is [from, to] with 0 ≤ from < to", key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
-  return std::nullopt;
-}
-
 void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance) {
   if (const auto share = reader.number("min_prominence", Quantity::pure)) {
     if (!(*share >= 0 && *share < 1)) reader.error("min_prominence", fmt::format("{:.6g}", *share), "it is a share of the curve's largest amplitude: 0 or more, less than 1", "give a fraction");
@@ -169,6 +160,15 @@ void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_
     if (!(*share >= 0)) reader.error("peak_tolerance", fmt::format("{:.6g}", *share), "it is a share of the minimum beside a peak: 0 or more; 1 lets it rise to twice the minimum", "give 0.01 for 1 %");
     peak_tolerance = *share;
   }
+}
+
+std::optional<response::Band> read_band(TableReader& reader, const std::string& key) {
+  const auto band = reader.numbers(key, Quantity::angular_frequency);
+  if (!band) return std::nullopt;
+  if (band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0]) return response::Band{(*band)[0], (*band)[1]};
+  reader.error(key, fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.6g} to {:.6g} rad/s", (*band)[0], (*band)[1]) : ""),
+               "a " + std::string(key == "band" ? "band" : "range") + " is [from, to] with 0 ≤ from < to", key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
+  return std::nullopt;
 }
 
 }  // namespace trivet::study
