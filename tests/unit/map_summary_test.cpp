@@ -31,6 +31,13 @@ TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
   EXPECT_EQ(study::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
 }
 
+TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesignBetweenKeptOnes) {
+  study::DesignMap map = nearly_all_kept(0);
+  map.kept = 4;
+  map.passages.pairs = 1;
+  EXPECT_EQ(study::feasible_words(map), "Feasible: less than 100 % of the map, 4 of 4 designs");
+}
+
 TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
   EXPECT_THAT(study::feasible_words(nearly_all_kept(1)), testing::HasSubstr("; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
   EXPECT_THAT(study::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));

@@ -38,13 +38,13 @@ struct Bracket {
   }
 };
 
-MapPlace on_edge(const MapGrid& grid, const CrossedEdge& edge, double t) {
+}  // namespace
+
+MapPlace place_on_edge(const MapGrid& grid, const CrossedEdge& edge, double t) {
   MapPlace p = grid.place(edge.i, edge.j);
   (edge.upwards ? p.y : p.x) += t / ((edge.upwards ? grid.ny : grid.nx) - 1);
   return p;
 }
-
-}  // namespace
 
 double boundary_level(const DesignOutcome& outcome) {
   constexpr double far = 3;
@@ -71,7 +71,7 @@ std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<De
     std::vector<MapPlace> places;
     for (const std::size_t e : open) {
       t.push_back(brackets[e].next());
-      places.push_back(on_edge(grid, edges[e], t.back()));
+      places.push_back(place_on_edge(grid, edges[e], t.back()));
     }
     const std::vector<DesignOutcome> found = judge(places, of_boundary);
     for (std::size_t k = 0; k < open.size(); ++k) brackets[open[k]].see(t[k], boundary_level(found[k]));

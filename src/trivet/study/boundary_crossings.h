@@ -12,6 +12,9 @@ namespace trivet::study {
 
 inline constexpr double boundary_tolerance = 1e-6;  ///< of each axis
 
+/// The place at a share of an edge.
+[[nodiscard]] MapPlace place_on_edge(const MapGrid& grid, const CrossedEdge& edge, double t);
+
 /// A signed measure that crosses zero on the boundary of the kept designs; what has no model is well outside.
 [[nodiscard]] double boundary_level(const DesignOutcome& outcome);
 

@@ -11,6 +11,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
+#include "trivet/numerics/design_modes.h"
 #include "trivet/study/changes.h"
 #include "trivet/study/design_parameter.h"
 #include "trivet/study/highest_frequency.h"
@@ -23,6 +24,12 @@ DesignOutcome outcome_of(const response::Governing& least) {
   auto margin = static_cast<float>(least.margin);
   if (least.margin < 1 && margin >= 1) margin = std::nextafter(1.0F, 0.0F);
   return {margin, static_cast<std::uint8_t>(least.rule)};
+}
+
+/// One more natural frequency of a design against the band of the amplitudes.
+void count_mode(double squared, const response::Band& band, DesignOutcome& outcome) {
+  if (squared < band.from * band.from) outcome.modes_below += outcome.modes_below < std::numeric_limits<std::uint16_t>::max();
+  else if (squared <= band.to * band.to) outcome.modes_in_band += outcome.modes_in_band < std::numeric_limits<std::uint8_t>::max();
 }
 
 constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and few of them are open on a boundary
@@ -54,6 +61,7 @@ DesignEvaluation::DesignEvaluation(const Case& variant, const MapRequest& reques
   if (set_.rules.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(fmt::format("map: {} rules; a map judges at most {}", set_.rules.size(), DesignOutcome::most_rules));
   set_.band = request.band.value_or(response::Band{0, std::numeric_limits<double>::infinity()});
+  counts_modes_ = !request.limits.empty() && set_.band.from > 0 && std::isfinite(set_.band.to);
   set_.min_prominence = request.min_prominence;
   const std::vector<assembly::Channel> all = channels(variant.system, assembled);
   for (const response::DesignRule& rule : set_.rules) {
@@ -114,7 +122,9 @@ std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::
 void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes) {
   std::vector<response::FamilyPoint> places;
   for (const DesignPoint& p : points) places.push_back({p.x, p.y});
-  numerics::DesignPeaks found = numerics::design_peaks(family_->designs(places), search_);
+  const numerics::Designs designs = family_->designs(places);
+  numerics::DesignPeaks found = numerics::design_peaks(designs, search_);
+  const numerics::DesignModes modes = counts_modes_ ? numerics::design_modes(designs, {false, 1, {}}) : numerics::DesignModes();
   const auto good = [](numerics::DesignStatus status) { return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone; };
   if (beyond_band_) {  // peaks count wherever they lie, amplitudes in the band: rarely is the highest one outside
     const std::vector<std::size_t> again = highest_outside_band(found);
@@ -142,6 +152,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
       values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
     }
     outcomes[d] = outcome_of(response::governing(set_, values));
+    for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k) count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
     ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
   }
   const std::lock_guard lock(noting_);
@@ -197,6 +208,7 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
   result.peaks = response::peaks(assembled, asked, loading, modes, roots, {set_.min_prominence, search_to});
   result.rules = response::rule_values(assembled, asked, loading, result.peaks, set_);
   result.governing = response::governing(set_, result.rules.values);
+  for (const modal::Mode& mode : modes.list) result.natural_frequencies_squared.push_back(mode.eigenvalue_squared);
   return result;
 }
 
@@ -229,8 +241,11 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
     return {0, DesignOutcome::no_model};
   }
   try {
-    const response::Governing least = judged(*system).governing;
-    return outcome_of(least);
+    const JudgedDesign found = judged(*system);
+    DesignOutcome outcome = outcome_of(found.governing);
+    for (const double squared : found.natural_frequencies_squared)
+      if (counts_modes_) count_mode(squared, set_.band, outcome);
+    return outcome;
   } catch (const foundation::NotComputable& reason) {
     note_missing(index, reason.what(), reason.what());
   } catch (const foundation::InvalidInput& reason) {

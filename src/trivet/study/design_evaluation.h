@@ -61,6 +61,7 @@ class DesignEvaluation {
   std::optional<response::DesignFamily> family_;
   numerics::DesignPeakOptions search_;   // of the family: over all frequencies where peaks are asked for, else over the band
   bool beyond_band_ = false;             // it sees amplitudes outside the band
+  bool counts_modes_ = false;            // natural frequencies may pass over the band of the amplitudes
   std::mutex noting_;                    // of the two below
   EvaluationReport report_;
   std::vector<std::string> missing_kinds_;   // of report_.missing

@@ -74,6 +74,7 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
     for (const std::size_t k : {map.grid.index(i, j), map.grid.index(i + 1, j), map.grid.index(i, j + 1), map.grid.index(i + 1, j + 1)}) sum += boundary_level(map.outcomes[k]);
     return sum >= 0;
   };
+  map.passages = band_passages(map.grid, map.outcomes, judge, progress);
   map.feasible = contours(map.grid, kept, edges, crossing, connected);
   map.boundary_tolerance = boundary_tolerance;
   if (map.best) map.margin_lines = margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/study/band_passages.h"
 #include "trivet/study/design_outcome.h"
 #include "trivet/study/drawn_grid.h"
 #include "trivet/study/map_marks.h"
@@ -35,6 +36,7 @@ struct DesignMap {
   std::size_t without_bound = 0;            ///< designs that no rule limits
   std::size_t equals = 0;                   ///< designs as good as the best
   std::size_t steep = 0;                    ///< see steep_neighbours
+  BandPassages passages;                    ///< broken designs between kept ones
   std::vector<MapMark> marks;
   EvaluationReport report;
   foundation::Problems warnings;            ///< see map_warnings

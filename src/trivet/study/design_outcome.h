@@ -29,7 +29,10 @@ struct DesignOutcome {
   static constexpr std::size_t most_rules = 250;
   float margin = 0;             ///< of the governing rule, 1 on its limit; 0 without a model
   std::uint8_t governing = 0;   ///< the rule with the least margin, or one of the two above
+  std::uint8_t modes_in_band = 0;   ///< undamped natural frequencies in the band of the amplitudes, and
+  std::uint16_t modes_below = 0;    ///< below it; 0 where the band is open at an end or no amplitude has a limit
 
+  [[nodiscard]] int modes_up_to() const { return modes_below + modes_in_band; }
   [[nodiscard]] bool known() const { return governing < not_computed; }
   [[nodiscard]] bool kept() const { return known() && margin >= 1; }
 };
@@ -46,6 +49,7 @@ struct JudgedDesign {
   response::RuleValues rules;
   response::Governing governing;
   response::Peaks peaks;        ///< of the answers that have rules
+  std::vector<double> natural_frequencies_squared;   ///< undamped [rad²/s²]; negative where a motion grows
 };
 
 /// How designs were evaluated, for the reader.

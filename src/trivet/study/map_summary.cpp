@@ -39,7 +39,7 @@ std::string asked_words(const DesignMap& map) {
 
 std::string feasible_words(const DesignMap& map) {
   const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
-  const bool rounded_up = share == "100.00 %" && map.kept < map.outcomes.size();
+  const bool rounded_up = share == "100.00 %" && (map.kept < map.outcomes.size() || map.passages.pairs > 0);
   std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
   if (map.steep > 0)
     text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "

@@ -29,6 +29,16 @@ void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings
                        "the map is too coarse there, and its feasible share is not to be trusted", "take more points, or narrower ranges around it");
 }
 
+void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
+  const BandPassages& found = map.passages;
+  if (found.pairs == 0) return;
+  std::string points;
+  for (const auto& [axis, needed] : {std::pair{&map.request.x, found.points[0]}, {&map.request.y, found.points[1]}})
+    if (needed > 0) points += fmt::format("{}{} points along {}", points.empty() ? "" : " and ", needed, axis->name);
+  warnings.warning("map", fmt::format("between {} of neighbouring designs that keep every rule a resonance passes over the band and breaks one", found.pairs == 1 ? "one pair" : fmt::format("{} pairs", found.pairs)),
+                   "the map is too coarse there, and its feasible share too large", fmt::format("take {}, or narrower ranges around it", points));
+}
+
 void warn_of_idle(const Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   const Influence found = influence(variant, map.request, map.rules);
   for (const std::string& name : found.still)
@@ -82,6 +92,7 @@ foundation::Problems map_warnings(const Case& variant, const DesignMap& map) {
   foundation::Problems warnings;
   warn_of_unphysical(variant, warnings);
   warn_of_contradictions(map, warnings);
+  warn_of_passages(map, warnings);
   warn_of_idle(variant, map, warnings);
   warn_of_drift(variant, map, warnings);
   return warnings;
