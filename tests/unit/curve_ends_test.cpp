@@ -66,6 +66,28 @@ TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
   EXPECT_THAT(ends(free, {"block.x"}, Quantity::velocity), testing::ElementsAre(false));
 }
 
+/// A free direction under a force outgrows every other one towards rest.
+TEST(CurveEnds, BesideAFreeDirectionThatIsPushedTheOthersStay) {
+  const std::string sled = R"(trivet = 1
+[bodies.block]
+mass = 6
+center_of_mass = [0, 0, 0]
+free = ["x", "y", "z"]
+[elements.spring]
+type = "bushing"
+on = "block"
+at = [0, 0, 0]
+translation = [0, 3e3, 3e6]
+damping = {translation = [0, 1, 200]}
+[excitations.course]
+type = "harmonic"
+on = "block"
+at = [0, 0, 0]
+force = [1, 1, 1]
+)";
+  EXPECT_THAT(ends(sled, {"block.x", "block.y", "block.z"}, Quantity::displacement), testing::ElementsAre(false, false, false));
+}
+
 TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
   std::string undamped = block(force);
   undamped.replace(undamped.find("force = [10, 0, 0]"), 18, "force = [0, 0, 10]");

@@ -20,8 +20,7 @@ struct RootRange {
 
 RootRange range_of(const modal::Roots& roots) {
   RootRange range;
-  for (const modal::Root& root : roots.list)
-    if (root.kind != modal::RootKind::rigid) range = {std::min(range.lowest, std::abs(root.eigenvalue)), std::max(range.highest, std::abs(root.eigenvalue))};
+  for (const modal::Root& root : roots.list) range = {std::min(range.lowest, std::abs(root.eigenvalue)), std::max(range.highest, std::abs(root.eigenvalue))};
   return range.highest > 0 ? range : RootRange{1, 1};
 }
 
@@ -29,7 +28,8 @@ RootRange range_of(const modal::Roots& roots) {
 
 std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading, const modal::Roots& roots) {
   std::vector<bool> vanish(channels.size(), false);
-  if (assembled.frequency_dependent() || loading.longest_delay() > 0 || loading.vanishes()) return vanish;
+  const bool free = std::any_of(roots.list.begin(), roots.list.end(), [](const modal::Root& root) { return root.kind == modal::RootKind::rigid; });
+  if (assembled.frequency_dependent() || loading.longest_delay() > 0 || loading.vanishes() || free) return vanish;
   const RootRange range = range_of(roots);
   const auto at = [&](double omega) { return visible_amplitudes(assembled, channels, loading, omega); };
   const Eigen::VectorXd at_rest = at(range.lowest / far), low = at(range.lowest / near), between = at(aside * std::sqrt(range.lowest * range.highest)), high = at(range.highest * near),
