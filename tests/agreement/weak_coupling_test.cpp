@@ -59,7 +59,9 @@ TEST(WeakCoupling, FarFromTheForceAndAboveAllResonancesHighestValuesHaveNineDigi
           options.from = from, options.to = to, options.count_peaks = count;
           const DesignPeaks peaks = design_peaks(designs, options);
           EXPECT_LE((peaks.highest.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits) << masses << " masses from " << from << " to " << to;
-          if (count) EXPECT_EQ(peaks.peaks.maxCoeff(), 0) << masses << " masses from " << from << " to " << to;
+          if (count) {
+            EXPECT_EQ(peaks.peaks.maxCoeff(), 0) << masses << " masses from " << from << " to " << to;
+          }
         }
     }
 }
@@ -116,6 +118,52 @@ TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithou
     EXPECT_LE(seen, peaks.highest(0, 0) * (1 + nine_digits));
     EXPECT_GE(seen, peaks.highest(0, 0) * (1 - 1e-4)) << "the grid is that fine";
   }
+}
+
+/// c₁ᵀA⁻¹h = 0 to round-off only.
+TEST(WeakCoupling, AVelocityWhoseAccelerationIsRoundOffDoesNotGrowWithoutEnd) {
+  Eigen::Matrix2d A, K;
+  K << 300, -100, -100, 250;
+  for (int k = 0; k < 200; ++k) {
+    A << 2, 0.3 + 0.003 * k, 0.3 + 0.003 * k, 3;
+    const Eigen::Vector2d load(0.7, 0.1 + 0.01 * k), at_once = A.partialPivLu().solve(load);
+    DesignPeakOptions options;
+    options.rows = Eigen::ArrayXXd::Zero(1, 2);
+    options.rows(0, 0) = 1;
+    options.rows_on_velocity = Eigen::RowVector2d(at_once(1), -at_once(0)).array();
+    options.derivative = {2};
+    for (const bool count : {false, true}) {
+      options.count_peaks = count;
+      ASSERT_TRUE(std::isfinite(design_peaks(design_of(A, 0.003 * K, K, load), options).highest(0, 0))) << k;
+    }
+  }
+}
+
+/// A body that is free along its first coordinate.
+Designs sliding(double stiffest) {
+  const Eigen::Vector3d stiffness(0, 3000, stiffest), damping(0, 1, 0.02 * std::sqrt(stiffest));
+  return design_of(6 * Eigen::Matrix3d::Identity(), damping.asDiagonal(), stiffness.asDiagonal(), Eigen::Vector3d(0, 1, 1));
+}
+
+TEST(WeakCoupling, BesideAFreeDirectionTheHighestValueIsFiniteWhereverTheBandBegins) {
+  for (const double stiffest : {3e6, 3e11, 3e13, 3e15})
+    for (const double from : {0.0, 1e-3, 0.22363, 0.268, 2.0}) {
+      DesignPeakOptions options;
+      options.from = from;
+      const DesignPeaks peaks = design_peaks(sliding(stiffest), options);
+      EXPECT_EQ(peaks.status[0], DesignStatus::redone);
+      EXPECT_NEAR(peaks.highest(0, 1), amplitudes(sliding(stiffest), peaks.highest_at(0, 1))(1), 1e-8 * peaks.highest(0, 1)) << stiffest << " " << from;
+      EXPECT_EQ(peaks.peaks(0, 1), 1) << stiffest << " " << from;
+      EXPECT_EQ(peaks.highest(0, 0), 0);
+    }
+}
+
+TEST(WeakCoupling, ABandWhereAFreeMotionRulesIsNotJudged) {
+  Eigen::Matrix2d K;
+  K << 100, -100, -100, 100;
+  DesignPeakOptions options;
+  options.to = 1e-4;
+  EXPECT_EQ(design_peaks(design_of(Eigen::Matrix2d::Identity(), 0.01 * K, K, Eigen::Vector2d(1, 0)), options).status[0], DesignStatus::undecided);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 namespace {
 
 using trivet::numerics::prominent_peaks;
+using trivet::numerics::rise_is_known;
 
 TEST(PeakCount, RisesOverTheHigherOfBothMinima) {
   const std::vector<double> heights = {1, 5, 2, 3, 0};
@@ -28,6 +29,23 @@ TEST(PeakCount, TellsHowNearlyItWasDecided) {
 TEST(PeakCount, AnInfiniteHeightAlwaysCounts) {
   const std::vector<double> heights = {1, std::numeric_limits<double>::infinity(), 2};
   EXPECT_EQ(prominent_peaks(heights, 1e300).peaks, 1);
+}
+
+/// Peaks of 5 over 1 and of 3 over 2, whose rises are 4 and 0.5.
+TEST(RiseIsKnown, WhereThePeakAndItsBaseAre) {
+  const std::vector<double> heights = {1, 5, 2, 3, 0};
+  const auto known = [&](const std::vector<double>& doubts) { return rise_is_known(heights, doubts, 0.5, 4, 1e-6); };
+  EXPECT_TRUE(known({0, 1e-9, 0, 0, 0}));
+  EXPECT_FALSE(known({0, 1e-5, 0, 0, 0}));   // of the peak
+  EXPECT_FALSE(known({1e-5, 0, 0, 0, 0}));   // of its base
+  EXPECT_TRUE(known({0, 0, 0.1, 0.1, 0}));   // of a peak that stays far below
+  EXPECT_FALSE(known({0, 0, 1, 1, 0}));      // of one that may not
+}
+
+TEST(RiseIsKnown, OverABaseThatIsZeroToTheLastDigitOnly) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(rise_is_known(std::vector<double>{0, 5, 0}, std::vector<double>{0, 0, 0}, 0.5, infinity, 1e-6));
+  EXPECT_FALSE(rise_is_known(std::vector<double>{0, 5, 0, 6, 7}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity, 1e-6));
 }
 
 }  // namespace

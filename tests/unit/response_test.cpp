@@ -88,6 +88,13 @@ TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
   EXPECT_TRUE(cover.poles_on_axis.empty());
 }
 
+TEST(AxisPanels, CoverTheAxisOfALoadThatIsUnboundedAtRestWithoutPoles) {
+  const auto cover = numerics::cover_axis({}, {.unbounded_at_rest = true});
+  EXPECT_GT(cover.lowest, 0);
+  EXPECT_TRUE(std::isfinite(cover.panels.front().radius));
+  EXPECT_TRUE(cover.panels.back().at_infinity);
+}
+
 TEST(AxisPanels, CoverTheAxisOfNothingButFreeMotion) {
   const auto cover = numerics::cover_axis(Eigen::VectorXcd::Zero(12));
   EXPECT_GT(cover.lowest, 0);

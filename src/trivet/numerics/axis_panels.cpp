@@ -66,7 +66,7 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
   const auto same = [](double a, double b) { return b - a <= 4 * gap_at_pole * b; };
   cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same), cover.poles_on_axis.end());
   const bool free = (of_system.array() == std::complex<double>(0)).any();
-  cover.lowest = free ? lowest_beside_free_motion(smallest, largest) : load.unbounded_at_rest ? 1e-6 * smallest : 0;
+  cover.lowest = free ? lowest_beside_free_motion(smallest, largest) : !load.unbounded_at_rest ? 0 : smallest > 0 ? 1e-6 * smallest : lowest_of_free_motion;
 
   const bool turning = load.longest_delay > 0;
   const double end = turning ? load.highest : poles.size() == 0 ? 1 : std::max(largest / panel_ratio, 2 * cover.lowest);  // one panel at least before infinity

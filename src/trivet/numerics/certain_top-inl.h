@@ -3,7 +3,7 @@
 // belongs to the pole next to x* and R the rest, f'(x*) = 0 makes
 //   f − f* = (L − L* − L'* y) + (R − R* − R'* y) = −y² (α + β y)/D(x) + (≤ ½ max|R''| y²),
 // D = |x − z|², β = L'*, α = L* + D'* L'*: f is nowhere higher where (α − |β y|)/D stays above ½ max|R''|. It stays above by a tenth of α/D, so that a slope
-// that is not quite zero, as far as Halley's step would change f by s, costs 5 s at most.
+// that is not quite zero, as far as Halley's step would change f by s, costs some 10 s at most.
 #if defined(TRIVET_NUMERICS_CERTAIN_TOP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
 #undef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_

@@ -6,6 +6,7 @@
 #include <complex>
 #include <limits>
 
+#include "trivet/numerics/extremum.h"
 #include "trivet/numerics/sign_changes.h"
 
 namespace trivet::numerics {
@@ -125,9 +126,12 @@ double amplitude(const CurveSeries& series, const Panel& panel, double tau) {
   return panel.at_infinity ? root * std::pow(panel.radius * tau, series.power) : root;
 }
 
-double limit_at_infinity(const CurveSeries& series) {
-  const double first = std::sqrt(std::max(series.square.front(), 0.0));
-  return series.power == 0 || first == 0 ? first : series.power < 0 ? std::numeric_limits<double>::infinity() : 0;
+double limit_at_infinity(const CurveSeries& series, const Panel& panel) {
+  const double negligible = std::pow(vanishing_share * size_of(series), 2);
+  const auto leading = std::find_if(series.square.begin(), series.square.end(), [&](double s) { return s > negligible; });
+  const auto power = 2 * series.power + (leading - series.square.begin());  // of 1/ω in |y|²
+  if (leading == series.square.end() || power > 0) return 0;
+  return power < 0 ? std::numeric_limits<double>::infinity() : std::sqrt(*leading) * std::pow(panel.radius, series.power);
 }
 
 double rise_of_square(const CurveSeries& series, const Panel& panel, double tau) { return polynomial_value(slope(series), tau) / panel.radius; }

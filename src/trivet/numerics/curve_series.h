@@ -36,8 +36,8 @@ struct CoordinateSeries {
 /// |y| at τ.
 [[nodiscard]] double amplitude(const CurveSeries& series, const Panel& panel, double tau);
 
-/// Its limit at the end of a panel at infinity.
-[[nodiscard]] double limit_at_infinity(const CurveSeries& series);
+/// Its limit at the end of a panel at infinity; leading coefficients that are round-off do not count.
+[[nodiscard]] double limit_at_infinity(const CurveSeries& series, const Panel& panel);
 
 /// d|y|²/dω at τ, on a panel that is not at infinity.
 [[nodiscard]] double rise_of_square(const CurveSeries& series, const Panel& panel, double tau);

@@ -47,9 +47,10 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
   return result;
 }
 
-ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const PeakQuestion& question) {
+ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search, const PeakQuestion& question) {
   if (curve.largest_share <= vanishing_share) return {0, question.from, 0, 0};
-  const CurveHeights heights = heights_of(curve, question.from, question.to);
+  const bool beside_free_motion = search.from > question.from;
+  const CurveHeights heights = heights_of(curve, search.from, search.to, !beside_free_motion);
   ChannelPeaks answer{heights.highest, heights.highest_at, 0, 0};
   if (!question.count_peaks) return answer;
   const PeakCount count = prominent_peaks(heights.along, question.min_prominence * heights.finite_top);
@@ -128,17 +129,17 @@ class Piece {
     std::ranges::transform(question_.rows, std::back_inserter(rows), observed_curve);
     const DynamicMatrices m = matrices_of(designs_, d);
     const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
-    std::vector<SearchedCurve> curves;
+    AxisSearch search;
     try {
-      curves = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {question_.from, question_.to}).curves;
+      search = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {question_.from, question_.to});
     } catch (const foundation::NotComputable&) {  // one design is no reason to lose the others
       status(d) = DesignStatus::undecided;
       return;
     }
     status(d) = DesignStatus::redone;
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      note(d, c, peaks_of_curve(curves[c], question_));
-      if (!curves[c].complete) status(d) = DesignStatus::undecided;
+    for (std::size_t c = 0; c < search.curves.size(); ++c) {
+      note(d, c, peaks_of_curve(search.curves[c], search, question_));
+      if (!search.curves[c].complete) status(d) = DesignStatus::undecided;
     }
   }
 

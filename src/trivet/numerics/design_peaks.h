@@ -37,7 +37,8 @@ struct DesignPeaks {
                                        ///< to move is searched from far below its lowest nonzero |λ| on (axis_panels.h)
   Eigen::ArrayXXd highest_at;          ///< [rad/s]; infinity if only approached there
   Eigen::ArrayXXi peaks;               ///< resonance peaks inside the band; empty if not asked for
-  Eigen::ArrayXXd largest_rise;        ///< of these peaks over their base, the higher of those two minima: height / base − 1; 0 without peaks, empty if not asked for
+  Eigen::ArrayXXd largest_rise;        ///< of these peaks over their base, the higher of those two minima: height / base − 1, known to 1e-6; infinite over a base that round-off
+                                       ///< hides (1e-8 of what is about it); 0 without peaks, empty if not asked for
   std::vector<DesignStatus> status;
 };
 

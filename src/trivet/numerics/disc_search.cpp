@@ -31,7 +31,7 @@ Eigen::VectorXd sizes_on(const Panel& panel, const SeriesAtInfinity& q, const Ei
 void search_panel(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates, const Eigen::VectorXd& sizes,
                   const Eigen::VectorXd& given, const Band& band, SearchedCurve& result) {
   const CurveSeries series = curve_series(curve, panel, coordinates);
-  if (panel.at_infinity) result.at_end = limit_at_infinity(series);
+  if (panel.at_infinity) result.at_end = limit_at_infinity(series, panel);
   else if (const double tau = (band.from - panel.centre) / panel.radius; std::abs(tau) <= 1 + round_off) result.at_start = amplitude(series, panel, tau);
   const double size = size_of(series) * (panel.at_infinity ? std::pow(panel.radius, series.power) : 1);
   const double possible = possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
@@ -63,7 +63,7 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto row = static_cast<Eigen::Index>(c);
     SearchedCurve& curve = search.curves[c];
-    if (!beside_free_motion || !std::isnan(y(row, 0))) curve.at_start = y(row, 0);
+    if (!beside_free_motion || !std::isnan(y(row, 0))) curve.at_start = y(row, 0);  // else as a panel told, if one did
     if (ends > 1) curve.at_end = y(row, 1);
     Eigen::Index at = ends;
     for (const double pole : poles) {
@@ -86,6 +86,10 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
   const Eigen::VectorXd scale = unit_scale(system.matrices);
   // Panels of a delayed load end beyond the band: what the last one shows there tells how far the last peaks stand out.
   const Band band{result.from, delay > 0 ? std::numeric_limits<double>::infinity() : options.to};
+  for (SearchedCurve& curve : result.curves) {
+    curve.at_start = std::numeric_limits<double>::quiet_NaN();
+    curve.complete = result.from < result.to;  // else the band ends where a free motion rules
+  }
   double done = 0;
   for (const Panel& panel : cover.panels) {
     foundation::report_progress(options.progress, "peaks", done++ / static_cast<double>(cover.panels.size()));
@@ -102,7 +106,7 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
   std::vector<double> inside;
   for (const double pole : cover.poles_on_axis)
     if (pole >= band.from && pole <= band.to) inside.push_back(pole);
-  note_ends_and_poles(system, curves, inside, result.from > options.from, result);
+  note_ends_and_poles(system, curves, inside, cover.lowest > 0, result);
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace trivet::numerics {
-
 namespace {
 
 /// Where the higher of the two minima stands that part a peak from higher ground or from an end; the peak itself if there is none.
@@ -31,6 +30,7 @@ bool rise_is_known(std::span<const double> heights, std::span<const double> doub
     if (!stands_out(heights, i) || std::isinf(heights[i])) continue;
     const std::size_t base = base_of(heights, i);
     if (!(heights[i] - heights[base] > least)) continue;
+    if (heights[base] == 0 && doubts[base] > 0) return false;
     const double ratio = heights[i] / heights[base], doubt = doubts[i] + doubts[base];
     if (doubt > 0 && !(ratio * doubt <= accuracy * largest_rise || ratio * (1 + 2 * doubt) < 1 + largest_rise)) return false;
   }

@@ -20,7 +20,8 @@ struct PeakCount {
 /// Peaks among the heights along a curve, its ends first and last, whose prominence exceeds `least`. Infinite heights count always.
 [[nodiscard]] PeakCount prominent_peaks(std::span<const double> heights, double least);
 
-/// Whether the largest rise is known to `accuracy` (relative) if every height may be off by its share in `doubts`.
+/// Whether the largest rise of the peaks whose prominence exceeds `least` is known to `accuracy` (relative), if every height may be off by its share in `doubts`.
+/// @param largest_rise  as `prominent_peaks` found it
 [[nodiscard]] bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least, double largest_rise, double accuracy);
 
 }  // namespace trivet::numerics

@@ -161,7 +161,9 @@ class PackOfCurves {
           const FoundExtremum& e = found_[static_cast<std::size_t>(at)];
           doubtful = std::max(doubtful, doubt(e, numbers[2][i], question_));
           heights.push_back(amplitude(e.value));
-          doubts.push_back(share(e.missed, e.value));
+          // What the walk passed by as too low may be lower still beside such a minimum.
+          const bool hidden = std::sqrt(std::abs(e.value)) <= 2 * low_share * question_.min_prominence * std::sqrt(numbers[2][i]);
+          doubts.push_back(std::max(share(e.missed, e.value), hidden ? 1.0 : 0.0));
           if (e.maximum) see(heights.back(), std::sqrt(e.at));
         }
         heights.push_back(amplitude(numbers[1][i]));
@@ -245,7 +247,7 @@ class PackOfCurves {
       at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
       if (question_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
       // Whether it does is not known where that sum is round-off.
-      const LaneMask cancelled = hn::Gt(curves_[c].f.slope_parts, hn::Mul(all(1e12), hn::Abs(slope)));
+      const LaneMask cancelled = hn::Lt(hn::Abs(slope), hn::Mul(hn::Mul(all(1e3), round_off_), curves_[c].f.slope_parts));
       complete_ = hn::AndNot(cancelled, complete_);
       curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);
     }

@@ -36,13 +36,16 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
   PackOfPoles<Size> poles;
   const LaneMask definite = modes_of_pack<true>(n, a, k, modes);
   poles_of_pack(n, modes, b, h, poles);
+  Pack stiffest = all(0.0);
+  for (int p = 0; p < n; ++p) stiffest = hn::Max(stiffest, modes.lambda[p]);
+  const Pack held = hn::Mul(all(64 * n * 2.2e-16), stiffest);  // a stiffness below is the round-off of none
   LaneMask good = hn::And(hn::And(modes.settled, poles.good), hn::Le(poles.condition, all(most_condition)));
   for (int j = 0; j < n; ++j) hn::StoreU(a[packed(j, j)], Lanes(), table.mass[j] + lane);
   hn::StoreU(all(round_off), Lanes(), table.round_off + lane);
   for (int p = 0; p < n; ++p) {
     const LaneMask real = poles.real[p];
     const Pack slow = poles.lambda[p].re;
-    good = hn::And(good, hn::And(hn::Gt(modes.lambda[p], all(0.0)), hn::Lt(slow, all(0.0))));
+    good = hn::And(good, hn::And(hn::Gt(modes.lambda[p], held), hn::Lt(slow, all(0.0))));
     hn::StoreU(slow, Lanes(), table.first[p] + lane);
     hn::StoreU(hn::IfThenElse(real, poles.lambda[n + p].re, poles.lambda[p].im), Lanes(), table.second[p] + lane);
     hn::StoreU(hn::IfThenElseZero(real, all(1.0)), Lanes(), table.real[p] + lane);

@@ -11,7 +11,7 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr double tolerance = 1e-10;
+constexpr double tolerance = 1e-11;
 /// Roots that nearly coincide have large residues of opposite signs: what they lose is this times round-off.
 constexpr double most_cancellation = 1e4;
 /// Least decay rate against the fastest pole: below, round-off of the eigensolver (in units of that pole) shows in the height of a peak.
@@ -27,7 +27,8 @@ double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const 
   const auto share = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
     const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
     const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(), weighed = weight.cwiseProduct(sum).norm();
-    return weighed > 0 && size > most_cancellation * weighed ? std::numeric_limits<double>::infinity() : missed.cwiseAbs().maxCoeff() / size;
+    const double part = missed.cwiseAbs().maxCoeff() / size;
+    return (weighed > 0 && size > most_cancellation * weighed) || !std::isfinite(part) ? std::numeric_limits<double>::infinity() : part;
   };
   return std::max({share(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())), share(poles, acceleration),
                    share(poles.cwiseInverse(), displacement)});

@@ -62,16 +62,12 @@ HWY_INLINE Pack modulus_above(const LaneMask& real, const PairPack& a) {
 
 HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others) { return hn::MulAdd(C.first, w.first, hn::MulAdd(C.second, w.second, others)); }
 
-/// Of the moduli of all that f is the sum of at x, which tells what round-off its value has.
+/// Of the moduli of all that f is the sum of at x, which tells what round-off its value has. Both parts of C have the round-off of the larger.
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
-  Pack one = f.constant_parts, other = hn::Mul(f.slope_parts, x);
-  each(poles.count, [&](int k) TRIVET_LANES {
-    const PairPack w = reach(poles, k, x);
-    one = hn::MulAdd(hn::Abs(f.C[k].first), hn::Abs(w.first), one);
-    other = hn::MulAdd(hn::Abs(f.C[k].second), hn::Abs(w.second), other);
-  });
-  return hn::Add(one, other);
+  Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);
+  each(poles.count, [&](int k) TRIVET_LANES { sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(reach(poles, k, x)), sum); });
+  return sum;
 }
 
 /// A curve and its first three derivatives.

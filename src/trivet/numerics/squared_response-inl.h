@@ -35,6 +35,8 @@ HWY_INLINE PairPack inverse(const LaneMask& real, const PairPack& a) {
   return {hn::IfThenElse(real, low, hn::Mul(a.first, low)), hn::IfThenElse(real, high, hn::Neg(hn::Mul(a.second, low)))};
 }
 HWY_INLINE PairPack operator*(const Pack& a, const PairPack& b) { return {hn::Mul(a, b.first), hn::Mul(a, b.second)}; }
+/// |first| + |second|
+HWY_INLINE Pack sum_of_parts(const PairPack& a) { return hn::Add(hn::Abs(a.first), hn::Abs(a.second)); }
 /// Half the sum over the pair.
 HWY_INLINE Pack half_sum(const LaneMask& real, const PairPack& a) { return hn::IfThenElse(real, hn::Mul(all(0.5), hn::Add(a.first, a.second)), a.first); }
 
@@ -125,7 +127,7 @@ HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts
     for (int k = 0; k < n; ++k) {
       if (d > 0 || !proper) {
         f.constant = hn::Add(f.constant, half_sum(poles.real[k], f.C[k]));
-        f.constant_parts = hn::Add(f.constant_parts, half_sum(poles.real[k], {hn::Abs(f.C[k].first), hn::Abs(f.C[k].second)}));
+        f.constant_parts = hn::Add(f.constant_parts, sum_of_parts(f.C[k]));
       }
       f.C[k] = times(poles.real[k], pole_in_square(poles.real[k], poles.lambda[k]), f.C[k]);
     }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
 #include "trivet/numerics/design_modes.h"
+#include "trivet/numerics/generalized_modes.h"
 #include "trivet/study/changes.h"
 #include "trivet/study/design_parameter.h"
 #include "trivet/study/highest_frequency.h"
@@ -76,7 +76,7 @@ void DesignEvaluation::fit_family(const Case& variant) {
   const auto plain = [&](const model::System& system) -> response::PlainOrNot {
     const assembly::Assembled assembled = assembly::assemble(system);
     response::PlainOrNot found = response::plain_design(assembled, channels(system, assembled), assembly::harmonic_loading(system, assembled, request_.excitations));
-    if (found.plain && Eigen::LLT<Eigen::MatrixXd>(found.plain->K).info() != Eigen::Success) return {{}, "free or unstable motions"};
+    if (found.plain && !numerics::is_positive_definite(found.plain->K)) return {{}, "free or unstable motions"};
     return found;
   };
   report_.family = plain(variant.system).reason;

@@ -34,7 +34,7 @@ std::vector<double> round_margins_below(double largest, double least) {
         if (decade * *step < largest && decade * *step > least) margins.push_back(decade * *step);
     if (margins.size() >= enough) break;
   }
-  const std::size_t stride = std::max<std::size_t>(1, margins.size() / most);  // tenths are many: spread over their range
+  const std::size_t stride = std::max<std::size_t>(1, (margins.size() + most - 1) / most);  // tenths are many: spread over their range
   std::vector<double> chosen;
   for (std::size_t k = 0; k < margins.size() && chosen.size() < most; k += stride) chosen.push_back(margins[k]);
   return chosen;
