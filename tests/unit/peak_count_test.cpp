@@ -46,6 +46,13 @@ TEST(RiseIsKnown, OverABaseThatIsZeroToTheLastDigitOnly) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(rise_is_known(std::vector<double>{0, 5, 0}, std::vector<double>{0, 0, 0}, 0.5, infinity, 1e-6));
   EXPECT_FALSE(rise_is_known(std::vector<double>{0, 5, 0, 6, 7}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity, 1e-6));
+  EXPECT_FALSE(rise_is_known(std::vector<double>{2, 6, 0, 5, 0}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity, 1e-6));  // between it and a true zero
+}
+
+TEST(RiseIsKnown, OverTheHigherOfTwoMinimaThatMayExchange) {
+  const std::vector<double> heights = {7, 1, 5, 0.9, 6};
+  EXPECT_TRUE(rise_is_known(heights, std::vector<double>{0, 0, 0, 0.01, 0}, 0.5, 4, 1e-6));
+  EXPECT_FALSE(rise_is_known(heights, std::vector<double>{0, 0, 0, 0.1, 0}, 0.5, 4, 1e-6));
 }
 
 }  // namespace

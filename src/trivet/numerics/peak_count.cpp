@@ -7,14 +7,18 @@
 namespace trivet::numerics {
 namespace {
 
-/// Where the higher of the two minima stands that part a peak from higher ground or from an end; the peak itself if there is none.
-std::size_t base_of(std::span<const double> heights, std::size_t peak) {
+/// The two minima that part a peak from higher ground or from an end, the higher one first; the peak itself where there is none.
+struct Minima {
+  std::size_t base, lower;
+};
+
+Minima minima_of(std::span<const double> heights, std::size_t peak) {
   std::size_t left = peak, right = peak;
   for (std::size_t k = peak; k-- > 0 && heights[k] <= heights[peak];)
     if (heights[k] < heights[left]) left = k;
   for (std::size_t k = peak + 1; k < heights.size() && heights[k] <= heights[peak]; ++k)
     if (heights[k] < heights[right]) right = k;
-  return heights[left] > heights[right] ? left : right;
+  return heights[left] > heights[right] ? Minima{left, right} : Minima{right, left};
 }
 
 bool stands_out(std::span<const double> heights, std::size_t i) { return heights[i] > heights[i - 1] && heights[i] > heights[i + 1]; }
@@ -22,15 +26,17 @@ bool stands_out(std::span<const double> heights, std::size_t i) { return heights
 }  // namespace
 
 double prominence(std::span<const double> heights, std::size_t peak) {
-  return std::isinf(heights[peak]) ? heights[peak] : heights[peak] - heights[base_of(heights, peak)];
+  return std::isinf(heights[peak]) ? heights[peak] : heights[peak] - heights[minima_of(heights, peak).base];
 }
 
 bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least, double largest_rise, double accuracy) {
   for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
     if (!stands_out(heights, i) || std::isinf(heights[i])) continue;
-    const std::size_t base = base_of(heights, i);
+    const auto [base, lower] = minima_of(heights, i);
     if (!(heights[i] - heights[base] > least)) continue;
-    if (heights[base] == 0 && doubts[base] > 0) return false;
+    const bool exchange = heights[lower] * (1 + 2 * doubts[lower]) > heights[base] && doubts[lower] > accuracy;  // the lower may be the higher
+    const auto hidden = [&](std::size_t k) { return heights[k] == 0 && doubts[k] > 0; };  // by round-off
+    if (exchange || hidden(base) || hidden(lower)) return false;
     const double ratio = heights[i] / heights[base], doubt = doubts[i] + doubts[base];
     if (doubt > 0 && !(ratio * doubt <= accuracy * largest_rise || ratio * (1 + 2 * doubt) < 1 + largest_rise)) return false;
   }
