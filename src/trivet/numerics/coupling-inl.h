@@ -67,6 +67,40 @@ HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const
   return hn::Or(none, hn::Not(little));
 }
 
+/// A row times the residues of one pair of poles; its zeros are skipped.
+HWY_INLINE PairPack row_times(const Eigen::VectorXd& row, const PairPack* r) {
+  PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())};
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (row(j) != 0) sum = {hn::MulAdd(all(row(j)), r[j].first, sum.first), hn::MulAdd(all(row(j)), r[j].second, sum.second)};
+  return sum;
+}
+
+/// Σ_j |row_j| / √A_jj
+HWY_INLINE Pack weight_of(const Eigen::VectorXd& row, const Pack* unit) {
+  Pack sum = hn::Zero(Lanes());
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (row(j) != 0) sum = hn::MulAdd(all(std::abs(row(j))), unit[j], sum);
+  return sum;
+}
+
+/// Residues of one channel. @return lanes where they have their digits
+template <typename Size>
+HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
+  const Pack plain = weight_of(row.on_displacement, residues.unit), of_rate = weight_of(row.on_velocity, residues.unit);
+  Pack weight[most_pairs];
+  for (int k = 0; k < n; ++k) {
+    r[k] = row_times(row.on_displacement, residues.r[k]);
+    weight[k] = plain;
+    if (row.on_velocity.size() > 0) {
+      const PairPack lambda = poles.lambda[k], turned = times(poles.real[k], lambda, row_times(row.on_velocity, residues.r[k]));
+      r[k] = {hn::Add(r[k].first, turned.first), hn::Add(r[k].second, turned.second)};
+      weight[k] = hn::MulAdd(hn::Add(hn::Abs(lambda.first), hn::Abs(lambda.second)), of_rate, plain);
+    }
+    weight[k] = hn::Mul(weight[k], weight[k]);
+  }
+  return drop_round_off(n, residues, weight, r);
+}
+
 /// Lanes where a value keeps nine digits (an amplitude twice as many as its square loses), of terms with such moduli.
 /// @param of_sums  round-off of a sum against its terms
 HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value) {
