@@ -127,7 +127,7 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
   constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
   const PlotPanel& panel = picture.panel;
   const auto path = [](const study::MapAxis& axis) { return study::axis_name(axis) == axis.parameter ? "" : axis.parameter; };
-  const double bottom = panel.corner.y + panel.height, x = panel.corner.x - 66, y = panel.corner.y + panel.height / 2;
+  const double bottom = panel.corner.y + panel.height, x = panel.corner.x - y_title_distance(panel) - 18, y = panel.corner.y + panel.height / 2;
   picture.canvas.text({panel.corner.x + panel.width / 2, bottom + 44}, path(picture.map.request.x), small);
   picture.canvas.text({x, y}, path(picture.map.request.y), fmt::format("{} transform=\"rotate(-90 {:.2f} {:.2f})\"", small, x, y));
   double at = bottom + 66;
@@ -143,11 +143,11 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   std::vector<std::string> notes = {"Asked: " + study::asked_words(map) + "."};
   for (std::string& sentence : doubts(map)) notes.push_back(std::move(sentence));
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
-  const double width = 990, height = 628 + 16 * static_cast<double>(notes.size());
+  const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;
   MapPicture picture{map,
                      SvgCanvas(width, height),
-                     {{88, 44},
+                     {{96, 44},
                       590,
                       520,
                       drawn_axis(map.request.x),

@@ -70,8 +70,8 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
 std::vector<std::string> doubts(const study::DesignMap& map) {
   std::vector<std::string> sentences;
   for (const foundation::Problem& warning : map.warnings.list()) {
-    const std::string subject = warning.subject.starts_with("map: ") ? warning.subject.substr(5) : warning.subject;
-    sentences.push_back(fmt::format("Doubtful: {}: {}; {}.", subject, warning.finding, warning.rule));
+    const std::string subject = warning.subject.starts_with("map: ") ? warning.subject.substr(5) + ": " : "";
+    sentences.push_back(fmt::format("Doubtful: {}{}; {}.", subject, warning.finding, warning.rule));
   }
   return sentences;
 }

@@ -25,6 +25,8 @@ PixelPoint PlotPanel::at(double x_value, double y_value) const { return {corner.
 
 namespace {
 
+constexpr int y_ticks = 5;
+
 /// Short marks at the powers of ten and, where there is room, at 2 … 9 times them.
 std::vector<double> minor_values(const Axis& axis) {
   constexpr double most_decades = 8;
@@ -39,6 +41,13 @@ std::vector<double> minor_values(const Axis& axis) {
 
 }  // namespace
 
+double y_title_distance(const PlotPanel& p) {
+  constexpr double usual = 48, of_sign = 6.2, beside = 20, at_edge = 10;
+  std::size_t signs = 0;
+  for (const Tick& tick : p.y.ticks(y_ticks)) signs = std::max(signs, tick.label.size());
+  return std::min(p.corner.x - at_edge, std::max(usual, of_sign * static_cast<double>(signs) + beside));
+}
+
 void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
   const double bottom = p.corner.y + p.height, right = p.corner.x + p.width;
   for (const Tick& tick : p.x.ticks(std::max(3, static_cast<int>(p.width / 70)))) {
@@ -46,7 +55,7 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
     canvas.line({x, p.corner.y}, {x, bottom}, "stroke=\"#e4e4e4\"");
     canvas.text({x, bottom + 15}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
   }
-  for (const Tick& tick : p.y.ticks(5)) {
+  for (const Tick& tick : p.y.ticks(y_ticks)) {
     const double y = p.at(p.x.from, tick.value).y;
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#e4e4e4\"");
     canvas.text({p.corner.x - 6, y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
@@ -61,7 +70,7 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
   }
   canvas.rectangle(p.corner, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
   canvas.text({p.corner.x + p.width / 2, bottom + 31}, p.x.label, "text-anchor=\"middle\"");
-  const double x = p.corner.x - 48, y = p.corner.y + p.height / 2;
+  const double x = p.corner.x - y_title_distance(p), y = p.corner.y + p.height / 2;
   canvas.text({x, y}, p.y.label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
 }
 

@@ -31,6 +31,9 @@ struct PlotPanel {
   [[nodiscard]] PixelPoint at(double x_value, double y_value) const;
 };
 
+/// From the frame to the middle of the label of the y axis: beyond the labels of its ticks.
+[[nodiscard]] double y_title_distance(const PlotPanel& panel);
+
 /// Grid, ticks with their labels, frame and axis labels.
 void draw_frame(SvgCanvas& canvas, const PlotPanel& panel);
 
