@@ -2,6 +2,7 @@
 // Coordinates that the load hardly moves, by poles: their terms cancel, or are round-off. Against solutions in long double.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -164,6 +165,25 @@ TEST(WeakCoupling, ABandWhereAFreeMotionRulesIsNotJudged) {
   DesignPeakOptions options;
   options.to = 1e-4;
   EXPECT_EQ(design_peaks(design_of(Eigen::Matrix2d::Identity(), 0.01 * K, K, Eigen::Vector2d(1, 0)), options).status[0], DesignStatus::undecided);
+}
+
+/// Free along a skew axis, where round-off gives K a stiffness of either sign: as the same body seen along its own axes, where that is 0 to the last digit.
+TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
+  const Eigen::Vector3d damping(0, 3e2, 1.2e3), stiffness(0, 3e3, 3e4), load(0, 1, 1);
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(1 + 0.02 * k, Eigen::Vector3d(1 + 0.01 * k, std::sin(k), std::cos(3 * k)).normalized()).toRotationMatrix();
+    const auto turned = [&](const Eigen::Vector3d& principal) -> Eigen::MatrixXd {
+      const Eigen::Matrix3d x = turn * principal.asDiagonal() * turn.transpose();
+      return 0.5 * (x + x.transpose());
+    };
+    const Eigen::MatrixXd mass = 6 * Eigen::Matrix3d::Identity();
+    DesignPeakOptions along_own_axes;
+    along_own_axes.rows = turn.array();
+    const DesignPeaks expected = design_peaks(design_of(mass, damping.asDiagonal(), stiffness.asDiagonal(), turn.transpose() * load), along_own_axes);
+    const DesignPeaks found = design_peaks(design_of(mass, turned(damping), turned(stiffness), load));
+    EXPECT_TRUE((found.peaks == expected.peaks).all()) << k << ": " << found.peaks << " instead of " << expected.peaks;
+    EXPECT_LE(((found.highest - expected.highest) / expected.highest).abs().maxCoeff(), 1e-5) << k;  // K's round-off where the search begins, docs/theory.md
+  }
 }
 
 }  // namespace
