@@ -56,7 +56,7 @@ HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, cons
 /// @return lanes where that is so, or where it takes so much part that its residues have their digits
 template <typename Size>
 HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const Pack* weight, PairPack* r) {
-  constexpr double least_known = 1e-6;
+  constexpr double least_known = 1e-6;  // residues are off by some 1e-15 of what is possible
   LaneMask none = hn::Eq(all(0.0), all(0.0)), little = none;
   each(n, [&](int k) TRIVET_LANES {
     const Pack size = squared_size(r[k]);

@@ -45,7 +45,7 @@ HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves,
   }
 }
 
-constexpr double accuracy_of_rise = 1e-6;  // relative
+constexpr double accuracy_of_rise = 1e-6;  // relative; margins are kept in single precision
 
 /// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and where no peaks are counted; ∞ where
 /// the steps towards it did not settle.
@@ -212,7 +212,7 @@ class PackOfCurves {
       const LaneMask grows = hn::Gt(slope, hn::Zero(Lanes()));
       at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
       if (question_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
-      // Whether it does is not known where that sum is round-off.
+      // Whether it does is not known where that sum is round-off, residues behind it included (conditions up to 1e3).
       const LaneMask cancelled = hn::Lt(hn::Abs(slope), hn::Mul(hn::Mul(all(1e3), round_off_), curves_[c].f.slope_parts));
       complete_ = hn::AndNot(cancelled, complete_);
       curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);

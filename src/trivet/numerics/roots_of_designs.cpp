@@ -38,7 +38,7 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
   poles_of_pack(n, modes, b, h, poles);
   Pack stiffest = all(0.0);
   for (int p = 0; p < n; ++p) stiffest = hn::Max(stiffest, modes.lambda[p]);
-  const Pack held = hn::Mul(all(64 * n * 2.2e-16), stiffest);  // a stiffness below is the round-off of none
+  const Pack held = hn::Mul(all(64 * n * 2.2e-16), stiffest);  // a stiffness below may be the round-off of none: 64 n ε, eight times what definiteness asks
   LaneMask good = hn::And(hn::And(modes.settled, poles.good), hn::Le(poles.condition, all(most_condition)));
   for (int j = 0; j < n; ++j) hn::StoreU(a[packed(j, j)], Lanes(), table.mass[j] + lane);
   hn::StoreU(all(round_off), Lanes(), table.round_off + lane);
