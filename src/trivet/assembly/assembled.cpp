@@ -3,7 +3,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/foundation/invalid_input.h"
@@ -17,40 +19,73 @@ namespace {
 
 using spatial::Matrix6;
 
-/// Appends one column: how six rows from `first_row` of the element follow one coordinate.
-void append_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row, const spatial::Vector6& column) {
-  rows.push_back(row);
-  ends.conservativeResize(Eigen::NoChange, ends.cols() + 1);
-  ends.rightCols<1>().setZero();
-  ends.rightCols<1>().segment<6>(first_row) = column;
+/// Adds how six rows from `first_row` of the element follow one coordinate; no coordinate has two columns.
+void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row, const spatial::Vector6& column) {
+  const auto known = static_cast<std::size_t>(std::find(rows.begin(), rows.end(), row) - rows.begin());
+  if (known == rows.size()) {
+    rows.push_back(row);
+    ends.conservativeResize(Eigen::NoChange, ends.cols() + 1);
+    ends.rightCols<1>().setZero();
+  }
+  ends.col(static_cast<Eigen::Index>(known)).segment<6>(first_row) += column;
 }
 
-/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body, its foundation or the ground.
-void add_end(const Layout& layout, std::size_t element, const model::End& end, int first_row, ElementMap& map, Ground& ground) {
+/// First ground coordinates of the ends that are on the ground, and of the places whose fixed directions follow it.
+struct GroundRows {
+  std::vector<std::array<Eigen::Index, 2>> of_ends;  ///< of end N and end K of each element; −1 if that end is not on the ground
+  std::vector<Eigen::Index> of_places;               ///< of each foundation: those under its impedance; −1 for modes
+};
+
+GroundRows ground_rows(const model::Description& description, Ground& ground) {
+  GroundRows rows;
+  rows.of_places.assign(description.foundations.size(), -1);
+  for (std::size_t e = 0; e < description.elements.size(); ++e) {
+    const model::Element& element = description.elements[e];
+    std::array<Eigen::Index, 2> first = {-1, -1};
+    for (const auto& [end, row] : {std::pair{&element.n, &first[0]}, {&element.k, &first[1]}}) {
+      if (!end->on_ground()) continue;
+      *row = ground.size();
+      ground.ends.push_back({e, {end->at, end->axes}, *row});
+    }
+    if (element.is_foundation && element.k.foundation) rows.of_places[element.k.foundation->foundation] = first[0];
+    rows.of_ends.push_back(first);
+  }
+  return rows;
+}
+
+/// Adds how the end follows the rigid ground at its place, and the motion of that place for itself; `fixed`: the directions in which it does.
+void add_ground(const Matrix6& turn, const Matrix6& fixed, const Eigen::Vector3d& at, Eigen::Index own_row, int first_row, ElementMap& map) {
+  const Matrix6 as_one = turn * fixed * spatial::rigid_motion(at), alone = turn * fixed;
+  for (int j = 0; j < 6; ++j) add_column(map.ground_ends, map.ground_rows, first_row, j, as_one.col(j));
+  for (int j = 0; j < 6; ++j) add_column(map.ground_ends, map.ground_rows, first_row, own_row + j, alone.col(j));
+}
+
+/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body, its foundation and the ground.
+/// @param ground_row  first ground coordinate of this end, if it is on the ground
+void add_end(const Layout& layout, const model::End& end, Eigen::Index ground_row, const GroundRows& ground, int first_row, ElementMap& map) {
   const Matrix6 turn = spatial::both_blocks(end.axes).transpose();
   if (end.body) {
     const Matrix6 motion = turn * spatial::rigid_motion(end.at);
     for (int j = 0; j < 6; ++j)
-      if (layout.row(*end.body, j) >= 0) append_column(map.ends, map.rows, first_row, layout.row(*end.body, j), motion.col(j));
+      if (layout.row(*end.body, j) >= 0) add_column(map.ends, map.rows, first_row, layout.row(*end.body, j), motion.col(j));
   } else if (end.foundation) {
-    for (Eigen::Index j = 0; j < end.foundation->shape.cols(); ++j)
-      append_column(map.ends, map.rows, first_row, layout.foundation_row(end.foundation->foundation) + j, turn * end.foundation->shape.col(j));
+    const model::OnFoundation& on = *end.foundation;
+    for (Eigen::Index j = 0; j < on.shape.cols(); ++j)
+      add_column(map.ends, map.rows, first_row, layout.foundation_row(on.foundation) + j, turn * on.shape.col(j));
+    if (!on.fixed_directions.isZero(0)) add_ground(turn, on.fixed_directions, end.at, ground.of_places[on.foundation], first_row, map);
   } else {
-    ground.ends.push_back({element, {end.at, end.axes}, ground.size()});
-    const Matrix6 as_one = turn * spatial::rigid_motion(end.at);
-    for (int j = 0; j < 6; ++j) append_column(map.ground_ends, map.ground_rows, first_row, j, as_one.col(j));
-    for (int j = 0; j < 6; ++j) append_column(map.ground_ends, map.ground_rows, first_row, ground.ends.back().first_row + j, turn.col(j));
+    add_ground(turn, Matrix6::Identity(), end.at, ground_row, first_row, map);
   }
 }
 
-ElementMap map_of(const Layout& layout, std::size_t index, const model::Element& element, Ground& ground) {
+ElementMap map_of(const Layout& layout, std::size_t index, const model::Element& element, const GroundRows& ground) {
   ElementMap map;
   map.matrices = elements::matrices(element.law);
   const Eigen::Index internal = map.matrices.stiffness.rows() - 12;
   map.ends.resize(12 + internal, 0);
   map.ground_ends.resize(12 + internal, 0);
-  add_end(layout, index, element.n, 0, map, ground);
-  add_end(layout, index, element.k, 6, map, ground);
+  add_end(layout, element.n, ground.of_ends[index][0], ground, 0, map);
+  add_end(layout, element.k, ground.of_ends[index][1], ground, 6, map);
   map.end_columns = map.ends.cols();
   map.ends.conservativeResize(Eigen::NoChange, map.end_columns + internal);
   map.ends.rightCols(internal).setZero();
@@ -183,8 +218,8 @@ Assembled assemble(const model::System& system) {
     last.push_back(elements::is_frequency_dependent(element.law));
   }
   Assembled result{Layout(system.description(), internal, last), {}, {}, {}, {}};
-  for (std::size_t e = 0; e < system.elements().size(); ++e)
-    result.elements.push_back(map_of(result.layout, e, system.elements()[e], result.ground));
+  const GroundRows rows = ground_rows(system.description(), result.ground);
+  for (std::size_t e = 0; e < system.elements().size(); ++e) result.elements.push_back(map_of(result.layout, e, system.elements()[e], rows));
   numerics::DynamicMatrices& m = result.matrices;
   const auto every = [](const ElementMap&) { return true; };
   const auto constant = [](const ElementMap& map) { return !map.frequency_dependent(); };

@@ -101,13 +101,28 @@ void check_random(const Description& description, foundation::Problems& problems
   if (known && !inputs.pairs.empty()) problems.add(excitation::check(inputs, "excitations"));
 }
 
+/// Fixed directions follow the ground under the impedance that joins the foundation to it.
+void check_fixed_directions(const Description& description, foundation::Problems& problems) {
+  for (const Element& element : description.elements)
+    for (const End* end : {&element.n, &element.k}) {
+      if (!end->foundation || end->foundation->fixed_directions.isZero(0)) continue;
+      const bool joined = std::any_of(description.elements.begin(), description.elements.end(), [&](const Element& e) {
+        return e.is_foundation && e.n.on_ground() && e.k.foundation && e.k.foundation->foundation == end->foundation->foundation;
+      });
+      if (!joined)
+        problems.error("elements." + element.name, "an end with fixed directions on a foundation without an impedance", "fixed directions follow the ground under the impedance",
+                       "add the element from the ground to the foundation, or leave fixed_directions zero");
+    }
+}
+
 void check_moving_ground(const Description& description, foundation::Problems& problems) {
   const auto standing = element_on_modes(description);
   if (!standing) return;
   for (const Excitation& excitation : description.excitations)
     if (!excitation.action.body && excitation.action.elements.empty())
       problems.error("excitations." + excitation.name, "the whole ground moves under \"" + *standing + "\", which stands on the modes of a foundation",
-                     "modes do not say how they follow a rigid motion of the ground", "move single supports with elements = […], or describe the foundation by an impedance");
+                     "modes do not state how they follow a motion of the ground",
+                     "describe the foundation by an impedance or a mobility (their fixed directions follow the ground), or model it as a body on its own elements");
 }
 
 }  // namespace
@@ -126,6 +141,7 @@ foundation::Expected<System> System::checked(Description description) {
   check_names(excitations, "excitations", problems, false);
   check_random(description, problems);
   check_moving_ground(description, problems);
+  check_fixed_directions(description, problems);
   check_shared_names(description, problems);
   for (const auto& body : description.bodies) {
     check_names(body.points, "bodies." + body.name + ".points", problems);

@@ -32,7 +32,7 @@ struct Body {
   bool allow_unphysical = false;
 };
 
-/// Ground that gives, in coordinates of its own: A p̈ + B ṗ + K p = what its ends feel. One place with its impedance, or the modes of a deck.
+/// A flexible foundation in coordinates of its own: A p̈ + B ṗ + K p = what its ends feel. One place with its impedance, or the modes of a deck.
 struct Foundation {
   std::string name;
   Eigen::MatrixXd mass, damping, stiffness;  ///< all r × r
@@ -42,6 +42,9 @@ struct Foundation {
 struct OnFoundation {
   std::size_t foundation = 0;
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< motion of the end, ground axes, per unit of each coordinate
+  /// The fixed directions: the part of the end's motion that follows the rigid ground at this place, ground axes. A projector: all that `shape`
+  /// does not move. Zero for the modes of a deck, which do not state how they follow the ground.
+  spatial::Matrix6 fixed_directions = spatial::Matrix6::Zero();
 };
 
 /// One end of an element: on a body, on a foundation, or on the ground if neither is given.

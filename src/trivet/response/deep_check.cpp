@@ -8,6 +8,7 @@
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
 #include "trivet/numerics/refined_solution.h"
+#include "trivet/response/prescribed_ends.h"
 #include "trivet/response/steady_solution.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -20,20 +21,14 @@ using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
 using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What a motion of the ground coordinates does to the ends of one element (12 × ground coordinates), straight from the convention.
-Carrier ground_carrier(const assembly::Ground& ground, std::size_t index, const model::Element& element) {
-  Carrier t = Carrier::Zero(12, ground.size());
-  int first = 0;
-  for (const model::End* end : {&element.n, &element.k}) {
-    if (end->on_ground()) {
-      const Carrier turn = spatial::both_blocks(end->axes).transpose().cast<Extended>();
-      t.middleRows(first, 6).leftCols(6) = turn * spatial::rigid_motion(end->at).cast<Extended>();
-      for (const assembly::GroundEnd& own : ground.ends)
-        if (own.element == index && own.pose.position == end->at) t.block(first, own.first_row, 6, 6) = turn;
-    }
-    first += 6;
+/// What the damping of the system as a whole brings into the free rows where the ground moves; it has no second derivation here.
+Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, Eigen::Index n) {
+  Eigen::MatrixXd rest = assembled.ground.B.topRows(n);
+  for (const assembly::ElementMap& map : assembled.elements) {
+    if (map.frequency_dependent() || map.ground_rows.empty()) continue;
+    rest(map.rows, map.ground_rows) -= map.ends.transpose() * map.matrices.damping * map.ground_ends;
   }
-  return t;
+  return rest;
 }
 
 /// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an internal coordinate
@@ -62,24 +57,28 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
 }  // namespace
 
 DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
-                     const std::vector<double>& angular_frequency) {
+                     const std::vector<double>& angular_frequency, const std::vector<std::string>& excitations) {
+  const PrescribedEnds ends(system, excitations);
   const assembly::Layout& layout = assembled.layout;
   const numerics::DynamicMatrices& constant = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
   const Eigen::Index n = constant.size();
   const Eigen::VectorXd d = numerics::unit_scale(constant);
   ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n), mass = ExtendedMatrix::Zero(n, n);
   Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd ground_damping = Eigen::MatrixXd::Zero(n, assembled.ground.size());
-  ExtendedMatrix driven_stiffness = ground_damping.cast<Complex>(), driven_damping = driven_stiffness, driven_mass = driven_stiffness;
   struct Dependent {
-    Carrier free, ground;
-    const elements::Law* law;
+    std::size_t element;
+    Carrier free;
   };
   std::vector<Dependent> dependent;
+  struct Driven {
+    std::size_t element;
+    elements::Matrices matrices;
+  };
+  std::vector<Driven> driven;
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
     if (elements::is_frequency_dependent(element.law)) {
-      dependent.push_back({carrier(layout, e, element, 0, n), ground_carrier(assembled.ground, e, element), &element.law});
+      dependent.push_back({e, carrier(layout, e, element, 0, n)});
       continue;
     }
     const elements::Matrices m = elements::matrices(element.law);
@@ -89,12 +88,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     mass += carried(m.mass).cast<Complex>();
     damping += carried(m.damping).cast<Complex>();
     element_damping += carried(m.damping).cast<double>();
-    const Carrier ends = ground_carrier(assembled.ground, e, element);
-    const auto driven = [&](const Eigen::MatrixXd& local) -> Carrier { return t * local.leftCols(12).cast<Extended>() * ends; };
-    driven_stiffness += driven(m.stiffness).cast<Complex>() * Complex(1, m.loss_factor);
-    driven_mass += driven(m.mass).cast<Complex>();
-    driven_damping += driven(m.damping).cast<Complex>();
-    ground_damping += driven(m.damping).cast<double>();
+    if (ends.can_move(e)) driven.push_back({e, m});
   }
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
     const model::Foundation& foundation = system.description().foundations[f];
@@ -105,9 +99,10 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     element_damping.block(row, row, size, size) += foundation.damping;
   }
   // What the system as a whole adds to the damping (Rayleigh, modal ratios) has no second derivation here.
+  ExtendedMatrix driven_damping;
   if (!std::holds_alternative<std::monostate>(system.description().damping)) {
     damping += (constant.B - element_damping).cast<Complex>();
-    driven_damping += (assembled.ground.B.topRows(n) - ground_damping).cast<Complex>();
+    driven_damping = system_damping_on_ground(assembled, n).cast<Complex>();
   }
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Matrix6 a = spatial::mass_matrix(system.bodies()[b].mass);
@@ -126,14 +121,20 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
     ExtendedMatrix z = stiffness + Complex(0, w) * damping - w * w * mass;
-    ExtendedMatrix driven = driven_stiffness + Complex(0, w) * driven_damping - w * w * driven_mass;
-    for (const auto& [t, ends, law] : dependent) {
-      const ExtendedMatrix exact = elements::dynamic_stiffness(*law, angular_frequency[i]).cast<Complex>();
-      z += t.cast<Complex>() * exact * t.transpose().cast<Complex>();
-      driven += t.cast<Complex>() * exact * ends.cast<Complex>();
-    }
     ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<Complex>();
-    if (!loading.motion.vanishes()) h -= driven * loading.motion.at(angular_frequency[i]).cast<Complex>();
+    for (const auto& [element, t] : dependent) {
+      const ExtendedMatrix exact = elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<Complex>();
+      z += t.cast<Complex>() * exact * t.transpose().cast<Complex>();
+      h -= t.cast<Complex>() * (exact * ends.at(element, angular_frequency[i]));
+    }
+    for (const auto& [element, m] : driven) {
+      const Carrier t = carrier(layout, element, system.elements()[element], m.stiffness.rows() - 12, n);
+      const ExtendedMatrix dynamic = m.stiffness.leftCols(12).cast<Complex>() * Complex(1, m.loss_factor) + Complex(0, w) * m.damping.leftCols(12).cast<Complex>() -
+                                     w * w * m.mass.leftCols(12).cast<Complex>();
+      h -= t.cast<Complex>() * (dynamic * ends.at(element, angular_frequency[i]));
+    }
+    if (driven_damping.size() > 0 && !loading.motion.vanishes())
+      h -= Complex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<Complex>();
     h = (scale * h).eval();
     z = (scale * z * scale).eval();
     const numerics::RefinedSolver direct(z);

@@ -103,7 +103,7 @@ class List {
     }
   }
 
-  /// Both ends by the same vector, given in the frame of the body at K, seen from where each end lives.
+  /// Both ends by the same vector, given in the frame of the body at K, in each end's own frame; the place of a foundation moves with its end.
   static void shift(Description& d, std::size_t e, const Eigen::Vector3d& by) {
     model::Element& element = d.elements[e];
     const auto rotation = [&](const model::End& end) {
@@ -112,6 +112,10 @@ class List {
     const Eigen::Vector3d in_ground = rotation(element.k) * by;
     element.k.at += by;
     element.n.at += rotation(element.n).transpose() * in_ground;
+    if (!element.n.foundation) return;
+    for (model::Element& joint : d.elements)
+      if (joint.is_foundation && joint.k.foundation && joint.k.foundation->foundation == element.n.foundation->foundation)
+        joint.n.at = joint.k.at = element.n.at;
   }
 
   void add_body(std::size_t b) {

@@ -76,10 +76,10 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
     const Eigen::VectorXcd force = loading.force.at(omega).head(motion.free.size());
     flow.by_forces(i) = mean_power(force, motion.free, omega);
     for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
-      const model::Element& element = system.elements()[e];
-      const Eigen::VectorXcd d = element_motion(assembled.elements[e], motion), wrench = element_wrenches(assembled.elements[e], d, omega);
+      const assembly::ElementMap& map = assembled.elements[e];
+      const Eigen::VectorXcd d = element_motion(map, motion), wrench = element_wrenches(map, d, omega);
       flow.dissipated(static_cast<Eigen::Index>(e), i) = mean_power(wrench, d, omega);
-      if (element.n.on_ground()) flow.by_ground(i) += mean_power(wrench.head<6>(), d.head<6>(), omega);
+      flow.by_ground(i) += mean_power(wrench, map.moved_by_ground(motion.ground).head(wrench.size()), omega);
       for (std::size_t m = 0; m < standing.size(); ++m)
         if (standing[m] == e) flow.into_ground(static_cast<Eigen::Index>(m), i) = -mean_power(wrench.head<6>(), d.head<6>(), omega);
     }

@@ -271,7 +271,7 @@ class CaseStudy {
     const std::vector<double> samples = request.at.empty()
                                             ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, deep_check_frequencies)
                                             : std::vector<double>(grid.begin(), grid.begin() + std::min<std::ptrdiff_t>(std::ssize(grid), deep_check_frequencies));
-    result.deep = response::deep_check(system_, assembled_, asked.load, samples);
+    result.deep = response::deep_check(system_, assembled_, asked.load, samples, request.wanted.excitations);
     return result;
   }
 

@@ -126,7 +126,8 @@ void stand_on_place(const Ground& ground, model::Element& element, model::Descri
     place.mass(i, i) = ground.mass(j);
     shape(j, i) = 1;
   }
-  element.n.foundation = model::OnFoundation{description.foundations.size(), shape};
+  const spatial::Matrix6 fixed = spatial::Matrix6::Identity() - shape * shape.transpose();
+  element.n.foundation = model::OnFoundation{description.foundations.size(), shape, fixed};
   model::Element joint = ground.to_ground;
   joint.name = name;
   joint.type = "foundation";
@@ -175,7 +176,7 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
       const auto shape = ground->second.shapes.find(element_name);
       if (shape == ground->second.shapes.end())
         root.problems().error(subject, "\"" + ground_name + "\"", "none of its modes says how this element's place moves", "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes").origin = origin;
-      else element->n.foundation = model::OnFoundation{ground->second.index, shape->second};
+      else element->n.foundation = model::OnFoundation{ground->second.index, shape->second, spatial::Matrix6::Zero()};
     } else if (!ground->second.directions.empty()) {
       model::Element standing = *element;
       stand_on_place(ground->second, standing, description);
