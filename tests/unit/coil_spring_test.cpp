@@ -4,6 +4,7 @@
 #include "support/coil_springs.h"
 #include "support/matchers.h"
 #include "trivet/elements/coil_dynamics.h"
+#include "trivet/elements/coil_preload.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace {
@@ -106,6 +107,21 @@ TEST(CoilSpring, RepeatedLookupsOfFrequenciesAgree) {
   const auto ten = elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 10);
   for (std::size_t i = 0; i < three.size(); ++i) EXPECT_NEAR(three[i], ten[i], resolution * ten[i]);
   EXPECT_THROW((void)elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 0), foundation::InvalidInput);
+}
+
+TEST(CoilNaturalFrequencies, AreFoundWhenTheSearchHitsOneToTheLastDigit) {
+  CoilSpring spring;
+  spring.wire = elements::RoundWire{0.01};
+  spring.mean_diameter = 0.08;
+  spring.active_coils = 8;
+  spring.active_length = 0.48;
+  spring.youngs_modulus = 206e9;
+  spring.shear_modulus = 79e9;
+  spring.density = 7850;
+  // Compressed by 24 mm its first frequency is met exactly: the stiffness there is infinite.
+  const auto first = [&](double compression) { return natural_frequencies(compressed_by(spring, compression).coil, elements::SeatsHeld::both, 1).front(); };
+  constexpr double smooth = 1e-6;
+  EXPECT_NEAR(first(0.024) / (0.5 * (first(0.02399) + first(0.02401))), 1, smooth);
 }
 
 }  // namespace

@@ -54,13 +54,25 @@ struct Clamped {
   int modes;
 };
 
-/// With both seats clamped, before any pivot is released.
+/// With both seats clamped, before any pivot is released; d is not finite exactly at a natural frequency.
 Clamped clamped_at(const SeatedCoil& coil, double omega) {
   const double lambda = omega * omega;
   const RodStiffness<double> rod = rod_stiffness<double>(coil.rod, lambda, 1.0);
   Clamped clamped{at_seats(coil, rod.own, rod.transfer), rod.clamped_modes};
   clamped.d.topLeftCorner<6, 6>() += coil.second_order_n - lambda * coil.dead_mass_n;
   clamped.d.bottomRightCorner<6, 6>() += coil.second_order_k - lambda * coil.dead_mass_k;
+  return clamped;
+}
+
+/// Torsion of the straightened wire, clamped: of the order of the spring's surge [rad/s].
+double surge(const HelicalRod& rod) { return std::sqrt(1 / (rod.moment_flexibility(1) * rod.line_mass)) * rod.curvature.norm() / rod.length; }
+
+/// The same just beside a natural frequency that was hit to the last digit, where a pivot is zero and counts for nothing.
+Clamped clamped_beside(const SeatedCoil& coil, double omega) {
+  constexpr int most_nudges = 40;
+  Clamped clamped = clamped_at(coil, omega);
+  double nudge = 2e-16 * std::max(omega, 1e-6 * surge(coil.rod));
+  for (int i = 0; i < most_nudges && !clamped.d.allFinite(); ++i, nudge *= 2) clamped = clamped_at(coil, omega + nudge);
   require_finite(clamped.d.allFinite(), omega);
   return clamped;
 }
@@ -102,7 +114,9 @@ SeatedCoil seated_coil(const CoilSpring& spring) {
 }
 
 Matrix12 dynamic_stiffness(const SeatedCoil& coil, double angular_frequency) {
-  return released(clamped_at(coil, angular_frequency).d, pivots(coil.seat_n, coil.seat_k));
+  const Clamped clamped = clamped_at(coil, angular_frequency);
+  require_finite(clamped.d.allFinite(), angular_frequency);
+  return released(clamped.d, pivots(coil.seat_n, coil.seat_k));
 }
 
 Matrix12c dynamic_stiffness(const SeatedCoil& coil, std::complex<double> angular_frequency) {
@@ -127,7 +141,7 @@ Matrix12c dynamic_stiffness(const CoilSpring& spring, std::complex<double> angul
 }
 
 int modes_below(const SeatedCoil& coil, double angular_frequency, SeatsHeld held) {
-  const Clamped clamped = clamped_at(coil, angular_frequency);
+  const Clamped clamped = clamped_beside(coil, angular_frequency);
   std::vector<Eigen::Index> free = pivots(coil.seat_n, held == SeatsHeld::n_only ? Seat::clamped : coil.seat_k);
   const Eigen::Index sliding = held == SeatsHeld::n_only ? 6 : held == SeatsHeld::lateral_slide ? 2 : 0;
   for (Eigen::Index i = 0; i < sliding; ++i) free.push_back(6 + i);
@@ -140,8 +154,7 @@ int modes_below(const SeatedCoil& coil, double angular_frequency, SeatsHeld held
 std::vector<double> natural_frequencies(const SeatedCoil& coil, SeatsHeld held, int count) {
   constexpr double resolution = 1e-13;
   if (count < 1) throw foundation::InvalidInput("natural_frequencies: count " + std::to_string(count) + ", must be ≥ 1");
-  // Torsion of the straightened wire, clamped: of the order of the spring's surge.
-  double high = std::sqrt(1 / (coil.rod.moment_flexibility(1) * coil.rod.line_mass)) * coil.rod.curvature.norm() / coil.rod.length;
+  double high = surge(coil.rod);
   std::map<double, int> seen = {{0.0, modes_below(coil, 0, held)}};
   for (; seen.rbegin()->second < count; high *= 2) seen.emplace(high, modes_below(coil, high, held));
   std::vector<double> result;
