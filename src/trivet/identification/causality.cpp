@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/nonnegative_least_squares.h"
+#include "trivet/identification/passive_sections.h"
 
 namespace trivet::identification {
 namespace {
@@ -20,48 +20,117 @@ constexpr double two_pi = 6.283185307179586;
 constexpr int times_per_decade = 12;
 constexpr double decades_beyond = 2;
 
-/// Columns of the sum of relaxations at the frequencies: static, viscous, branches, mass; unit constants.
-Eigen::MatrixXcd relaxation_columns(const Eigen::VectorXd& frequency, const Eigen::VectorXd& times, bool with_mass) {
-  Eigen::MatrixXcd columns(frequency.size(), 2 + times.size() + (with_mass ? 1 : 0));
-  for (Eigen::Index i = 0; i < frequency.size(); ++i) {
-    const Complex s(0, frequency(i));
-    columns(i, 0) = 1;
-    columns(i, 1) = s;
-    for (Eigen::Index j = 0; j < times.size(); ++j) columns(i, 2 + j) = s * times(j) / (1.0 + s * times(j));
-    if (with_mass) columns(i, 2 + times.size()) = s * s;
-  }
-  return columns;
-}
+/// A fit ends this far below the tolerance: what is left is noise.
+constexpr double of_the_tolerance = 0.2;
+/// Half the width of a resonance over the distance of the rows: resolved; narrower than any row shows.
+constexpr double shown = 0.5, hidden = 0.1;
 
-Eigen::VectorXd relaxation_times(const Eigen::VectorXd& frequency) {
-  const double from = -std::log10(frequency(frequency.size() - 1)) - decades_beyond, to = -std::log10(frequency(0)) + decades_beyond;
+Eigen::VectorXd relaxation_times(const std::vector<double>& frequency) {
+  const double from = -std::log10(frequency.back()) - decades_beyond, to = -std::log10(frequency.front()) + decades_beyond;
   const auto count = static_cast<Eigen::Index>(std::ceil((to - from) * times_per_decade)) + 1;
   return Eigen::VectorXd::LinSpaced(count, from, to).unaryExpr([](double decade) { return std::pow(10, decade); });
 }
 
-PassiveStiffness nearest_passive(const DynamicStiffnessTable& table, bool with_mass) {
-  const Eigen::Index rows = table.angular_frequency.size();
-  const Eigen::VectorXd times = relaxation_times(table.angular_frequency), weight = table.stiffness.cwiseAbs().cwiseInverse();
-  const Eigen::MatrixXcd columns = weight.asDiagonal() * relaxation_columns(table.angular_frequency, times, with_mass);
-  const Eigen::VectorXcd wanted = weight.asDiagonal() * table.stiffness;
-  Eigen::MatrixXd a(2 * rows, columns.cols());
-  a << columns.real(), columns.imag();
-  Eigen::VectorXd b(2 * rows);
-  b << wanted.real(), wanted.imag();
-  const Eigen::VectorXd size = a.colwise().norm();
-  const Eigen::VectorXd constants = numerics::nonnegative_least_squares(a * size.cwiseInverse().asDiagonal(), b).cwiseQuotient(size);
+/// The rows that are fitted.
+struct Rows {
+  std::vector<double> frequencies;  ///< of all rows [rad/s]
+  std::vector<double> fitted;
+  Eigen::VectorXcd stiffness;       ///< of the fitted
+};
 
-  PassiveStiffness passive{constants(0), constants(1), with_mass ? constants(constants.size() - 1) : 0, {}, {}};
+Rows rows_of(const DynamicStiffnessTable& table) {
+  Rows rows{{table.angular_frequency.begin(), table.angular_frequency.end()}, {}, {}};
+  const std::vector<Eigen::Index> chosen = rows_that_follow(rows.frequencies, table.stiffness);
+  for (const Eigen::Index i : chosen) rows.fitted.push_back(table.angular_frequency(i));
+  rows.stiffness = table.stiffness(chosen);
+  return rows;
+}
+
+/// Nearest sum of a static stiffness, a dashpot, relaxations and, if there are sections, of these and a mass.
+PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& sections, double enough) {
+  const Eigen::VectorXd times = relaxation_times(rows.fitted);
+  const auto count = static_cast<Eigen::Index>(rows.fitted.size()), resonances = static_cast<Eigen::Index>(sections.size());
+  const Eigen::Index first = 2 + times.size();
+  Eigen::MatrixXcd columns(count, first + (sections.empty() ? 0 : 1 + 2 * resonances));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Complex s(0, rows.fitted[static_cast<std::size_t>(i)]);
+    columns(i, 0) = 1;
+    columns(i, 1) = s;
+    for (Eigen::Index j = 0; j < times.size(); ++j) columns(i, 2 + j) = s * times(j) / (1.0 + s * times(j));
+    if (sections.empty()) continue;
+    columns(i, first) = s * s;
+    for (Eigen::Index j = 0; j < resonances; ++j) {
+      const Section& section = sections[static_cast<std::size_t>(j)];
+      columns(i, first + 1 + 2 * j) = s * inertial_section(section, s);
+      columns(i, first + 2 + 2 * j) = s * elastic_section(section, s);
+    }
+  }
+  const Eigen::VectorXd constants = nearest_weights(columns, rows.stiffness, enough);
+
+  PassiveStiffness passive;
+  passive.static_stiffness = constants(0);
+  passive.viscous_coefficient = constants(1);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index j = 0; j < times.size(); ++j)
     if (constants(2 + j) > 0) kept.push_back(j);
-  passive.branches.resize(static_cast<Eigen::Index>(kept.size()));
-  passive.times.resize(passive.branches.size());
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    passive.branches(static_cast<Eigen::Index>(k)) = constants(2 + kept[k]);
-    passive.times(static_cast<Eigen::Index>(k)) = times(kept[k]);
+  passive.branches = constants.segment(2, times.size())(kept);
+  passive.times = times(kept);
+  if (sections.empty()) return passive;
+  passive.mass = constants(first);
+  for (Eigen::Index j = 0; j < resonances; ++j) {
+    const double inertial = constants(first + 1 + 2 * j), elastic = constants(first + 2 + 2 * j);
+    const Section& section = sections[static_cast<std::size_t>(j)];
+    if (inertial > 0 || elastic > 0) passive.resonances.push_back({section.angular_frequency, section.damping_ratio, inertial, elastic});
   }
   return passive;
+}
+
+void compare(const DynamicStiffnessTable& table, CausalityCheck& check) {
+  const Eigen::Index rows = table.angular_frequency.size();
+  check.fitted.resize(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) check.fitted(i) = stiffness_at(check.nearest, table.angular_frequency(i));
+  check.misfit = (check.fitted - table.stiffness).cwiseAbs().cwiseQuotient(table.stiffness.cwiseAbs());
+  check.relative_rms = std::sqrt(check.misfit.squaredNorm() / static_cast<double>(rows));
+  check.misfit.maxCoeff(&check.worst);
+}
+
+/// Does the stiffness change by more than a third from one row to the next?
+bool has_steep_rows(const DynamicStiffnessTable& table) {
+  constexpr double steep = 1.0 / 3;
+  for (Eigen::Index i = 1; i < table.stiffness.size(); ++i)
+    if (std::abs(table.stiffness(i) - table.stiffness(i - 1)) > steep * std::min(std::abs(table.stiffness(i)), std::abs(table.stiffness(i - 1)))) return true;
+  return false;
+}
+
+/// What moves inside the element, in words: its strongest resonance within the band, or what acts as a mass there.
+std::string inner_motion(const PassiveStiffness& passive, const DynamicStiffnessTable& table) {
+  const Eigen::VectorXd& w = table.angular_frequency;
+  PassiveStiffness massive;
+  massive.mass = passive.mass;
+  double strongest = 0, at = 0;
+  for (const PassiveStiffness::Resonance& r : passive.resonances) {
+    if (r.angular_frequency > w(w.size() - 1)) massive.resonances.push_back(r);
+    if (!(r.angular_frequency >= w(0) && r.angular_frequency <= w(w.size() - 1))) continue;
+    PassiveStiffness alone;
+    alone.resonances = {r};
+    if (const double height = std::abs(stiffness_at(alone, r.angular_frequency)); height > strongest) strongest = height, at = r.angular_frequency;
+  }
+  double as_a_mass = 0;
+  for (const double omega : w) as_a_mass = std::max(as_a_mass, std::abs(stiffness_at(massive, omega)));
+  return as_a_mass > strongest ? std::string(", with inertia: a mass, or a resonance above the band")
+                               : fmt::format(", with an internal resonance near {:.3g} Hz", at / two_pi);
+}
+
+std::string words(const CausalityCheck& check, const DynamicStiffnessTable& table) {
+  const std::string worst = fmt::format("(worst {:.2g} % at {:.4g} Hz)", 100 * check.misfit(check.worst), table.angular_frequency(check.worst) / two_pi);
+  const double share = 100 * check.relative_rms;
+  switch (check.kind) {
+    case Causality::relaxing: return fmt::format("k' and k'' belong together within {:.2g} % {}", share, worst);
+    case Causality::resonant: return fmt::format("k' and k'' belong together within {:.2g} % {}{}", share, worst, inner_motion(check.nearest, table));
+    case Causality::too_coarse: return fmt::format("{:.2g} % of k* needs a resonance narrower than the distance of the rows {}", share, worst);
+    case Causality::impossible: break;
+  }
+  return fmt::format("{:.2g} % of k* belongs to no passive, causal element {}", share, worst);
 }
 
 }  // namespace
@@ -116,7 +185,16 @@ std::complex<double> stiffness_at(const PassiveStiffness& passive, double angula
   const Complex s(0, angular_frequency);
   Complex k = passive.static_stiffness + passive.viscous_coefficient * s + passive.mass * s * s;
   for (Eigen::Index j = 0; j < passive.times.size(); ++j) k += passive.branches(j) * s * passive.times(j) / (1.0 + s * passive.times(j));
+  for (const PassiveStiffness::Resonance& r : passive.resonances) {
+    const Section section{r.angular_frequency, r.damping_ratio};
+    k += s * (r.inertial * inertial_section(section, s) + r.elastic * elastic_section(section, s));
+  }
   return k;
+}
+
+std::string remedy(Causality kind) {
+  return kind == Causality::too_coarse ? "measure with a finer step of frequency there; if the step is fine enough, check the phase"
+                                       : "look for a wrong phase, or another temperature or amplitude within the table";
 }
 
 foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table, const CausalityOptions& options) {
@@ -124,23 +202,27 @@ foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& tabl
   CausalityCheck check;
   check.warnings = table_problems(table);
   if (check.warnings.has_errors()) return tl::make_unexpected(std::move(check.warnings));
-  const Eigen::Index rows = table.angular_frequency.size();
-  check.nearest = nearest_passive(table, options.with_mass);
-  check.fitted.resize(rows);
-  for (Eigen::Index i = 0; i < rows; ++i) check.fitted(i) = stiffness_at(check.nearest, table.angular_frequency(i));
-  check.misfit = (check.fitted - table.stiffness).cwiseAbs().cwiseQuotient(table.stiffness.cwiseAbs());
-  check.relative_rms = std::sqrt(check.misfit.squaredNorm() / static_cast<double>(rows));
-  const double worst = check.misfit.maxCoeff(&check.worst), hertz = table.angular_frequency(check.worst) / two_pi;
+  const Rows rows = rows_of(table);
+  check.nearest = nearest_passive(rows, {}, 0);
+  compare(table, check);
+  check.kind = Causality::relaxing;
   check.passes = check.relative_rms <= options.tolerance;
-  check.verdict = check.passes ? fmt::format("k' and k'' belong together within {:.2g} % (worst {:.2g} % at {:.4g} Hz)",
-                                             100 * check.relative_rms, 100 * worst, hertz)
-                               : fmt::format("{:.2g} % of k* belongs to no passive relaxing material (worst {:.2g} % at {:.4g} Hz)",
-                                             100 * check.relative_rms,
-                                             100 * worst, hertz);
+  if (!check.passes) {
+    const double enough = of_the_tolerance * options.tolerance;
+    check.nearest = nearest_passive(rows, sections_shown(rows.frequencies, rows.fitted, shown), enough);
+    compare(table, check);
+    check.passes = check.relative_rms <= options.tolerance;
+    check.kind = check.passes ? Causality::resonant : Causality::impossible;
+    if (!check.passes) {
+      CausalityCheck finer = check;
+      finer.nearest = nearest_passive(rows, sections_shown(rows.frequencies, rows.fitted, hidden), enough);
+      compare(table, finer);
+      if (finer.relative_rms <= options.tolerance && has_steep_rows(table)) check.kind = Causality::too_coarse;
+    }
+  }
+  check.verdict = words(check, table);
   if (!check.passes)
-    check.warnings.warning("dynamic_stiffness", check.verdict, fmt::format("up to {:.2g} % pass", 100 * options.tolerance),
-                           "look for a wrong phase, mass or resonance in the band (with_mass), "
-                           "another temperature or amplitude within the table");
+    check.warnings.warning("dynamic_stiffness", check.verdict, fmt::format("up to {:.2g} % pass", 100 * options.tolerance), remedy(check.kind));
   return check;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <string>
+#include <vector>
 
 #include "trivet/foundation/problems.h"
 
@@ -24,35 +25,47 @@ struct DynamicStiffnessTable {
 /// @throws InvalidInput outside the band of the table, or for a table with errors
 [[nodiscard]] std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, double angular_frequency);
 
-/// A passive, causal stiffness s = iω: static + viscous s + Σ branches_i s times_i/(1 + s times_i) + mass s², every constant ≥ 0.
+/// A passive, causal stiffness, s = iω: static + viscous s + mass s² + Σ branches_i s times_i/(1 + s times_i)
+/// + Σ s (inertial_j s + elastic_j (s + 2ζω))/(s² + 2ζωs + ω²), every constant ≥ 0.
 struct PassiveStiffness {
   double static_stiffness = 0;     ///< [N/m]
   double viscous_coefficient = 0;  ///< [N s/m]
-  double mass = 0;                 ///< [kg], 0 unless asked for
+  double mass = 0;                 ///< [kg]
   Eigen::VectorXd branches;        ///< [N/m]
   Eigen::VectorXd times;           ///< [s]
+  struct Resonance {
+    double angular_frequency = 0, damping_ratio = 0;
+    double inertial = 0, elastic = 0;  ///< [N/m]
+  };
+  std::vector<Resonance> resonances;
 };
 [[nodiscard]] std::complex<double> stiffness_at(const PassiveStiffness& passive, double angular_frequency);
 
 struct CausalityOptions {
   /// Relative misfit (rms over the band) up to which the table passes; should lie above its noise.
   double tolerance = 0.05;
-  bool with_mass = false;  ///< driving-point stiffness of an element whose mass shows in the band
 };
 
+/// What a table has been found to be. `too_coarse`: only a resonance narrower than the distance of its rows explains it.
+enum class Causality { relaxing, resonant, too_coarse, impossible };
+
 /// How far k' and k'' are from belonging together. Causality ties each to the other over all frequencies (Kramers and Kronig); over
-/// a finite band, the nearest sum of relaxations with nonnegative constants takes the place of the integrals: what it cannot
-/// follow is not causal, not passive, or a resonance.
+/// a finite band, the nearest passive, causal stiffness takes the place of the integrals. First relaxations alone are tried, then with
+/// internal resonances and inertia as wide as the rows can show.
 struct CausalityCheck {
+  Causality kind = Causality::impossible;
   PassiveStiffness nearest;
   Eigen::VectorXcd fitted;       ///< of `nearest` at the frequencies of the table
   Eigen::VectorXd misfit;        ///< |fitted − k*|/|k*| per frequency
   double relative_rms = 0;       ///< of the misfit
   Eigen::Index worst = 0;        ///< row of the largest misfit
-  bool passes = false;
+  bool passes = false;           ///< relaxing or resonant
   std::string verdict;           ///< a sentence with numbers
   foundation::Problems warnings;
 };
+
+/// What to do about a table that does not pass.
+[[nodiscard]] std::string remedy(Causality kind);
 
 /// @throws InvalidInput if the tolerance is not > 0
 [[nodiscard]] foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table, const CausalityOptions& options = {});

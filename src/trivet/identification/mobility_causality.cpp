@@ -5,64 +5,52 @@
 #include <cmath>
 #include <complex>
 
-#include "trivet/numerics/nonnegative_least_squares.h"
+#include "trivet/identification/passive_sections.h"
 
 namespace trivet::identification {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr double explained_by_noise = 0.1, wrong_phase = 0.4;
-constexpr double per_decade = 24;
-constexpr double margin = 30;     ///< resonances are looked for so far outside the table
-constexpr Eigen::Index most_rows = 120;
+/// Half the width of a resonance over the distance of the rows: resolved; narrower than any row shows.
+constexpr double shown = 0.5, hidden = 0.05;
 
-/// Resonator frequencies: the rows' own, and a logarithmic grid beyond.
-std::vector<double> resonances(double from, double to) {
-  std::vector<double> grid;
-  const int count = static_cast<int>(std::ceil(per_decade * std::log10(margin * margin * to / from)));
-  for (int i = 0; i <= count; ++i) grid.push_back(from / margin * std::pow(margin * margin * to / from, static_cast<double>(i) / count));
-  return grid;
+/// Distance from the nearest sum of a mass, a spring, a dashpot and sections, rms over the rows.
+double distance(const std::vector<double>& fitted, const Eigen::VectorXcd& mobility, const std::vector<Section>& sections) {
+  constexpr double enough = 0.2 * explained_by_noise;
+  const auto rows = static_cast<Eigen::Index>(fitted.size()), count = static_cast<Eigen::Index>(sections.size());
+  Eigen::MatrixXcd columns(rows, 3 + 2 * count);
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const Complex s(0, fitted[static_cast<std::size_t>(r)]);
+    columns.row(r).head<3>() << 1.0 / s, s, 1.0;
+    for (Eigen::Index j = 0; j < count; ++j) {
+      columns(r, 3 + 2 * j) = inertial_section(sections[static_cast<std::size_t>(j)], s);
+      columns(r, 4 + 2 * j) = elastic_section(sections[static_cast<std::size_t>(j)], s);
+    }
+  }
+  const Eigen::VectorXcd nearest = columns * nearest_weights(columns, mobility, enough);
+  return std::sqrt((nearest - mobility).cwiseQuotient(mobility).squaredNorm() / static_cast<double>(rows));
 }
 
 }  // namespace
 
 MobilityVerdict mobility_causality(const std::vector<double>& omega, const Eigen::VectorXcd& mobility) {
+  std::vector<double> present, fitted;
   std::vector<Eigen::Index> rows;
-  const Eigen::Index step = std::max<Eigen::Index>(1, (mobility.size() + most_rows - 1) / most_rows);
-  for (Eigen::Index i = 0; i < mobility.size(); i += step)
-    if (std::abs(mobility(i)) > 0) rows.push_back(i);
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  if (count == 0) return {};
-  std::vector<std::pair<double, double>> resonators = {{0, 0}};
-  for (const double resonance : resonances(omega.front(), omega.back()))
-    for (const double ratio : {0.04, 0.15, 0.5, 1.5}) resonators.emplace_back(resonance, ratio);
-  // Light damping is resolved only where the table has rows.
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const double here = omega[static_cast<std::size_t>(rows[static_cast<std::size_t>(r)])];
-    const double next = r + 1 < count ? omega[static_cast<std::size_t>(rows[static_cast<std::size_t>(r + 1)])] : here;
-    for (const double resonance : {here, 0.5 * (here + next)})
-      for (const double ratio : {0.003, 0.01, 0.025}) resonators.emplace_back(resonance, ratio);
-  }
-  Eigen::MatrixXd a(2 * count, static_cast<Eigen::Index>(resonators.size()));
-  Eigen::VectorXd b(2 * count);
-  for (Eigen::Index r = 0; r < count; ++r) {
-    const double w = omega[static_cast<std::size_t>(rows[static_cast<std::size_t>(r)])];
-    const Complex y = mobility(rows[static_cast<std::size_t>(r)]);
-    for (std::size_t k = 0; k < resonators.size(); ++k) {
-      const auto [resonance, ratio] = resonators[k];
-      const Complex value = Complex(0, w) / (resonance * resonance - w * w + Complex(0, 2 * ratio * resonance * w)) * std::max(resonance, omega.front()) / std::abs(y);
-      const auto column = static_cast<Eigen::Index>(k);
-      a(2 * r, column) = value.real();
-      a(2 * r + 1, column) = value.imag();
-    }
-    b(2 * r) = y.real() / std::abs(y);
-    b(2 * r + 1) = y.imag() / std::abs(y);
-  }
-  const Eigen::VectorXd weights = numerics::nonnegative_least_squares(a, b);
+  for (Eigen::Index i = 0; i < mobility.size(); ++i)
+    if (std::abs(mobility(i)) > 0) present.push_back(omega[static_cast<std::size_t>(i)]), rows.push_back(i);
+  if (rows.size() < 2) return {};
+  const Eigen::VectorXcd values = mobility(rows);
+  const std::vector<Eigen::Index> chosen = rows_that_follow(present, values);
+  for (const Eigen::Index i : chosen) fitted.push_back(present[static_cast<std::size_t>(i)]);
+  const Eigen::VectorXcd judged = values(chosen);
   MobilityVerdict verdict;
-  verdict.relative_rms = std::sqrt((a * weights - b).squaredNorm() / static_cast<double>(count));
+  verdict.relative_rms = distance(fitted, judged, sections_shown(present, fitted, shown));
   verdict.passes = verdict.relative_rms <= explained_by_noise;
-  verdict.refused = verdict.relative_rms > wrong_phase;
+  if (verdict.passes) return verdict;
+  const double finer = distance(fitted, judged, sections_shown(present, fitted, hidden));
+  verdict.too_coarse = finer <= explained_by_noise;
+  verdict.refused = std::min(verdict.relative_rms, finer) > wrong_phase;
   return verdict;
 }
 

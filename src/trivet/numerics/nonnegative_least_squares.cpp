@@ -29,17 +29,19 @@ void step_to_boundary(Eigen::VectorXd& x, const Eigen::VectorXd& wanted, std::ve
 
 }  // namespace
 
-Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double enough) {
   constexpr double negligible = 1e-13;  // of a column's largest possible gradient
   Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
   const Eigen::VectorXd gradient_scale = b.norm() * a.colwise().norm().transpose();
   std::vector<Eigen::Index> free;
   for (Eigen::Index round = 0; round < 3 * a.cols(); ++round) {
-    const Eigen::VectorXd gradient = a.transpose() * (b - a * x);
+    const Eigen::VectorXd left = b - a * x;
+    if (left.norm() <= enough) break;
+    const Eigen::VectorXd gradient = a.transpose() * left;
     Eigen::Index entering = -1;
     for (Eigen::Index j = 0; j < a.cols(); ++j)
-      if (gradient(j) > negligible * gradient_scale(j) && std::find(free.begin(), free.end(), j) == free.end())
-        if (entering < 0 || gradient(j) > gradient(entering)) entering = j;
+      if (gradient(j) > negligible * gradient_scale(j) && (entering < 0 || gradient(j) > gradient(entering)))
+        if (std::find(free.begin(), free.end(), j) == free.end()) entering = j;
     if (entering < 0) break;
     free.push_back(entering);
     Eigen::VectorXd wanted = solution_over(a, b, free);

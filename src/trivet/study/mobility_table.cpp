@@ -94,7 +94,8 @@ void judge(const MobilityTable& table, model::Element& element, foundation::Prob
     if (verdict.passes) continue;
     const std::string finding = fmt::format("{}: {:.3g} % rms from the nearest passive, causal mobility", name, 100 * verdict.relative_rms);
     const char* rule = "real and imaginary part of the mobility of a real ground belong together (Kramers and Kronig)";
-    if (verdict.refused) found.error("", finding, rule, "check the phase: with e^{+iωt} a mass has a negative, a spring a positive imaginary mobility");
+    if (verdict.too_coarse) found.warning("", finding, "its rows show the width of every resonance", "measure with finer lines; if they are fine enough, check the phase");
+    else if (verdict.refused) found.error("", finding, rule, "check the phase: with e^{+iωt} a mass has a negative, a spring a positive imaginary mobility");
     else found.warning("", finding, rule, "look at noise, leakage and the phase of the measurement");
   }
 }

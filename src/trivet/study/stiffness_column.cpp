@@ -52,7 +52,7 @@ void judge_causality(TableReader& reader, const std::string& name, const element
   if (check->passes) return;
   foundation::Problems doubtful;
   doubtful.warning("file", fmt::format("{}: {:.3g} % from the nearest passive, causal stiffness", name, 100 * check->relative_rms),
-                   "storage and loss of a real element belong together (Kramers and Kronig)", "look at the rig and its phase: " + check->verdict);
+                   "storage and loss of a real element belong together (Kramers and Kronig)", identification::remedy(check->kind) + ": " + check->verdict);
   reader.add(doubtful);
 }
 
