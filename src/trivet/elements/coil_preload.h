@@ -35,7 +35,7 @@ struct Buckling {
 };
 [[nodiscard]] std::optional<Buckling> buckling(const CoilSpring& spring, SeatsHeld held);
 
-/// A compression at which coils touch or the spring has buckled is an error; close to buckling, a warning.
+/// A compression at which coils touch or the spring has buckled is an error; close to buckling, or of fewer than 4 coils, a warning.
 [[nodiscard]] foundation::Problems check_compression(const CoilSpring& spring, double compression);
 
 }  // namespace trivet::elements
