@@ -6,6 +6,7 @@
 
 #include "trivet/exchange/end_stiffness.h"
 #include "trivet/exchange/matrix_file.h"
+#include "trivet/study/complex_stiffness.h"
 #include "trivet/study/element_parts.h"
 
 namespace trivet::study {
@@ -84,10 +85,7 @@ void read_imported(TableReader& reader, const model::Span& span, model::Element&
   reader.add(ends->warnings, names);
   const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
   element.law.nominal_stiffness = elements::in_end_axes(stiffness, span.n_from_k);
-  if (ends->imaginary) {
-    reader.error("file", "a complex matrix", "an imported stiffness is real", "export the real part, and give damping = {loss_factor = …} here");
-    return;
-  }
+  if (ends->imaginary) take_loss(reader, elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), span.n_from_k), span, element);
   element.facts.push_back({"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
 }
 
