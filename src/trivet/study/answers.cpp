@@ -12,6 +12,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/model/guides.h"
 #include "trivet/response/design_rules.h"
 #include "trivet/study/further_answers.h"
 
@@ -105,6 +106,7 @@ class CaseStudy {
     note_relaxation(result.warnings);
     note_stiffening(analyses, result.warnings);
     note_guides(analyses, result.warnings);
+    note_guided_questions(analyses, result.warnings);
     note_idle(analyses, result.warnings);
     note_missing_mass(result.warnings);
     const auto refuse = [&](const std::exception& reason) {
@@ -180,6 +182,18 @@ class CaseStudy {
       if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
         warnings.warning("ground", "body \"" + body.name + "\" is guided", "totals on the ground are the forces of elements; what guides carry is not in them",
                          "add it where it matters");
+  }
+
+  /// Motions of the ground that a question brings with it, past the guides of a body.
+  void note_guided_questions(const Analyses& analyses, foundation::Problems& warnings) const {
+    const auto warn = [&](const char* question, const response::Direction& direction) {
+      model::Action::Amplitude motion = model::Action::Amplitude::Zero();
+      (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
+      for (const model::Body& body : system_.bodies())
+        if (const std::string names = model::coordinates_left_behind(body, motion, Eigen::Vector3d::Zero()); !names.empty()) model::warn_of_guides(body, names, question, warnings);
+    };
+    if (analyses.transmissibility && analyses.transmissibility->force.empty()) warn("transmissibility", analyses.transmissibility->direction);
+    if (analyses.earthquake) warn("earthquake", response::Direction{analyses.earthquake->direction, false});
   }
 
   /// Undamped modes know one stiffness, that at rest.
