@@ -2,6 +2,7 @@
 #include "cli/further_tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +24,27 @@ double rpm(double omega) { return omega * 60 / turn; }
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 std::string mode_of(const std::optional<int>& mode) { return mode ? std::to_string(*mode) : "–"; }
 
+/// ∞ where a number has no bound, NaN where there is none.
+double bounded(const std::optional<double>& value, bool infinite) { return infinite ? std::numeric_limits<double>::infinity() : value.value_or(nothing); }
+
+/// How the variances were found and how well, if any is finite.
+std::string accuracy_text(const response::RandomResponse& random) {
+  std::vector<double> errors;
+  for (const response::RandomAnswer& a : random.answers)
+    if (!std::isnan(a.estimated_error)) errors.push_back(a.estimated_error);
+  if (errors.empty()) return "  no variance is finite, so none has an error\n";
+  return fmt::format("  {}, relative error of the {} about {:.1e}{}\n",
+                     random.method == response::RandomMethod::poles ? "exact integration over the poles" : "adaptive quadrature over the poles",
+                     errors.size() == random.answers.size() ? "variances" : "finite variances", *std::max_element(errors.begin(), errors.end()),
+                     random.remark.empty() ? "" : "; " + random.remark);
+}
+
 }  // namespace
 
 std::string random_text(const study::Answers& answers) {
   const study::RandomResult& random = *answers.random;
   const auto& list = random.response.answers;
-  const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) { return a.weighted_rms.has_value(); });
+  const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) { return a.weighted_rms || a.infinite_weighted_rms; });
   std::vector<std::string> header = {"answer", "rms", "3σ", "unit", "zero crossings [1/s]"};
   if (weighted) header.push_back("weighted rms [m/s², rad/s²]");
   if (random.inputs.size() > 1)
@@ -36,18 +52,15 @@ std::string random_text(const study::Answers& answers) {
   TextTable table(header);
   std::string reasons;
   for (const response::RandomAnswer& a : list) {
-    std::vector<std::string> row = {a.name, shown(a.rms.value_or(nothing)), shown(a.three_sigma.value_or(nothing)), a.unit, shown(a.zero_crossings.value_or(nothing), 4)};
-    if (weighted) row.push_back(shown(a.weighted_rms.value_or(nothing)));
+    std::vector<std::string> row = {a.name, shown(bounded(a.rms, a.infinite_rms)), shown(bounded(a.three_sigma, a.infinite_rms)), a.unit, shown(a.zero_crossings.value_or(nothing), 4)};
+    if (weighted) row.push_back(shown(bounded(a.weighted_rms, a.infinite_weighted_rms)));
     for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i) row.push_back(i < a.variance_share.size() ? percent(a.variance_share[i]) : "–");
     table.add(row);
     if (!a.reason.empty()) reasons += "  " + a.name + ": " + a.reason + "\n";
   }
-  for (const auto& [name, value] : random.total_values) reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s²\n", name, shown(value, 4));
-  double worst = 0;
-  for (const response::RandomAnswer& a : list) worst = std::max(worst, a.estimated_error);
-  return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4), shown(hertz(random.response.to), 4)) + table.text() + reasons +
-         fmt::format("  {}, relative error of the variances about {:.1e}{}\n", random.response.method == response::RandomMethod::poles ? "exact integration over the poles" : "adaptive quadrature over the poles",
-                     worst, random.response.remark.empty() ? "" : "; " + random.response.remark);
+  for (const study::TotalValue& total : random.total_values)
+    reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s², of {}\n", total.name, shown(total.value, 4), fmt::join(total.axes, ", "));
+  return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4), shown(hertz(random.response.to), 4)) + table.text() + reasons + accuracy_text(random.response);
 }
 
 std::string transient_text(const study::Answers& answers) {

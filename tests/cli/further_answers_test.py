@@ -129,11 +129,74 @@ force = [0, 0, 1]
             self.assertIn("free to slide along z", refused.stderr)
 
     def test_a_seat_has_a_total_value_of_its_weighted_axes(self):
+        """ISO 2631-1, 8.2.2.1: k = 1 along x, y, z of a seat, 0.63, 0.4 and 0.2 m/rad about them."""
+        seat = dict(zip(("x", "y", "z", "rx", "ry", "rz"), (1, 1, 1, 0.63, 0.4, 0.2)))
         done = answer(self, "random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.weighting=\"seat\"")
         axes = {one["name"]: one for one in done["results"]}
-        total = sum((axes["frame." + letter]["weighted_rms"] or 0) ** 2 for letter in "xyz") ** 0.5
-        self.assertAlmostEqual(done["vibration_total_values"]["frame"], total, delta=1e-9)
-        self.assertGreater(total, 0)
+        weighted = {axis: axes["frame." + axis]["weighted_rms"] or 0 for axis in seat}
+        total = sum((k * weighted[axis]) ** 2 for axis, k in seat.items()) ** 0.5
+        self.assertAlmostEqual(done["vibration_total_values"]["frame"] / total, 1, delta=1e-12)
+        self.assertEqual(done["vibration_total_axes"]["frame"], list(seat))
+        translations = sum(weighted[axis] ** 2 for axis in "xyz") ** 0.5
+        self.assertGreater(total, 1.0001 * translations)  # the rotations are felt
+
+    def test_a_total_value_says_of_what_it_is(self):
+        asked = ("random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.of=[\"frame.x\", \"frame.y\", \"frame.z\"]")
+        done = answer(self, *asked, "--set", "analyses.random.weighting=\"seat\"")
+        self.assertEqual(done["vibration_total_axes"]["frame"], ["x", "y", "z"])
+        self.assertIn("m/s², of x, y, z\n", trivet(*asked, "--set", "analyses.random.weighting=\"seat\"").stdout)
+        feet = answer(self, "random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.weighting=\"feet\"")
+        self.assertEqual(feet["vibration_total_axes"]["frame"], ["x", "y", "z"])  # rotations have no factor there
+
+    def test_an_infinite_root_mean_square_is_said_everywhere(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(folder, """[excitations.noise]
+type = "random"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+psd = {flat = 1, band = ["1 Hz", "10 Hz"]}
+[analyses]
+random = {of = ["mass.z"], quantity = "acceleration", weighting = "Wk"}
+""")
+            undamped = ("--set", "elements.spring.damping.proportional=0")
+            one = answer(self, "random", path, *undamped)["results"][0]
+            self.assertEqual((one["rms"], one["estimated_error"]), (None, None))
+            self.assertEqual(one["infinite"], ["rms", "rms_of_derivative", "weighted_rms"])
+            self.assertIn("undamped", one["reason"])
+            text = trivet("random", path, *undamped).stdout
+            self.assertIn("∞", text)
+            self.assertIn("no variance is finite", text)
+            self.assertNotIn("0.0e+00", text)
+            header, row = trivet("random", path, *undamped, "--csv").stdout.splitlines()
+            cells = dict(zip(header.split(","), row.split(",")))
+            self.assertEqual([cells[name] for name in ("rms", "three_sigma", "rms_of_derivative", "weighted_rms")], ["inf"] * 4)
+            self.assertEqual(cells["zero_crossings [1/s]"], "")
+            damped = answer(self, "random", path)["results"][0]
+            self.assertEqual(damped["infinite"], [])
+            self.assertGreater(damped["rms"], 0)
+
+    def test_a_growing_motion_has_no_root_mean_square_rather_than_an_infinite_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(folder, """[excitations.noise]
+type = "random"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 1]
+psd = {flat = 1, band = ["1 Hz", "10 Hz"]}
+[elements.push]
+type = "matrix"
+on = "mass"
+at = [0, 0, 0]
+symmetric = false
+stiffness = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,-9000,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]
+[analyses]
+random = {of = ["mass.z"]}
+""")
+            one = answer(self, "random", path)["results"][0]
+            self.assertEqual((one["rms"], one["infinite"], one["estimated_error"]), (None, [], None))
+            self.assertIn("grows", one["reason"])
+            self.assertNotIn("∞", trivet("random", path).stdout)
 
     def test_twice_the_motion_is_twice_the_shock_spectrum(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -20,7 +20,7 @@ std::string remark(const response::RandomAnswer& answer) { return answer.vanishe
 
 bool weighted(const study::RandomResult& random) {
   return std::any_of(random.response.answers.begin(), random.response.answers.end(),
-                     [](const auto& a) { return a.weighted_rms.has_value(); });
+                     [](const auto& a) { return a.weighted_rms || a.infinite_weighted_rms; });
 }
 
 /// m → m/s², m/s → m/s² …
@@ -41,12 +41,12 @@ std::string random_table(const study::Answers& answers) {
   if (has_remarks) headings.push_back({"remark"});
   std::vector<std::vector<Cell>> rows;
   for (const response::RandomAnswer& a : random.response.answers) {
-    const auto given = [&](const std::optional<double>& value, const std::string& unit) {
-      return value ? quantity_cell(*value, unit) : right("–");
+    const auto given = [&](const std::optional<double>& value, bool infinite, const std::string& unit) {
+      return value ? quantity_cell(*value, unit) : right(infinite ? "∞" : "–");
     };
     std::vector<Cell> row = {
-        {a.name}, given(a.rms, a.unit), given(a.three_sigma, a.unit), a.zero_crossings ? number_cell(*a.zero_crossings) : right("–")};
-    if (has_weights) row.push_back(given(a.weighted_rms, acceleration_unit(a.unit)));
+        {a.name}, given(a.rms, a.infinite_rms, a.unit), given(a.three_sigma, a.infinite_rms, a.unit), a.zero_crossings ? number_cell(*a.zero_crossings) : right("–")};
+    if (has_weights) row.push_back(given(a.weighted_rms, a.infinite_weighted_rms, acceleration_unit(a.unit)));
     if (has_shares)
       for (std::size_t i = 0; i < random.inputs.size(); ++i)
         row.push_back(i < a.variance_share.size() && !a.vanishes ? percent_cell(a.variance_share[i]) : right("–"));

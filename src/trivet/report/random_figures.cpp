@@ -16,7 +16,7 @@ constexpr double invisible = 1e-8;  // of the largest density
 
 std::string rms_words(const response::RandomAnswer& answer) {
   if (answer.vanishes) return "≈ 0";
-  if (!answer.rms) return "rms not finite";
+  if (!answer.rms) return answer.infinite_rms ? "rms infinite" : "no rms";
   const UnitPrefix unit = unit_prefix(*answer.rms, answer.unit);
   return fmt::format("{:.4g} {} rms", *answer.rms * unit.factor, unit.unit);
 }

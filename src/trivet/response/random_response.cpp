@@ -68,8 +68,14 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   };
   result.rms = root(0);
   result.rms_of_derivative = root(1);
+  result.infinite_rms = !result.rms;  // a moment that has a reason has no bound
+  result.infinite_rms_of_derivative = !result.rms_of_derivative;
   for (std::size_t m = 2; m < moments.size(); ++m)
-    if (moments[m].channels.front() == c) result.weighted_rms = root(m);
+    if (moments[m].channels.front() == c) {
+      result.weighted_rms = root(m);
+      result.infinite_weighted_rms = !result.weighted_rms;
+    }
+  if (!result.rms && !result.rms_of_derivative && !result.weighted_rms) result.estimated_error = std::numeric_limits<double>::quiet_NaN();
   if (!result.rms) return result;
   result.three_sigma = 3 * *result.rms;
   if (*result.rms == 0) return result;

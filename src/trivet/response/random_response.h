@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,13 +55,15 @@ struct RandomAnswer {
   std::string name;
   std::string unit;
   bool vanishes = false;                         ///< below round-off of what the coordinates could make of it: all numbers are 0 or none
-  std::optional<double> rms;                     ///< σ_y; none where it is infinite, see `reason`
+  std::optional<double> rms;                     ///< σ_y; none where it is infinite or undefined, see `reason`
   std::optional<double> three_sigma;             ///< 3 σ_y
   std::optional<double> rms_of_derivative;       ///< σ_ẏ [unit/s]
   std::optional<double> zero_crossings;          ///< ν₀ = σ_ẏ/(2π σ_y), crossings of zero from below per second
   std::optional<double> weighted_rms;  ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
   std::vector<double> variance_share;  ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
-  double estimated_error = 0;                    ///< relative, of the variance
+  bool infinite_rms = false, infinite_rms_of_derivative = false, infinite_weighted_rms = false;  ///< rather than undefined
+  /// Relative, of the variance; NaN where no number is finite.
+  double estimated_error = std::numeric_limits<double>::quiet_NaN();
   std::string reason;                            ///< why a number is missing
 };
 

@@ -57,12 +57,18 @@ struct LimitAnswer {
   bool kept = true;        ///< in_band ≤ limit, see response::on_the_limit
 };
 
+/// √Σ (k a_w)² over the axes that people feel, of one body or point. [ISO 2631-1:1997 section 8.2]
+struct TotalValue {
+  std::string name;
+  double value = 0;                ///< [m/s²]
+  std::vector<std::string> axes;   ///< "x" … "rz": x, y, z, and the rotations that were asked for and have a factor at this contact
+};
+
 struct RandomResult {
   response::RandomResponse response;
   response::RandomCurves curves;   ///< densities [unit²/(rad/s)]
   std::vector<std::string> inputs; ///< of the variance shares
-  /// Where a contact with people is given: √Σ (k a_w)² over x, y, z of each body or point [m/s²]. [ISO 2631-1:1997 section 8.2]
-  std::vector<std::pair<std::string, double>> total_values;
+  std::vector<TotalValue> total_values;   ///< where a contact with people is given
   assembly::Quantity quantity = assembly::Quantity::displacement;
 };
 

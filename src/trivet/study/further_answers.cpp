@@ -52,21 +52,30 @@ std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
   return static_cast<std::size_t>(at);
 }
 
-/// Of every body or point all of whose three translations were asked for.
-std::vector<std::pair<std::string, double>> total_values(const std::vector<assembly::Channel>& channels, const response::RandomResponse& response,
+/// Of every body or point all of whose three translations were asked for, with the rotations that were; none if one of these has no number.
+std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& channels, const response::RandomResponse& response,
                                                          const std::array<excitation::WeightedAxis, 6>& axes) {
-  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> groups;
+  struct Felt {
+    std::vector<double> accelerations, factors;
+    std::vector<std::string> axes;
+    std::size_t translations = 0;
+    bool complete = true;
+  };
+  std::map<std::string, Felt> groups;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto axis = axis_of(channels[i]);
     const response::RandomAnswer& answer = response.answers[i];
-    if (!axis || *axis > 2 || (!answer.weighted_rms && !answer.vanishes)) continue;
-    auto& [accelerations, factors] = groups[channels[i].name.substr(0, channels[i].name.rfind('.'))];
-    accelerations.push_back(answer.weighted_rms.value_or(0));
-    factors.push_back(axes[*axis].k);
+    if (!axis || axes[*axis].k == 0) continue;
+    Felt& felt = groups[channels[i].name.substr(0, channels[i].name.rfind('.'))];
+    felt.complete = felt.complete && (answer.weighted_rms || answer.vanishes);
+    felt.accelerations.push_back(answer.weighted_rms.value_or(0));
+    felt.factors.push_back(axes[*axis].k);
+    felt.axes.emplace_back(model::coordinate_names[*axis]);
+    felt.translations += *axis < 3;
   }
-  std::vector<std::pair<std::string, double>> totals;
-  for (const auto& [name, values] : groups)
-    if (values.first.size() == 3) totals.emplace_back(name, excitation::vibration_total_value(values.first, values.second));
+  std::vector<TotalValue> totals;
+  for (const auto& [name, felt] : groups)
+    if (felt.translations == 3 && felt.complete) totals.push_back({name, excitation::vibration_total_value(felt.accelerations, felt.factors), felt.axes});
   return totals;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "trivet/study/csv_field.h"
 #include "trivet/study/further_json.h"
@@ -18,6 +19,9 @@ std::string optional(const std::optional<T>& value) {
   return value ? fmt::format("{}", *value) : "";
 }
 
+/// "inf" where a number has no bound, empty where there is none.
+std::string bounded(const std::optional<double>& value, bool infinite) { return infinite ? "inf" : optional(value); }
+
 constexpr double turn = 2 * std::numbers::pi;
 
 }  // namespace
@@ -27,7 +31,8 @@ std::string random_csv(const Answers& answers) {
   for (const std::string& input : answers.random->inputs) text += "," + csv_field("variance share " + input);
   text += "\n";
   for (const response::RandomAnswer& a : answers.random->response.answers) {
-    text += fmt::format("{},{},{},{},{},{},{}", csv_field(a.name), csv_field(a.unit), optional(a.rms), optional(a.three_sigma), optional(a.rms_of_derivative), optional(a.zero_crossings), optional(a.weighted_rms));
+    text += fmt::format("{},{},{},{},{},{},{}", csv_field(a.name), csv_field(a.unit), bounded(a.rms, a.infinite_rms), bounded(a.three_sigma, a.infinite_rms),
+                        bounded(a.rms_of_derivative, a.infinite_rms_of_derivative), optional(a.zero_crossings), bounded(a.weighted_rms, a.infinite_weighted_rms));
     for (std::size_t i = 0; i < answers.random->inputs.size(); ++i) text += "," + (i < a.variance_share.size() ? number(a.variance_share[i]) : std::string());
     text += "\n";
   }

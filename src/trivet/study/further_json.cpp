@@ -32,14 +32,21 @@ Json random(const Answers& answers) {
               {"band", {random.response.from, number(random.response.to)}}, {"angular_frequency", random.curves.angular_frequency}, {"warnings", warnings(answers.warnings)}};
   if (!random.total_values.empty()) {
     result["vibration_total_values"] = Json::object();
-    for (const auto& [name, value] : random.total_values) result["vibration_total_values"][name] = value;
+    result["vibration_total_axes"] = Json::object();
+    for (const TotalValue& total : random.total_values) {
+      result["vibration_total_values"][total.name] = total.value;
+      result["vibration_total_axes"][total.name] = total.axes;
+    }
   }
   for (std::size_t i = 0; i < random.response.answers.size(); ++i) {
     const response::RandomAnswer& a = random.response.answers[i];
     Json density = Json::array();
     for (const double s : random.curves.density[i]) density.push_back(number(2 * std::numbers::pi * s));
+    Json infinite = Json::array();
+    for (const auto& [is, what] : {std::pair{a.infinite_rms, "rms"}, {a.infinite_rms_of_derivative, "rms_of_derivative"}, {a.infinite_weighted_rms, "weighted_rms"}})
+      if (is) infinite.push_back(what);
     result["results"].push_back({{"name", a.name}, {"unit", a.unit}, {"rms", optional(a.rms)}, {"three_sigma", optional(a.three_sigma)}, {"rms_of_derivative", optional(a.rms_of_derivative)},
-                                 {"zero_crossings", optional(a.zero_crossings)}, {"weighted_rms", optional(a.weighted_rms)}, {"variance_share", a.variance_share}, {"vanishes", a.vanishes},
+                                 {"zero_crossings", optional(a.zero_crossings)}, {"weighted_rms", optional(a.weighted_rms)}, {"infinite", std::move(infinite)}, {"variance_share", a.variance_share}, {"vanishes", a.vanishes},
                                  {"estimated_error", number(a.estimated_error)}, {"reason", a.reason}, {"density_per_hz", std::move(density)}});
   }
   return result;
