@@ -10,6 +10,7 @@
 #include "cli/answer_tables.h"
 #include "cli/console.h"
 #include "cli/further_tables.h"
+#include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/study/answers_json.h"
@@ -161,7 +162,9 @@ int check_command(const Options& options) {
     write_problems(warnings);
     write_output(text + fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
   }
-  return agrees ? done : not_computed;
+  Strictness strictness;
+  strictness.add(warnings);
+  return strictness.exit_code(options.strict, agrees ? done : not_computed);
 }
 
 int answer_command(const std::string& which, const Options& options) {
@@ -174,7 +177,9 @@ int answer_command(const std::string& which, const Options& options) {
     if (options.csv) write_problems(answers.warnings);
     const bool plain = !options.csv && !options.json;
     write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));
-    return done;
+    Strictness strictness;
+    strictness.add(answers);
+    return strictness.exit_code(options.strict, done);
   } catch (const BadArgument& bad) {
     write_error(fmt::format("error: {}\n", bad.what()));
     return wrong_input;

@@ -20,6 +20,7 @@ struct Options {
   bool json = false;
   bool csv = false;
   bool deep = false;
+  bool strict = false;
   std::string at;
   std::string band;
   std::string element;

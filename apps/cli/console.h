@@ -9,7 +9,8 @@
 
 namespace trivet::cli {
 
-enum ExitCode { done = 0, not_computed = 1, wrong_input = 2 };
+/// The last two only with --strict: computed and written, but a limit or rule is broken, or there are warnings alone.
+enum ExitCode { done = 0, not_computed = 1, wrong_input = 2, over_a_limit = 3, with_warnings = 4 };
 
 /// Writes to standard output and makes sure it arrived. @throws std::runtime_error if the disk is full or the reader is gone
 void write_output(const std::string& text);

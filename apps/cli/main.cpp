@@ -31,6 +31,12 @@ CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& 
   return command;
 }
 
+/// For commands whose answer is judged.
+CLI::App* add_strict(CLI::App* command, Options& options) {
+  command->add_flag("--strict", options.strict, "exit code 3 if a limit or a rule is broken, 4 if there are only warnings; the answer is written all the same");
+  return command;
+}
+
 void add_picture(CLI::App& command, const std::string& drawn, Options& options) {
   const auto is_svg = [](const std::string& path) {
     return std::filesystem::path(path).extension() == ".svg" ? std::string() : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
@@ -59,11 +65,13 @@ int main(int argc, char** argv) {
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", std::string("trivet ") + trivet::study::version());
   app.require_subcommand(1);
-  add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder", options)
+  app.footer("Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 130 interrupted; with --strict also 3 and 4, see run --help.");
+  add_strict(add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder", options), options)
       ->add_option("-o,--output", options.output, "result folder")->capture_default_str();
   CLI::App* check = add_command(app, "check", "every problem of a project file at once", options);
   check->add_flag("--deep", options.deep, "compare the solver with a second, independent one");
   check->add_flag("--json", options.json, "JSON");
+  add_strict(check, options);
   add_answer(app, "modes", "undamped natural frequencies and modes", options);
   add_answer(app, "roots", "damped roots", options);
   CLI::App* response = add_answer(app, "response", "amplitude- and phase-frequency characteristics", options);
@@ -84,6 +92,7 @@ int main(int argc, char** argv) {
   CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
   map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150, or 100 for both");
   add_picture(*map, "map", options);
+  for (const char* judged : {"modes", "roots", "response", "peaks", "static", "random", "transient", "orders", "transmissibility", "map"}) add_strict(app.get_subcommand(judged), options);
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/map_text.h"
+#include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/map_figure.h"
 #include "trivet/study/answers.h"
@@ -62,7 +63,10 @@ int map_command(const Options& options) {
     else if (options.csv) study::write_map_csv(map, sink);
     else write_output(map_text(map));
     if (picture) picture->publish(report::map_figure(map, project->title).svg);
-    return done;
+    Strictness strictness;
+    strictness.add(map);
+    strictness.add(warnings);
+    return strictness.exit_code(options.strict, done);
   } catch (const BadArgument& bad) {
     write_error(fmt::format("error: {}\n", bad.what()));
     return wrong_input;

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/further_tables.h"
+#include "cli/strictness.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
@@ -108,7 +109,10 @@ int run_command(const Options& options) {
   report("done", 1);
   folder.publish();
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));
-  return std::all_of(all.begin(), all.end(), [](const study::Answers& answers) { return answers.failures.empty(); }) ? done : not_computed;
+  Strictness strictness;
+  for (const study::Answers& answers : all) strictness.add(answers);
+  const bool complete = std::all_of(all.begin(), all.end(), [](const study::Answers& answers) { return answers.failures.empty(); });
+  return strictness.exit_code(options.strict, complete ? done : not_computed);
 }
 
 }  // namespace trivet::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/strictness.h"
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+#include "trivet/response/design_rules.h"
+
+namespace trivet::cli {
+namespace {
+
+std::string counted(std::size_t count, const char* one, const char* several) { return fmt::format("{} {}", count, count == 1 ? one : several); }
+
+}  // namespace
+
+void Strictness::add(const foundation::Problems& warnings) {
+  for (const foundation::Problem& problem : warnings.list()) warnings_.insert(foundation::message(problem));
+}
+
+void Strictness::add(const study::DesignMap& map) {
+  if (map.kept == 0) ++broken_;
+  for (const study::MapMark& mark : map.marks)
+    if (!mark.judged || !mark.judged->governing.kept()) ++broken_;
+}
+
+void Strictness::add(const study::Answers& answers) {
+  add(answers.warnings);
+  for (const study::LimitAnswer& limit : answers.limits) exceeded_ += !limit.kept;
+  for (const study::LimitLineResult& line : answers.limit_lines) exceeded_ += !line.comparison.kept();
+  if (answers.map) add(*answers.map);
+}
+
+int Strictness::exit_code(bool strict, int otherwise) const {
+  if (!strict || otherwise != done || exceeded_ + broken_ + warnings_.size() == 0) return otherwise;
+  std::string found;
+  const auto list = [&](std::size_t count, const std::string& words) { found += count == 0 ? "" : (found.empty() ? "" : ", ") + words; };
+  list(exceeded_, counted(exceeded_, "limit exceeded", "limits exceeded"));
+  list(broken_, counted(broken_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\""));
+  list(warnings_.size(), counted(warnings_.size(), "warning", "warnings"));
+  const int code = exceeded_ + broken_ > 0 ? over_a_limit : with_warnings;
+  write_error(fmt::format("--strict: {}; exit code {}\n", found, code));
+  return code;
+}
+
+}  // namespace trivet::cli

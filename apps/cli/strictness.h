@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "trivet/study/answers.h"
+
+namespace trivet::cli {
+
+/// What --strict judges: everything that a reader of the answer would have to act on.
+class Strictness {
+ public:
+  /// Limits, limit lines, a map, and warnings of one case.
+  void add(const study::Answers& answers);
+  /// A case that breaks a rule, or no feasible design at all.
+  void add(const study::DesignMap& map);
+  void add(const foundation::Problems& warnings);
+
+  /// `otherwise` unless --strict was given and there is something to judge; then says on standard error what it was.
+  [[nodiscard]] int exit_code(bool strict, int otherwise) const;
+
+ private:
+  std::size_t exceeded_ = 0, broken_ = 0;
+  std::set<std::string> warnings_;  ///< that of several cases counts once
+};
+
+}  // namespace trivet::cli
