@@ -61,6 +61,14 @@ TEST(ChildProcess, IsEndedAtItsTimeLimit) {
   EXPECT_THROW((void)run(command), InvalidInput);
 }
 
+TEST(ChildProcess, ThatPrintsForEverIsEnded) {
+  const Command command{.program = "/bin/sh", .arguments = {"-c", "yes"}};
+  const CommandOutcome outcome = run(command);
+  EXPECT_EQ(outcome.end, CommandOutcome::End::endless_output);
+  EXPECT_LE(outcome.output.size(), 512u * 1024u);
+  EXPECT_EQ(how_it_ended(outcome, command), "ended after 100 MB of messages");
+}
+
 TEST(ChildProcess, AnInterruptionEndsTheProgramAndWhatItStarted) {
   const TemporaryFolder folder;
   Command command = shell("(sleep 0.5; touch survived) & echo begun > begun; sleep 1000");

@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,8 +12,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <memory>
 #include <system_error>
 
+#include "trivet/foundation/guarded_program.h"
 #include "trivet/foundation/invalid_input.h"
 
 extern char** environ;
@@ -24,8 +24,9 @@ namespace trivet::foundation {
 namespace {
 
 constexpr std::size_t output_kept = 256 * 1024;
-constexpr int poll_milliseconds = 100;   // ten reports of progress a second
-constexpr int ending_milliseconds = 2;   // between the end of the output and the end of the program
+constexpr double most_output = 100e6;   // [bytes]; gmsh prints some kilobytes, at its most talkative a line per element
+constexpr int poll_milliseconds = 100;  // ten reports of progress a second
+constexpr int ending_milliseconds = 2;  // between the end of the output and the end of the program
 
 void require(int error, const std::string& what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
@@ -38,36 +39,6 @@ struct Descriptor {
   void close() {
     if (number >= 0) ::close(number);
     number = -1;
-  }
-};
-
-struct SpawnActions {
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
-  SpawnActions() {
-    require(posix_spawn_file_actions_init(&files), "spawn");
-    require(posix_spawnattr_init(&attributes), "spawn");
-  }
-  ~SpawnActions() {
-    posix_spawn_file_actions_destroy(&files);
-    posix_spawnattr_destroy(&attributes);
-  }
-};
-
-/// A started program in a process group of its own; if it has not been seen to end, the whole group is ended.
-struct RunningProgram {
-  pid_t group = 0;
-  int status = 0;
-  ~RunningProgram() {
-    if (group <= 0) return;
-    kill(-group, SIGKILL);
-    while (waitpid(group, &status, 0) < 0 && errno == EINTR) {
-    }
-  }
-  bool has_ended() {
-    if (waitpid(group, &status, WNOHANG) != group) return false;
-    group = 0;
-    return true;
   }
 };
 
@@ -90,27 +61,14 @@ std::vector<std::string> merged_environment(const std::vector<std::string>& adde
   return merged;
 }
 
-pid_t start(const Command& command, int output) {
-  SpawnActions actions;
-  require(posix_spawn_file_actions_addopen(&actions.files, 0, "/dev/null", O_RDONLY, 0), "spawn");
-  require(posix_spawn_file_actions_adddup2(&actions.files, output, 1), "spawn");
-  require(posix_spawn_file_actions_adddup2(&actions.files, output, 2), "spawn");
-  if (!command.folder.empty()) require(posix_spawn_file_actions_addchdir_np(&actions.files, command.folder.c_str()), "spawn");
-  sigset_t standard, none;
-  sigemptyset(&none);
-  sigemptyset(&standard);
-  for (const int number : {SIGINT, SIGTERM, SIGPIPE}) sigaddset(&standard, number);
-  require(posix_spawnattr_setsigdefault(&actions.attributes, &standard), "spawn");
-  require(posix_spawnattr_setsigmask(&actions.attributes, &none), "spawn");
-  require(posix_spawnattr_setflags(&actions.attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK), "spawn");
-
+/// A program with its arguments and environment.
+std::unique_ptr<GuardedProgram> start(const Command& command, int output) {
   std::vector<std::string> arguments{command.program.string()};
   arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   std::vector<std::string> environment = merged_environment(command.environment);
-  pid_t group = 0;
-  require(posix_spawn(&group, command.program.c_str(), &actions.files, &actions.attributes, pointers(arguments).data(), pointers(environment).data()),
-          fmt::format("cannot start {}", command.program.string()));
-  return group;
+  return std::make_unique<GuardedProgram>(command.program.c_str(), pointers(arguments).data(),
+                                          pointers(environment).data(),
+                                          command.folder.empty() ? nullptr : command.folder.c_str(), output);
 }
 
 /// Appends what can be read at once. Bytes read; 0 at the end of the output, below 0 if there is nothing yet.
@@ -132,7 +90,8 @@ std::optional<std::filesystem::path> program_on_path(const std::string& name) {
     rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
     const std::filesystem::path file = std::filesystem::path(folder) / name;
     std::error_code ignored;
-    if (file.is_absolute() && std::filesystem::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0) return file;
+    if (file.is_absolute() && std::filesystem::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0)
+      return file;
   }
   return std::nullopt;
 }
@@ -143,34 +102,47 @@ CommandOutcome run(const Command& command, const Progress& progress) {
   require(pipe2(ends, O_CLOEXEC | O_NONBLOCK) == 0 ? 0 : errno, "pipe");
   Descriptor reading{ends[0]}, writing{ends[1]};
   fcntl(writing.number, F_SETFL, 0);  // the program may expect that it can always write
-  RunningProgram program{start(command, writing.number)};
+  const std::unique_ptr<GuardedProgram> program = start(command, writing.number);
   writing.close();
 
   using clock = std::chrono::steady_clock;
   const clock::time_point begin = clock::now();
   CommandOutcome outcome;
-  while (!program.has_ended()) {
+  ProgramEnd end;
+  double printed = 0;
+  while (!program->has_ended(end)) {
     report_progress(progress, command.task, 0);
-    if (std::chrono::duration<double>(clock::now() - begin).count() > command.time_limit) {
+    if (std::chrono::duration<double>(clock::now() - begin).count() > command.time_limit)
       outcome.end = CommandOutcome::End::time_limit;
-      return outcome;
-    }
+    if (printed > most_output) outcome.end = CommandOutcome::End::endless_output;
+    if (outcome.end != CommandOutcome::End::exited) return outcome;
     pollfd waiting{reading.number, POLLIN, 0};
     const bool open = reading.number >= 0;
-    if (poll(&waiting, 1, open ? poll_milliseconds : ending_milliseconds) > 0 && read_some(reading.number, outcome.output) == 0) reading.close();
+    if (poll(&waiting, 1, open ? poll_milliseconds : ending_milliseconds) <= 0) continue;
+    const ssize_t count = read_some(reading.number, outcome.output);
+    if (count == 0) reading.close();
+    printed += static_cast<double>(std::max<ssize_t>(0, count));
   }
+  if (end.start_error != 0)
+    throw std::system_error(end.start_error, std::generic_category(),
+                            fmt::format("cannot start {}", command.program.string()));
   while (reading.number >= 0 && read_some(reading.number, outcome.output) > 0) {
   }
-  outcome.end = WIFSIGNALED(program.status) ? CommandOutcome::End::signalled : CommandOutcome::End::exited;
-  outcome.code = WIFSIGNALED(program.status) ? WTERMSIG(program.status) : WEXITSTATUS(program.status);
+  outcome.end = WIFSIGNALED(end.status) ? CommandOutcome::End::signalled : CommandOutcome::End::exited;
+  outcome.code = WIFSIGNALED(end.status) ? WTERMSIG(end.status) : WEXITSTATUS(end.status);
   return outcome;
 }
 
 std::string how_it_ended(const CommandOutcome& outcome, const Command& command) {
   switch (outcome.end) {
-    case CommandOutcome::End::exited: return fmt::format("exit code {}", outcome.code);
-    case CommandOutcome::End::signalled: return fmt::format("signal {}", outcome.code);
-    case CommandOutcome::End::time_limit: return fmt::format("ended after {:.4g} s", command.time_limit);
+    case CommandOutcome::End::exited:
+      return fmt::format("exit code {}", outcome.code);
+    case CommandOutcome::End::signalled:
+      return fmt::format("signal {}", outcome.code);
+    case CommandOutcome::End::endless_output:
+      return fmt::format("ended after {:.0f} MB of messages", most_output / 1e6);
+    case CommandOutcome::End::time_limit:
+      return fmt::format("ended after {:.4g} s", command.time_limit);
   }
   return {};
 }

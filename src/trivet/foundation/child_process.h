@@ -25,14 +25,15 @@ struct Command {
 };
 
 struct CommandOutcome {
-  enum class End { exited, signalled, time_limit } end = End::exited;
+  enum class End { exited, signalled, time_limit, endless_output } end = End::exited;
   int code = 0;        ///< exit code, or number of the signal
   std::string output;  ///< standard output and standard error as they came, of a long output its end, 256 to 512 KiB
   [[nodiscard]] bool succeeded() const { return end == End::exited && code == 0; }
 };
 
 /// Runs a program to its end, without standard input. Progress is reported ten times a second, as the fraction 0 because a program does
-/// not say how far it is; if it throws, or the time is over, the program and all that it started are ended first.
+/// not say how far it is; if it throws, if the time is over, or if the program prints more than 100 MB, the program and all that it started are
+/// ended first. They also end when this process ends, by SIGKILL too.
 /// @throws std::system_error if the program cannot be started
 [[nodiscard]] CommandOutcome run(const Command& command, const Progress& progress = {});
 

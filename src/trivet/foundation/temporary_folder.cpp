@@ -1,23 +1,136 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/foundation/temporary_folder.h"
 
-#include <stdlib.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 namespace trivet::foundation {
+namespace {
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "trivet-XXXXXX").string();
-  if (!mkdtemp(pattern.data()))
-    throw std::filesystem::filesystem_error("cannot make a temporary folder", pattern, std::error_code(errno, std::generic_category()));
-  path_ = pattern;
+namespace fs = std::filesystem;
+
+constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz234567";  // 32: five random bits choose one
+constexpr std::size_t random_letters = 20;                                // 100 bits
+constexpr int most_attempts = 100;
+
+std::string random_name() {
+  std::array<std::uint8_t, random_letters> bytes;
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    throw std::system_error(errno, std::generic_category(), "no random numbers");
+  std::string name(temporary_name_start);
+  for (const std::uint8_t byte : bytes) name += letters[byte % letters.size()];
+  return name;
+}
+
+bool is_such_a_name(const std::string& name) {
+  return name.size() == temporary_name_start.size() + random_letters && name.starts_with(temporary_name_start) &&
+         name.find_first_not_of(letters, temporary_name_start.size()) == std::string::npos;
+}
+
+/// Opens the mark inside a folder of ours that is no link. -1 with errno if there is none.
+int open_mark(const fs::path& folder, int flags) {
+  const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (opened < 0) return -1;
+  struct stat status;
+  const bool ours = fstat(opened, &status) == 0 && status.st_uid == geteuid();
+  const int mark = ours ? openat(opened, owner_mark, O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | flags, 0600) : -1;
+  const int reason = ours ? errno : EPERM;
+  close(opened);
+  errno = reason;
+  return mark;
+}
+
+/// Somebody who cleans up may have taken a folder for abandoned before its owner had the lock.
+bool still_there(int mark) {
+  struct stat status;
+  return fstat(mark, &status) == 0 && status.st_nlink > 0;
+}
+
+void remove_if_abandoned(const fs::path& folder) {
+  const int mark = open_mark(folder, 0);
+  if (mark < 0) {
+    if (errno == ENOENT) rmdir(folder.c_str());  // killed before it made its mark: empty, or it is not ours
+    return;
+  }
+  struct stat status;
+  if (fstat(mark, &status) == 0 && S_ISREG(status.st_mode) && flock(mark, LOCK_EX | LOCK_NB) == 0 && still_there(mark))
+    remove_marked_folder(folder);
+  close(mark);
+}
+
+/// Makes the folder and its mark. -1 if that has to be tried again under another name.
+int make(const fs::path& folder) {
+  if (mkdir(folder.c_str(), 0700) != 0) {
+    if (errno == EEXIST) return -1;
+    throw std::system_error(errno, std::generic_category(), folder.parent_path().string());
+  }
+  const int mark = open_mark(folder, O_CREAT | O_EXCL);
+  if (mark < 0) {
+    if (errno == ENOENT) return -1;
+    const int reason = errno;
+    rmdir(folder.c_str());
+    throw std::system_error(reason, std::generic_category(), folder.parent_path().string());
+  }
+  // A file system without locks: the folder works, but if this process is killed, it stays.
+  const bool taken = flock(mark, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (!taken && still_there(mark)) return mark;
+  close(mark);
+  return -1;
+}
+
+fs::path system_place() {
+  const char* given = std::getenv("TMPDIR");
+  std::error_code ignored;
+  const fs::path place = given && *given ? given : "/tmp";
+  const fs::path absolute = fs::absolute(place, ignored);
+  return absolute.empty() ? place : absolute;
+}
+
+}  // namespace
+
+void remove_abandoned_folders() { remove_abandoned_folders(system_place()); }
+
+void remove_abandoned_folders(const fs::path& parent) {
+  std::error_code error;
+  for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error))
+    if (is_such_a_name(entry->path().filename().string())) remove_if_abandoned(entry->path());
+}
+
+TemporaryFolder::TemporaryFolder() try : TemporaryFolder(system_place()) {
+} catch (const std::system_error& error) {
+  throw std::runtime_error(
+      fmt::format("no temporary folder can be made in {}: {}; set TMPDIR to a folder where you may write",
+                  system_place().string(), error.code().message()));
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+  remove_abandoned_folders(parent);
+  for (int i = 0; mark_ < 0; ++i) {
+    if (i == most_attempts) throw std::system_error(EEXIST, std::generic_category(), parent.string());
+    const Undisturbed step;
+    path_ = parent / random_name();
+    mark_ = make(path_);
+    if (mark_ >= 0) registered_.emplace(path_, RegisteredFolder::Removal::with_contents);
+  }
 }
 
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;  // a destructor has nobody to tell
-  std::filesystem::remove_all(path_, ignored);
+  const Undisturbed step;
+  remove_marked_folder(path_);
+  close(mark_);
 }
 
 }  // namespace trivet::foundation
