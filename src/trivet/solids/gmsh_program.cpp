@@ -3,7 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <optional>
+#include <string_view>
 
 #include "trivet/foundation/child_process.h"
 
@@ -14,6 +20,8 @@ using foundation::Problems;
 
 constexpr std::size_t step_header_bytes = 4096;  // blanks and comments may stand before the first word of a STEP file
 constexpr std::size_t words_told = 300;
+constexpr const char* gmsh_time_limit = "TRIVET_GMSH_SECONDS";
+constexpr double longest_time = 604800;  // [s] a week
 
 tl::unexpected<Problems> refused(const std::string& finding, const std::string& rule, const std::string& remedy) {
   Problems problems;
@@ -25,12 +33,15 @@ foundation::Expected<void> check_step(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::error_code not_a_file;
   const bool readable = stream && std::filesystem::is_regular_file(file, not_a_file);
-  if (!readable) return refused(fmt::format("{}: cannot be read", file.string()), "a STEP file is wanted", "check its name and its rights");
+  if (!readable)
+    return refused(fmt::format("{}: cannot be read", file.string()), "a STEP file is wanted",
+                   "check its name and its rights");
   std::string begin(step_header_bytes, '\0');
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(stream.gcount()));
   if (begin.find("ISO-10303-21") == std::string::npos)
-    return refused(fmt::format("{}: is not a STEP file", file.string()), "a STEP file begins with ISO-10303-21", "export the part as STEP (AP203, AP214, AP242)");
+    return refused(fmt::format("{}: is not a STEP file", file.string()), "a STEP file begins with ISO-10303-21",
+                   "export the part as STEP (AP203, AP214, AP242)");
   return {};
 }
 
@@ -38,11 +49,43 @@ foundation::Expected<void> check_step(const std::filesystem::path& file) {
 std::string complaints(const std::string& output) {
   std::string text;
   for (std::size_t i = 0; i < output.size(); ++i) {
-    if (output[i] == '\033') i = std::min(output.find('m', i), output.size());
-    else if (output[i] == '\n') text += ' ';
-    else if (output[i] != '*' && !(output[i] == ' ' && text.ends_with(' '))) text += output[i];
+    if (output[i] == '\033')
+      i = std::min(output.find('m', i), output.size());
+    else if (output[i] == '\n')
+      text += ' ';
+    else if (output[i] != '*' && !(output[i] == ' ' && text.ends_with(' ')))
+      text += output[i];
   }
   return text.size() > words_told ? "…" + text.substr(text.size() - words_told) : text;
+}
+
+/// The user's path never enters the script: a link stands for it.
+foundation::Expected<void> prepare(const GmshJob& job) {
+  std::error_code error;
+  const std::filesystem::path file = std::filesystem::absolute(job.step_file, error);
+  if (!error) std::filesystem::create_symlink(file, job.folder / "part.step", error);
+  if (error)
+    return refused(fmt::format("{}: cannot be brought to gmsh: {}", job.step_file.string(), error.message()),
+                   "gmsh works in a temporary folder", "check the folder in TMPDIR and the current one");
+  errno = 0;
+  std::ofstream script(job.folder / "job.geo");
+  script << "SetFactory(\"OpenCASCADE\");\nGeometry.OCCTargetUnit = \"MM\";\nMerge \"part.step\";\n" << job.script;
+  script.close();
+  if (!script)
+    return refused(fmt::format("{}: {}", job.folder.string(), errno ? std::strerror(errno) : "cannot be written"),
+                   "gmsh works in a temporary folder", "make room, or set TMPDIR to a folder with room");
+  return {};
+}
+
+/// The limit of the job, or the user's. Nothing if the user's is no number of seconds.
+std::optional<double> time_limit(const GmshJob& job) {
+  const char* given = std::getenv(gmsh_time_limit);
+  if (!given || !*given) return job.time_limit;
+  const std::string_view text = given;
+  double seconds = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const bool good = error == std::errc() && end == text.data() + text.size() && seconds > 0 && seconds <= longest_time;
+  return good ? std::optional<double>(seconds) : std::nullopt;
 }
 
 }  // namespace
@@ -51,22 +94,35 @@ foundation::Expected<void> run_gmsh(const GmshJob& job, const foundation::Progre
   if (const auto step = check_step(job.step_file); !step) return step;
   const auto program = foundation::program_on_path("gmsh");
   if (!program)
-    return refused(fmt::format("{}: the program gmsh is not installed", job.step_file.string()), "STEP files are read by the program gmsh",
+    return refused(fmt::format("{}: the program gmsh is not installed", job.step_file.string()),
+                   "STEP files are read by the program gmsh",
                    "install it (Debian package gmsh), or describe the solid by primitives or STL");
 
-  // The user's path never enters the script: a link stands for it.
-  std::filesystem::create_symlink(std::filesystem::absolute(job.step_file), job.folder / "part.step");
-  std::ofstream(job.folder / "job.geo") << "SetFactory(\"OpenCASCADE\");\nGeometry.OCCTargetUnit = \"MM\";\nMerge \"part.step\";\n" << job.script;
-  const foundation::Command command{.program = *program,
-                                    .arguments = {"job.geo", "-", "-nt", "1", "-v", "2"},
-                                    .folder = job.folder,
-                                    .environment = {"HOME=" + job.folder.string(), "GMSH_HOME=" + job.folder.string(), "LC_ALL=C"},
-                                    .time_limit = job.time_limit,
-                                    .task = job.task};
+  const std::optional<double> limit = time_limit(job);
+  if (!limit)
+    return refused(fmt::format("{} = \"{}\"", gmsh_time_limit, std::getenv(gmsh_time_limit)),
+                   fmt::format("the time that gmsh may take is > 0 s and at most {:.0f} s", longest_time),
+                   "correct the environment variable, or remove it");
+  if (const auto prepared = prepare(job); !prepared) return prepared;
+  const foundation::Command command{
+      .program = *program,
+      .arguments = {"job.geo", "-", "-nt", "1", "-v", "2"},
+      .folder = job.folder,
+      .environment = {"HOME=" + job.folder.string(), "GMSH_HOME=" + job.folder.string(), "LC_ALL=C"},
+      .time_limit = *limit,
+      .task = job.task};
   const foundation::CommandOutcome outcome = run(command, progress);
+  if (outcome.end == foundation::CommandOutcome::End::time_limit)
+    return refused(
+        fmt::format("{}: gmsh had not finished after {:.4g} s and was ended", job.step_file.string(), *limit),
+        "gmsh must read and mesh the solids of the file in time",
+        fmt::format("take larger elements if it was meshing, or set {} to more seconds", gmsh_time_limit));
   if (!outcome.succeeded())
-    return refused(fmt::format("{}: gmsh failed ({}): {}", job.step_file.string(), how_it_ended(outcome, command), complaints(outcome.output)),
-                   "gmsh must be able to read and mesh the solids of the file", "take smaller elements if it was meshing; else heal the solid in the CAD program and export it again");
+    return refused(
+        fmt::format("{}: gmsh failed ({}): {}", job.step_file.string(), how_it_ended(outcome, command),
+                    complaints(outcome.output)),
+        "gmsh must be able to read and mesh the solids of the file",
+        "take smaller elements if it was meshing; else heal the solid in the CAD program and export it again");
   return {};
 }
 

@@ -16,7 +16,7 @@ struct GmshJob {
   std::filesystem::path folder;  ///< an empty folder for the job, the caller's to remove
   std::string script;            ///< runs after the solids of the file have been read
   std::string task;              ///< what progress reports
-  double time_limit = 3600;      ///< [s] > 0
+  double time_limit = 3600;      ///< [s] > 0; the environment variable TRIVET_GMSH_SECONDS overrides it
 };
 
 /// Runs the job on one thread, with none of the user's settings of gmsh, so that equal files give equal results.

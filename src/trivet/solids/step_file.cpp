@@ -15,6 +15,7 @@ namespace {
 using foundation::Problems;
 
 constexpr double millimetre = 1e-3;
+constexpr std::size_t most_solids = 100000;  // 8 MB; gmsh itself takes hours for so many
 
 constexpr const char* script = R"(
 solids() = Volume{:};
@@ -54,6 +55,11 @@ foundation::Expected<std::vector<VolumeIntegrals>> step_volumes(const std::files
   if (!(stream >> count) || count == 0) {
     problems.error("file", fmt::format("{}: holds no solid", file.string()), "volumes are needed, not surfaces or curves alone",
                    "export the part as a solid body");
+    return tl::unexpected(problems);
+  }
+  if (count > most_solids) {
+    problems.error("file", fmt::format("{}: {} solids according to gmsh", file.string(), count), fmt::format("a file holds at most {} solids", most_solids),
+                   "check the program gmsh: `gmsh --version`");
     return tl::unexpected(problems);
   }
   std::vector<VolumeIntegrals> volumes(count);
