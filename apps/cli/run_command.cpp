@@ -8,6 +8,7 @@
 #include "cli/console.h"
 #include "cli/further_tables.h"
 #include "cli/strictness.h"
+#include "trivet/report/curve_groups.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
@@ -25,7 +26,14 @@ std::string file_stem(const std::string& case_name) {
   if (case_name.empty()) return "base";
   std::string stem;
   for (const char c : case_name) stem += std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 ? c : '-';
-  return stem;
+  return report::shortened(stem);
+}
+
+/// One folder per case, numbered, because different names may share the letters that are safe in a file name.
+std::vector<std::string> case_folders(const study::Project& project) {
+  std::vector<std::string> names;
+  for (const study::Case& variant : project.cases) names.push_back(fmt::format("{:02}-{}", names.size(), file_stem(variant.name)));
+  return names;
 }
 
 void write_case(study::ResultFolder& folder, const std::string& stem, const study::Case& variant, const study::Answers& answers) {
@@ -89,9 +97,9 @@ int run_command(const Options& options) {
   }
   const auto project = read_or_complain(options);
   if (!project) return wrong_input;
-  catch_interrupts();
   const foundation::Progress report = progress();
-  study::ResultFolder folder(options.output);
+  const std::vector<std::string> case_folder = case_folders(*project);
+  study::ResultFolder folder(options.output, case_folder);
   std::vector<study::Answers> all;
   std::string text;
   for (std::size_t i = 0; i < project->cases.size(); ++i) {
@@ -101,13 +109,13 @@ int run_command(const Options& options) {
     };
     all.push_back(study::answers(variant, variant.analyses, step));
     if (study::has_own_map(*project, variant)) add_map(*project, variant, step, all.back());
-    write_case(folder, fmt::format("{:02}-{}", i, file_stem(variant.name)), variant, all.back());
+    write_case(folder, case_folder[i], variant, all.back());
     text += case_text(variant, all.back());
   }
   folder.write("results.json", study::results_json(*project, all));
   folder.write("report.html", report::report_page(*project, all, study::page_json(*project, all)));
   report("done", 1);
-  folder.publish();
+  for (const std::string& note : folder.publish()) write_error(fmt::format("warning: {}\n", note));
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));
   Strictness strictness;
   for (const study::Answers& answers : all) strictness.add(answers);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/element_cache.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <stdexcept>
 #include <system_error>
 
+#include "trivet/foundation/temporary_folder.h"
+#include "trivet/study/file_writing.h"
+#include "trivet/study/folder_handle.h"
 #include "trivet/study/source_file.h"
 #include "trivet/study/version.h"
 
@@ -17,11 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t largest_entry = 1u << 20;  // the largest kept is 2.4 kB
+
 std::optional<fs::path> folder() {
   if (const char* given = std::getenv("TRIVET_CACHE")) return *given ? std::optional<fs::path>(given) : std::nullopt;
   if (const char* given = std::getenv("XDG_CACHE_HOME"); given && *given) return fs::path(given) / "trivet";
   if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "trivet";
   return std::nullopt;
+}
+
+/// Once, so that what a killed run left goes even if nothing new has to be kept.
+void clean(const fs::path& cache) {
+  static std::once_flag cleaned;
+  std::call_once(cleaned, [&] { foundation::remove_abandoned_folders(cache); });
 }
 
 std::string bytes_of(const std::vector<double>& numbers) {
@@ -42,8 +53,11 @@ std::string content_key(const std::string& description, const std::vector<std::s
 std::optional<std::vector<double>> cached_numbers(const std::string& key) {
   const auto where = folder();
   if (!where) return std::nullopt;
-  std::ifstream file(*where / key, std::ios::binary);
-  const std::string all(std::istreambuf_iterator<char>(file), {});
+  clean(*where);
+  const FolderHandle cache(*where);
+  const auto found = cache.is_open() ? cache.content(key, largest_entry) : std::nullopt;
+  if (!found) return std::nullopt;
+  const std::string& all = *found;
   constexpr std::size_t digest = 64;
   if (all.size() < digest || (all.size() - digest) % sizeof(double) != 0) return std::nullopt;
   std::vector<double> numbers((all.size() - digest) / sizeof(double));
@@ -55,20 +69,17 @@ std::optional<std::vector<double>> cached_numbers(const std::string& key) {
 void keep_numbers(const std::string& key, const std::vector<double>& numbers) {
   const auto where = folder();
   if (!where) return;
-  std::error_code ignored;  // without a writable folder, the next run computes again
-  fs::create_directories(*where, ignored);
-  const fs::path unfinished = *where / fmt::format("{}.{}", key, getpid());
-  {
-    std::ofstream file(unfinished, std::ios::binary);
+  try {
+    std::error_code ignored;
+    fs::create_directories(*where, ignored);
+    const foundation::TemporaryFolder unfinished(*where);
     const std::string bytes = bytes_of(numbers);
-    file << sha256(bytes) << bytes;
-    if (!file) {
-      file.close();
-      fs::remove(unfinished, ignored);
-      return;
-    }
+    write_new_file(FolderHandle(unfinished.path()), key, sha256(bytes) + bytes, *where / key);
+    const foundation::Undisturbed step;
+    fs::rename(unfinished.path() / key, *where / key, ignored);  // replaces a link, and does not follow it
+  } catch (const std::runtime_error&) {
+    // Without a writable folder, or on a full disk, the next run computes again.
   }
-  fs::rename(unfinished, *where / key, ignored);
 }
 
 }  // namespace trivet::study

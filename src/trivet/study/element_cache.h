@@ -8,8 +8,9 @@
 
 namespace trivet::study {
 
-/// Numbers that cost long to find, kept on disk under a hash of everything they depend on. The folder is $TRIVET_CACHE, else trivet/ in
-/// $XDG_CACHE_HOME or ~/.cache; TRIVET_CACHE="" switches it off. A damaged entry counts as absent.
+/// Numbers that cost long to find, kept on disk under a hash of everything they depend on. The folder is $TRIVET_CACHE,
+/// else trivet/ in $XDG_CACHE_HOME or ~/.cache; TRIVET_CACHE="" switches it off. A damaged entry, a link or a folder in
+/// its place counts as absent; without a folder that can be written, nothing is kept.
 [[nodiscard]] std::optional<std::vector<double>> cached_numbers(const std::string& key);
 void keep_numbers(const std::string& key, const std::vector<double>& numbers);
 

@@ -31,33 +31,39 @@ bool is_earlier_picture(const fs::path& file) {
 }  // namespace
 
 PictureFile::PictureFile(const fs::path& target, const fs::path& project) {
-  const auto refuse = [&](const std::string& reason) { throw foundation::InvalidInput(fmt::format("{}: {}", target.string(), reason)); };
+  const auto refuse = [&](const std::string& reason) {
+    throw foundation::InvalidInput(fmt::format("{}: {}", target.string(), reason));
+  };
   std::error_code error;
-  target_ = fs::weakly_canonical(fs::absolute(target), error);
-  if (error) refuse(error.message());
-  if (fs::exists(target_)) {
-    if (fs::equivalent(target_, project, error)) refuse("this is the project file itself; give the picture a name of its own");
-    if (fs::is_directory(target_)) refuse("this is a folder; name a file inside it");
-    if (!fs::is_regular_file(target_) || !is_earlier_picture(target_)) refuse("it exists and holds something else than an SVG picture; choose another name");
+  target_ = fs::absolute(target, error);
+  if (error) refuse(fmt::format("the current folder cannot be found ({})", error.message()));
+  const fs::file_status status = fs::symlink_status(target_, error);
+  if (error && status.type() != fs::file_type::not_found) refuse(error.message());
+  if (fs::exists(status)) {
+    if (fs::equivalent(target_, project, error))
+      refuse("this is the project file itself; give the picture a name of its own");
+    if (fs::is_symlink(status))
+      refuse("this is a symbolic link, which is neither followed nor replaced; name the picture itself");
+    if (fs::is_directory(status)) refuse("this is a folder; name a file inside it");
+    if (!fs::is_regular_file(status) || !is_earlier_picture(target_))
+      refuse("it exists and holds something else than an SVG picture; choose another name");
   }
-  if (!fs::is_directory(target_.parent_path(), error)) refuse(fmt::format("there is no folder {}; make it, or choose another", target_.parent_path().string()));
-  working_ = name_beside(target_, "partial");
+  if (!fs::is_directory(target_.parent_path(), error))
+    refuse(fmt::format("there is no folder {}; make it, or choose another", target_.parent_path().string()));
   try {
-    write_file(working_, "", target_);
-  } catch (const std::runtime_error& reason) {
-    refuse(fmt::format("{}; choose a folder where you may write", reason.what()));
+    temporary_ = std::make_unique<foundation::TemporaryFolder>(target_.parent_path());
+  } catch (const std::system_error& reason) {
+    refuse(fmt::format("cannot write there: {}; choose a folder where you may write", reason.code().message()));
   }
-}
-
-PictureFile::~PictureFile() {
-  std::error_code ignored;
-  fs::remove(working_, ignored);
 }
 
 void PictureFile::publish(const std::string& svg) const {
-  write_file(working_, svg, target_);
+  constexpr const char* name = "picture.svg";
+  write_new_file(FolderHandle(temporary_->path()), name, svg, target_);
+  const foundation::Undisturbed step;
   std::error_code error;
-  fs::rename(working_, target_, error);
+  fs::rename(temporary_->path() / name, target_,
+             error);  // replaces a link that was planted meanwhile, and does not follow it
   if (error) throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), error.message()));
 }
 

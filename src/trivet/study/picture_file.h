@@ -2,17 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+
+#include "trivet/foundation/temporary_folder.h"
 
 namespace trivet::study {
 
-/// A picture in the making, begun before the answer is computed: it is written beside the target and takes its place as a whole, or not at all.
+/// A picture in the making, begun before the answer is computed: it is written to a temporary folder beside the target
+/// and takes its place as a whole, or not at all.
 class PictureFile {
  public:
-  /// A target that exists may be an earlier SVG picture, or empty. A link stands for what it leads to.
-  /// @throws foundation::InvalidInput if it is `project` or holds something else, or if nothing can be written in its folder
+  /// A target that exists may be an earlier SVG picture, or empty.
+  /// @throws foundation::InvalidInput if it is `project`, a link, or holds something else, or if nothing can be written
+  /// in its folder
   PictureFile(const std::filesystem::path& target, const std::filesystem::path& project);
-  ~PictureFile();
   PictureFile(const PictureFile&) = delete;
   PictureFile& operator=(const PictureFile&) = delete;
 
@@ -21,7 +25,7 @@ class PictureFile {
 
  private:
   std::filesystem::path target_;
-  std::filesystem::path working_;
+  std::unique_ptr<foundation::TemporaryFolder> temporary_;
 };
 
 }  // namespace trivet::study

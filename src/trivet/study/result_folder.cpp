@@ -1,76 +1,183 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/result_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
-#include <string_view>
+#include <system_error>
 
 #include "trivet/study/file_writing.h"
+#include "trivet/study/folder_lock.h"
+#include "trivet/study/result_exchange.h"
 
 namespace trivet::study {
 namespace {
 
 namespace fs = std::filesystem;
+using Kind = FolderHandle::Kind;
 
-/// Does the folder hold nothing but what an earlier run wrote? One foreign file, and it is somebody's work.
-bool is_earlier_result(const fs::path& folder) {
-  std::ifstream stream(folder / "results.json", std::ios::binary);
-  const std::string_view start = "{\"format\":\"trivet-results\"";
-  std::string found(start.size(), ' ');
-  if (!stream.read(found.data(), static_cast<std::streamsize>(found.size())) || found != start) return false;
-  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
-    const std::string name = entry.path().filename().string();
-    const bool of_a_case = entry.is_directory() && name.size() > 3 && name.find_first_not_of("0123456789") == name.find('-');
-    return of_a_case || name == "results.json" || name == "report.html";
-  });
+constexpr const char* advice = "choose another folder with -o";
+
+[[noreturn]] void refuse(const fs::path& target, const std::string& reason) {
+  throw std::runtime_error(fmt::format("{} {}; {}", target.string(), reason, advice));
 }
 
-bool may_be_replaced(const fs::path& target) {
-  if (!fs::exists(target)) return true;
-  if (!fs::is_directory(target) || fs::equivalent(target, fs::current_path())) return false;
-  return fs::is_empty(target) || is_earlier_result(target);
+[[noreturn]] void refuse_writing(const fs::path& target, const std::string& reason) {
+  throw std::runtime_error(fmt::format("cannot write beside {}: {}; {}", target.string(), reason, advice));
+}
+
+/// With a name of its own at the end, so that its place can be named by the folder that holds it.
+fs::path absolute_target(const fs::path& given) {
+  std::error_code error;
+  fs::path target = fs::absolute(given, error);
+  if (error) refuse(given, fmt::format("counts from the current folder, which cannot be found ({})", error.message()));
+  while (target.filename().empty() && target.has_relative_path()) target = target.parent_path();
+  if (target.filename() == "." || target.filename() == "..") target = fs::canonical(target, error);
+  if (error) refuse(given, fmt::format("cannot be found ({})", error.message()));
+  if (!target.has_relative_path()) refuse(given, "is the root of the file system");
+  return target;
+}
+
+/// The manifest of what is in place: an empty one for an empty folder. @throws std::runtime_error if it is not Trivet's
+/// to replace
+ResultManifest earlier_result(const FolderHandle& folder, const fs::path& target) {
+  if (!folder.is_open()) refuse(target, fmt::format("cannot be read ({})", std::strerror(errno)));
+  if (const auto manifest = ResultManifest::of(folder)) return *manifest;
+  const std::vector<std::string> names = folder.names();
+  if (std::all_of(names.begin(), names.end(),
+                  [](const std::string& name) { return name.starts_with(foundation::temporary_name_start); }))
+    return {};
+  refuse(target,
+         fmt::format("exists and holds something else than an earlier result of trivet (no {} that names its files)",
+                     manifest_name));
+}
+
+/// What stands at a place, as a kind; an error of the system is one here.
+Kind kind_at(const FolderHandle& parent, const fs::path& target) {
+  struct stat status;
+  if (fstatat(parent.descriptor(), target.filename().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno != ENOENT)
+    refuse_writing(target, std::strerror(errno));
+  return parent.kind(target.filename().string());
+}
+
+bool is_mount_point(const FolderHandle& folder, const FolderHandle& parent) {
+  struct stat inner, outer;
+  return fstat(folder.descriptor(), &inner) == 0 && fstat(parent.descriptor(), &outer) == 0 &&
+         inner.st_dev != outer.st_dev;
 }
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path target) : target_(fs::absolute(target).lexically_normal()) {
-  if (target_.filename().empty()) target_ = target_.parent_path();
-  if (!may_be_replaced(target_))
-    throw std::runtime_error(fmt::format("{} exists and holds something else than an earlier result of trivet; choose another folder with -o", target_.string()));
-  working_ = name_beside(target_, "partial");
+ResultFolder::ResultFolder(const fs::path& target, const std::vector<std::string>& folders)
+    : target_(absolute_target(target)) {
   std::error_code error;
-  fs::create_directories(working_, error);
-  if (error) throw std::runtime_error(fmt::format("cannot write beside {}: {}; choose another folder with -o", target_.string(), error.message()));
+  if (fs::equivalent(target_, fs::current_path(error), error))
+    refuse(target_, "is the current folder, which is not replaced");
+  try {
+    make_parents();
+    const FolderHandle parent(target_.parent_path());
+    if (!parent.is_open()) refuse_writing(target_, std::strerror(errno));
+    check(parent, folders);
+    temporary_ = std::make_unique<foundation::TemporaryFolder>(one_by_one_ ? target_ : target_.parent_path());
+    working_ = FolderHandle(temporary_->path()).made_folder(new_result);
+    if (!working_.is_open()) throw std::system_error(errno, std::generic_category());
+  } catch (const std::system_error& reason) {
+    remove_parents();
+    refuse_writing(target_, reason.code().message());
+  } catch (...) {
+    remove_parents();
+    throw;
+  }
 }
 
 ResultFolder::~ResultFolder() {
-  if (published_) return;
-  std::error_code ignored;
-  fs::remove_all(working_, ignored);
+  temporary_.reset();
+  if (!published_) remove_parents();
+}
+
+void ResultFolder::make_parents() {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path folder = target_.parent_path(); !fs::exists(folder, error) && folder.has_relative_path();
+       folder = folder.parent_path()) {
+    if (error && error != std::errc::no_such_file_or_directory) throw std::system_error(error);
+    missing.push_back(folder);
+  }
+  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+    const foundation::Undisturbed step;
+    if (mkdir(folder->c_str(), 0777) == 0)
+      made_parents_.emplace_back(*folder, foundation::RegisteredFolder::Removal::if_empty);
+    else if (errno != EEXIST)
+      throw std::system_error(errno, std::generic_category());
+  }
+}
+
+void ResultFolder::remove_parents() {
+  for (auto folder = made_parents_.rbegin(); folder != made_parents_.rend(); ++folder) rmdir(folder->path().c_str());
+}
+
+void ResultFolder::check(const FolderHandle& parent, const std::vector<std::string>& folders) {
+  const FolderLock lock(parent, target_.parent_path());
+  const Kind kind = kind_at(parent, target_);
+  if (kind == Kind::none) return;
+  if (kind == Kind::link) refuse(target_, "is a symbolic link, which is neither followed nor replaced");
+  if (kind != Kind::folder) refuse(target_, fmt::format("is {}, not a folder", words(kind)));
+  const FolderHandle current = parent.folder(target_.filename().string());
+  const ResultManifest ours = earlier_result(current, target_);
+  for (const char* name : {"results.json", "report.html", manifest_name}) {
+    const Kind found = current.kind(name);
+    if (found != Kind::none && (found != Kind::file || !ours.names(name)))
+      refuse(target_ / name, fmt::format("is {} that is not from trivet, and its name is needed", words(found)));
+  }
+  for (const std::string& name : folders)
+    if (const Kind found = current.kind(name); found != Kind::none && found != Kind::folder)
+      refuse(target_ / name, fmt::format("is {} where the result needs a folder", words(found)));
+  one_by_one_ = is_mount_point(current, parent);
 }
 
 void ResultFolder::write(const std::string& name, const std::string& content) {
-  const fs::path path = working_ / name;
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  write_file(path, content, target_ / name);
+  const fs::path path(name);
+  FolderHandle inner;
+  for (const fs::path& part : path.parent_path()) {
+    inner = (inner.is_open() ? inner : working_).made_folder(part.string());
+    if (!inner.is_open())
+      throw std::runtime_error(fmt::format("cannot write {}: {}", (target_ / name).string(), std::strerror(errno)));
+  }
+  write_new_file(inner.is_open() ? inner : working_, path.filename().string(), content, target_ / name);
+  if (name != manifest_name) manifest_.add(name, content);
 }
 
-void ResultFolder::publish() {
-  const fs::path old = name_beside(target_, "old");
-  const bool replaces = fs::exists(target_);
-  if (replaces) fs::rename(target_, old);
-  std::error_code error;
-  fs::rename(working_, target_, error);
-  if (error) {
-    if (replaces) fs::rename(old, target_);
-    throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), error.message()));
+std::vector<std::string> ResultFolder::publish() {
+  write(manifest_name, manifest_.text());
+  const std::string name = target_.filename().string();
+  const FolderHandle parent(target_.parent_path()), temporary(temporary_->path());
+  const FolderLock lock(parent, target_.parent_path());
+  const foundation::Undisturbed step;
+  std::vector<std::string> notes;
+  const Kind kind = kind_at(parent, target_);
+  if (kind == Kind::none && renameat(temporary.descriptor(), new_result, parent.descriptor(), name.c_str()) != 0)
+    throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), std::strerror(errno)));
+  if (kind != Kind::none) {
+    if (kind != Kind::folder) refuse(target_, fmt::format("has become {}", words(kind)));
+    const FolderHandle current = parent.folder(name);
+    const ResultManifest ours = earlier_result(current, target_);
+    const ResultExchange exchange{current, ours, working_, manifest_};
+    if (one_by_one_ || !exchange_folders(exchange, temporary, new_result, parent, name, notes))
+      replace_one_by_one(exchange, notes);
   }
   published_ = true;
-  if (replaces) fs::remove_all(old, error);
+  made_parents_.clear();
+  if (!lock.is_held())
+    notes.push_back(fmt::format("{}: this file system has no locks ({}); do not let two runs write there at once",
+                                target_.parent_path().string(), lock.reason()));
+  return notes;
 }
 
 }  // namespace trivet::study
