@@ -12,6 +12,7 @@
 #include "cli/further_tables.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/study/answers_json.h"
 #include "trivet/study/further_json.h"
@@ -118,6 +119,7 @@ std::unique_ptr<study::PictureFile> new_picture(const Options& options) {
 }
 
 std::optional<study::Project> read_or_complain(const Options& options) {
+  foundation::remove_abandoned_folders();
   auto project = study::read_project(options.project, options.settings);
   if (project) return std::move(*project);
   if (options.json) write_output(study::problems_json(project.error(), {}));

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
@@ -15,16 +13,22 @@
 namespace trivet::cli {
 namespace {
 
-std::atomic<bool> interrupted = false;
+bool reader_has_left = false;
 
 }  // namespace
 
 void write_output(const std::string& text) {
+  if (reader_has_left) return;
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!written || std::fflush(stdout) != 0)
-    throw std::runtime_error(fmt::format("standard output: {}", errno ? std::strerror(errno) : "not everything was written"));
+  if (written && std::fflush(stdout) == 0) return;
+  reader_has_left = errno == EPIPE;
+  if (!reader_has_left)
+    throw std::runtime_error(
+        fmt::format("standard output: {}", errno ? std::strerror(errno) : "not everything was written"));
 }
+
+int exit_code(int code) { return reader_has_left ? reader_left : code; }
 
 void write_error(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
@@ -34,15 +38,11 @@ void write_problems(const foundation::Problems& problems) {
   for (const auto& problem : problems.list()) write_error(foundation::message(problem) + "\n");
 }
 
-void catch_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
-}
-
 foundation::Progress progress() {
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   return [terminal](std::string_view task, double fraction) {
-    if (interrupted) throw foundation::Interrupted();
-    if (terminal) write_error(fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, fraction >= 1 ? "\r\033[K" : ""));
+    if (terminal)
+      write_error(fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, fraction >= 1 ? "\r\033[K" : ""));
   };
 }
 

@@ -9,22 +9,25 @@
 
 namespace trivet::cli {
 
-/// The last two only with --strict: computed and written, but a limit or rule is broken, or there are warnings alone.
-enum ExitCode { done = 0, not_computed = 1, wrong_input = 2, over_a_limit = 3, with_warnings = 4 };
+/// 3 and 4 only with --strict: computed and written, but a limit or rule is broken, or there are warnings alone.
+enum ExitCode { done = 0, not_computed = 1, wrong_input = 2, over_a_limit = 3, with_warnings = 4, reader_left = 141 };
 
-/// Writes to standard output and makes sure it arrived. @throws std::runtime_error if the disk is full or the reader is gone
+/// Writes to standard output and makes sure it arrived. Once the reader of a pipe has left (`trivet … | head`), nothing
+/// more is written.
+/// @throws std::runtime_error if the disk is full
 void write_output(const std::string& text);
 
-/// To standard error. Where nobody reads that either, nothing is left to be told.
+/// `code`, or reader_left if the reader of standard output left before the end: what a shell reports of any program in
+/// its place (128 + SIGPIPE).
+[[nodiscard]] int exit_code(int code);
+
+/// To standard error. If nobody reads that either, there is nothing left to do.
 void write_error(std::string_view text);
 
 /// Every problem on a line of its own, on standard error.
 void write_problems(const foundation::Problems& problems);
 
-/// Ctrl-C and SIGTERM stop the work at the next progress report instead of killing the process.
-void catch_interrupts();
-
-/// Shows progress on a terminal, and throws foundation::Interrupted once an interrupt was caught.
+/// Shows progress on a terminal.
 [[nodiscard]] foundation::Progress progress();
 
 }  // namespace trivet::cli

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <exception>
 #include <filesystem>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "trivet/foundation/interruption.h"
+#include "cli/signals.h"
 #include "trivet/study/embedded_text.h"
 #include "trivet/study/version.h"
 
@@ -60,7 +60,7 @@ int dispatch(const CLI::App& app, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // a closed pipe or a full quota is an error of writing, with a message
+  trivet::cli::end_cleanly_on_signals();
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", std::string("trivet ") + trivet::study::version());
@@ -107,10 +107,10 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? trivet::cli::done : trivet::cli::wrong_input;
   }
   try {
-    return dispatch(app, options);
-  } catch (const trivet::foundation::Interrupted&) {
-    trivet::cli::write_error("\ninterrupted; nothing was left behind\n");
-    return 130;
+    return trivet::cli::exit_code(dispatch(app, options));
+  } catch (const std::system_error& error) {  // of files too: what() would speak of the library
+    trivet::cli::write_error(fmt::format("error: {}\n", error.code().message()));
+    return trivet::cli::not_computed;
   } catch (const std::exception& error) {
     trivet::cli::write_error(fmt::format("error: {}\n", error.what()));
     return trivet::cli::not_computed;

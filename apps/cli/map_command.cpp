@@ -53,7 +53,6 @@ int map_command(const Options& options) {
       throw BadArgument("map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, no_peak = \"coordinates\"} to [analyses]");
     const study::MapOptions wanted = sizes(options.points);
     const std::unique_ptr<study::PictureFile> picture = new_picture(options);
-    catch_interrupts();
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
     foundation::Problems warnings = model_warnings(variant);
     warnings.add(map.warnings);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/signals.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include "trivet/foundation/leftovers.h"
+
+namespace trivet::cli {
+namespace {
+
+void wait_and_end(sigset_t signals) {
+  int number = 0;
+  if (sigwait(&signals, &number) != 0) return;
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the program by its default
+  foundation::remove_leftovers();
+  constexpr std::string_view words = "\ninterrupted; nothing was left behind\n";
+  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  _exit(128 + number);
+}
+
+bool is_ignored(int number) {
+  struct sigaction now;
+  return sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+void end_cleanly_on_signals() {
+  for (const int number : {SIGPIPE, SIGXFSZ})
+    signal(number, SIG_IGN);  // a reader that left and a full quota are found when writing
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    if (number == SIGHUP && is_ignored(number)) continue;
+    signal(number, SIG_DFL);
+    sigaddset(&signals, number);
+  }
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in every thread that is started from now on
+  try {
+    std::thread(wait_and_end, signals).detach();
+  } catch (const std::system_error&) {  // no thread is to be had: then a signal ends the program by its default, and
+                                        // the next run cleans up
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  }
+}
+
+}  // namespace trivet::cli
