@@ -25,6 +25,7 @@ foundation::Expected<std::string> file_bytes(const std::filesystem::path& path) 
   if (!std::filesystem::exists(status))
     return refused(path, "no such file", "check the path; it counts from the folder of the project file");
   if (std::filesystem::is_directory(status)) return refused(path, "this is a directory", "name the file inside it");
+  if (!std::filesystem::is_regular_file(status)) return refused(path, "this is a pipe or a device", "write it to a file first and name that");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refused(path, std::strerror(errno), "check its permissions");

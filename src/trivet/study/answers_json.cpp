@@ -181,10 +181,10 @@ Json statics(const Answers& answers) {
 
 }  // namespace json
 
-std::string modes_json(const Case& variant, const Answers& answers) { return json::modes(variant, answers).dump(1) + "\n"; }
-std::string roots_json(const Case& variant, const Answers& answers) { return json::roots(variant, answers).dump(1) + "\n"; }
-std::string response_json(const Answers& answers) { return json::response(answers).dump(1) + "\n"; }
-std::string peaks_json(const Answers& answers) { return json::peaks(answers).dump(1) + "\n"; }
-std::string static_json(const Answers& answers) { return json::statics(answers).dump(1) + "\n"; }
+std::string modes_json(const Case& variant, const Answers& answers) { return json::text(json::modes(variant, answers), 1) + "\n"; }
+std::string roots_json(const Case& variant, const Answers& answers) { return json::text(json::roots(variant, answers), 1) + "\n"; }
+std::string response_json(const Answers& answers) { return json::text(json::response(answers), 1) + "\n"; }
+std::string peaks_json(const Answers& answers) { return json::text(json::peaks(answers), 1) + "\n"; }
+std::string static_json(const Answers& answers) { return json::text(json::statics(answers), 1) + "\n"; }
 
 }  // namespace trivet::study

@@ -83,7 +83,7 @@ std::string element_json(const Case& variant, std::size_t index, const ElementSu
                     {"preload", law.preload ? json::list(*law.preload) : Json(nullptr)}, {"rigid_motion_residual", json::rows(summary.verdict.residual)},
                     {"character", character_json(summary.character)}, {"modes", modes_json(summary)}, {"uncertainty", uncertainty_json(element)},
                     {"residuals", residuals_json(element)}, {"simplification", simple ? simplification_json(*simple) : Json(nullptr)}, {"warnings", json::warnings(summary.warnings)}};
-  return result.dump(1) + "\n";
+  return json::text(result, 1) + "\n";
 }
 
 }  // namespace trivet::study

@@ -77,7 +77,7 @@ std::string explain_json(const Case& variant, const Explanation& explanation) {
                                {"sensitivities", sensitivities_json(explanation, peak)},
                                {"trial", trial_json(peak.trial)},
                                {"notes", peak.notes}});
-  return result.dump(1) + "\n";
+  return json::text(result, 1) + "\n";
 }
 
 std::string explain_csv(const Explanation& explanation) {

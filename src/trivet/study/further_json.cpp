@@ -181,9 +181,9 @@ void add_further(const Answers& answers, Json& result) {
 
 }  // namespace json
 
-std::string random_json(const Answers& answers) { return json::random(answers).dump(1) + "\n"; }
-std::string transient_json(const Answers& answers) { return json::transient(answers).dump(1) + "\n"; }
-std::string orders_json(const Answers& answers) { return json::orders(answers).dump(1) + "\n"; }
-std::string transmissibility_json(const Answers& answers) { return json::transmissibility(answers).dump(1) + "\n"; }
+std::string random_json(const Answers& answers) { return json::text(json::random(answers), 1) + "\n"; }
+std::string transient_json(const Answers& answers) { return json::text(json::transient(answers), 1) + "\n"; }
+std::string orders_json(const Answers& answers) { return json::text(json::orders(answers), 1) + "\n"; }
+std::string transmissibility_json(const Answers& answers) { return json::text(json::transmissibility(answers), 1) + "\n"; }
 
 }  // namespace trivet::study

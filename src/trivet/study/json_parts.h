@@ -12,6 +12,9 @@ namespace trivet::study::json {
 
 using Json = nlohmann::ordered_json;
 
+/// As text. File names need not be UTF-8, JSON must be: what is not becomes U+FFFD.
+inline std::string text(const Json& json, int indent = -1) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+
 /// A number, or null where it is not finite.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 

@@ -157,7 +157,7 @@ Json json::map_marks(const DesignMap& map) {
 void write_map_json(const DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
   Json result = without_grid(map);
   result["warnings"] = json::warnings(warnings);
-  std::string head = result.dump();
+  std::string head = json::text(result);
   head.pop_back();
   Pieces pieces(sink);
   pieces.text() += head + ",\"grid\":";

@@ -170,7 +170,7 @@ std::string all_results(const Project& project, const std::vector<Answers>& answ
               {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
               {"title", project.title}, {"cases", Json::array()}};
   for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
-  return result.dump() + "\n";
+  return json::text(result) + "\n";
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ std::string problems_json(const foundation::Problems& problems, const std::vecto
   for (const auto& p : problems.list())
     list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"}, {"file", p.origin.source}, {"line", p.origin.line},
                     {"subject", p.subject}, {"finding", p.finding}, {"rule", p.rule}, {"remedy", p.remedy}, {"message", foundation::message(p)}});
-  return Json{{"ok", !problems.has_errors()}, {"problems", std::move(list)}, {"free_motions", free_motions}, {"warnings", json::warnings(problems)}}.dump(1) + "\n";
+  return json::text({{"ok", !problems.has_errors()}, {"problems", std::move(list)}, {"free_motions", free_motions}, {"warnings", json::warnings(problems)}}, 1) + "\n";
 }
 
 }  // namespace trivet::study

@@ -24,6 +24,7 @@ foundation::Expected<std::string> read_source(const std::filesystem::path& path,
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return refused(path, kind, error ? error.message() : "no such file", "check the path");
   if (std::filesystem::is_directory(status)) return refused(path, kind, "this is a directory", "name the .toml file inside it");
+  if (!std::filesystem::is_regular_file(status)) return refused(path, kind, "this is a pipe or a device", "write it to a file first and name that");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refused(path, kind, std::strerror(errno), "check its permissions");

@@ -82,7 +82,7 @@ std::string suspension_json(const Case& variant, const SuspensionAnswer& answer)
                                               {"angular_frequency", row.angular_frequency},
                                               {"ratio_to_next", json::optional(row.ratio_to_next)},
                                               {"excitation_ratio", row.excitation_ratio}});
-  return result.dump(1) + "\n";
+  return json::text(result, 1) + "\n";
 }
 
 std::string suspension_csv(const Case& variant, const SuspensionAnswer& answer) {
