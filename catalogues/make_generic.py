@@ -20,7 +20,7 @@ def mount(diameter, height, shore_a):
     e = young_modulus(shore_a)
     g, area, inertia, shape = e / 3, math.pi * r * r, math.pi * r**4 / 4, r / (2 * h)
     compression = 1 / (1 / (e * (1 + 2 * shape**2)) + 1 / BULK_MODULUS) * area / h
-    shear = g * area / h / (1 + h * h / (36 * r * r))
+    shear = g * area / h / (1 + h * h * area / (36 * inertia))  # the layer bends too
     tilt = e * (1 + 2 * shape**2 / 3) * inertia / h
     torsion = g * 2 * inertia / h
     mass = area * (RUBBER * h + STEEL * 2 * PLATE)

@@ -8,6 +8,7 @@
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
+#include "trivet/elements/rubber_layer.h"
 
 namespace trivet::test {
 namespace {
@@ -96,12 +97,28 @@ TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
   constexpr double printed = 6e-3;  // three digits
   const double r = 0.025, h = 0.025, e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55)), area = std::numbers::pi * r * r;
   EXPECT_THAT(mount->translation.z(), RelativelyNear(1 / (1 / (e * 1.5) + 1 / 2e9) * area / h, printed));
-  EXPECT_THAT(mount->translation.x(), RelativelyNear(e / 3 * area / h / (1 + 1.0 / 36), printed));
+  EXPECT_THAT(mount->translation.x(), RelativelyNear(e / 3 * area / h / (1 + 1.0 / 9), printed));
   EXPECT_THAT(mount->rotation.z(), RelativelyNear(e / 3 * std::numbers::pi * std::pow(r, 4) / 2 / h, printed));
   for (const study::Mount& one : catalogue.mounts) {
     EXPECT_EQ(one.maker, "generic");
     EXPECT_THAT(one.source, HasSubstr("no maker's data"));
     EXPECT_THAT(one.static_load->y() / one.translation.z(), RelativelyNear(*one.static_deflection_limit, printed));
+  }
+}
+
+TEST(GenericCatalogue, LiesAsNearToFiniteElementsAsItSays) {
+  // The measured formulas of a disc are within 0.8 % of finite elements; docs/elements/catalogue.md states 5 % and 12 %.
+  constexpr double stated = 0.05, stated_tilt = 0.12;
+  const double e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55));
+  for (const auto& [diameter, height] : {std::pair{20, 10}, {50, 25}, {50, 20}, {75, 25}, {100, 40}}) {
+    const study::Mount* mount = study::generic_catalogue().find("disc " + std::to_string(diameter) + "x" + std::to_string(height) + " 55 ShA");
+    ASSERT_NE(mount, nullptr);
+    const double h = 1e-3 * height;
+    const elements::Matrix12 disc = elements::rubber_disc({.rubber = {e / 3, 2e9}, .radius = 0.5e-3 * diameter, .thickness = h, .formulas = elements::LayerFormulas::measured});
+    EXPECT_THAT(mount->translation.z(), RelativelyNear(disc(8, 8), stated)) << diameter;
+    EXPECT_THAT(mount->translation.x(), RelativelyNear(disc(6, 6), stated)) << diameter;
+    EXPECT_THAT(mount->rotation.x(), RelativelyNear(disc(10, 10) - disc(6, 6) * h * h / 4, stated_tilt)) << diameter;
+    EXPECT_THAT(mount->rotation.z(), RelativelyNear(disc(11, 11), stated)) << diameter;
   }
 }
 
