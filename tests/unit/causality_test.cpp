@@ -118,7 +118,7 @@ struct FluidColumn {
   int rows;
 };
 /// Rows fine enough for the width of the resonance.
-const FluidColumn fluid_columns[] = {{12, 0.05, 100}, {12, 0.1, 50}, {12, 0.3, 25}, {12, 0.6, 20}, {7, 0.15, 60}, {25, 0.1, 1000}};
+const FluidColumn fluid_columns[] = {{12, 0.05, 100}, {12, 0.1, 50}, {12, 0.3, 25}, {12, 0.6, 20}, {7, 0.15, 60}, {25, 0.1, 1000}, {11, 0.05, 5000}};
 
 TEST(Causality, AHydraulicMountPassesWithItsResonance) {
   for (const auto& [hertz, damping, rows] : fluid_columns) {

@@ -33,14 +33,13 @@ Eigen::VectorXd relaxation_times(const std::vector<double>& frequency) {
 
 /// The rows that are fitted.
 struct Rows {
-  std::vector<double> frequencies;  ///< of all rows [rad/s]
-  std::vector<double> fitted;
-  Eigen::VectorXcd stiffness;       ///< of the fitted
+  std::vector<double> fitted;  ///< their angular frequencies [rad/s]
+  Eigen::VectorXcd stiffness;
 };
 
 Rows rows_of(const DynamicStiffnessTable& table) {
-  Rows rows{{table.angular_frequency.begin(), table.angular_frequency.end()}, {}, {}};
-  const std::vector<Eigen::Index> chosen = rows_that_follow(rows.frequencies, table.stiffness);
+  Rows rows;
+  const std::vector<Eigen::Index> chosen = rows_that_follow({table.angular_frequency.begin(), table.angular_frequency.end()}, table.stiffness);
   for (const Eigen::Index i : chosen) rows.fitted.push_back(table.angular_frequency(i));
   rows.stiffness = table.stiffness(chosen);
   return rows;
@@ -209,13 +208,13 @@ foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& tabl
   check.passes = check.relative_rms <= options.tolerance;
   if (!check.passes) {
     const double enough = of_the_tolerance * options.tolerance;
-    check.nearest = nearest_passive(rows, sections_shown(rows.frequencies, rows.fitted, shown), enough);
+    check.nearest = nearest_passive(rows, sections_shown(rows.fitted, shown), enough);
     compare(table, check);
     check.passes = check.relative_rms <= options.tolerance;
     check.kind = check.passes ? Causality::resonant : Causality::impossible;
     if (!check.passes) {
       CausalityCheck finer = check;
-      finer.nearest = nearest_passive(rows, sections_shown(rows.frequencies, rows.fitted, hidden), enough);
+      finer.nearest = nearest_passive(rows, sections_shown(rows.fitted, hidden), enough);
       compare(table, finer);
       if (finer.relative_rms <= options.tolerance && has_steep_rows(table)) check.kind = Causality::too_coarse;
     }

@@ -45,10 +45,10 @@ MobilityVerdict mobility_causality(const std::vector<double>& omega, const Eigen
   for (const Eigen::Index i : chosen) fitted.push_back(present[static_cast<std::size_t>(i)]);
   const Eigen::VectorXcd judged = values(chosen);
   MobilityVerdict verdict;
-  verdict.relative_rms = distance(fitted, judged, sections_shown(present, fitted, shown));
+  verdict.relative_rms = distance(fitted, judged, sections_shown(fitted, shown));
   verdict.passes = verdict.relative_rms <= explained_by_noise;
   if (verdict.passes) return verdict;
-  const double finer = distance(fitted, judged, sections_shown(present, fitted, hidden));
+  const double finer = distance(fitted, judged, sections_shown(fitted, hidden));
   verdict.too_coarse = finer <= explained_by_noise;
   verdict.refused = std::min(verdict.relative_rms, finer) > wrong_phase;
   return verdict;

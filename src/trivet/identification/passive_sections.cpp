@@ -35,7 +35,7 @@ Complex elastic_section(const Section& section, Complex s) {
   return (s + twice) / (s * s + twice * s + w * w);
 }
 
-std::vector<Section> sections_shown(const std::vector<double>& frequencies, const std::vector<double>& fitted, double share) {
+std::vector<Section> sections_shown(const std::vector<double>& frequencies, double share) {
   std::vector<Section> sections;
   const double from = frequencies.front() / margin, ratio = margin * frequencies.back() / from;
   const int count = static_cast<int>(std::ceil(per_decade * std::log10(ratio)));
@@ -45,9 +45,9 @@ std::vector<Section> sections_shown(const std::vector<double>& frequencies, cons
       if (damping >= least) sections.push_back({omega, damping});
   }
   const int per_interval = share < 0.25 ? 4 : 2;  // narrow ones stand closer
-  for (std::size_t r = 0; r + 1 < fitted.size(); ++r)
+  for (std::size_t r = 0; r + 1 < frequencies.size(); ++r)
     for (int i = 0; i < per_interval; ++i) {
-      const double omega = fitted[r] * std::pow(fitted[r + 1] / fitted[r], static_cast<double>(i) / per_interval);
+      const double omega = frequencies[r] * std::pow(frequencies[r + 1] / frequencies[r], static_cast<double>(i) / per_interval);
       for (const double wider : {1.0, 2.0, 4.0})
         if (const double damping = wider * least_half_width(frequencies, omega, share) / omega; damping < 1) sections.push_back({omega, damping});
     }

@@ -20,11 +20,9 @@ struct Section {
 /// (s + 2ζω)/(s² + 2ζωs + ω²)
 [[nodiscard]] std::complex<double> elastic_section(const Section& section, std::complex<double> s);
 
-/// Sections that rows at these frequencies can show: half their width ζω is at least `share` of the distance between the rows
-/// around ω. Narrower ones would explain anything between two rows. Up to a factor of 30 beyond the band.
-/// @param frequencies  of all rows [rad/s] > 0, increasing, at least two
-/// @param fitted       those of the rows that are fitted
-[[nodiscard]] std::vector<Section> sections_shown(const std::vector<double>& frequencies, const std::vector<double>& fitted, double share);
+/// Sections that rows at these frequencies [rad/s] > 0 (increasing, at least two) can show: half their width ζω is at least `share` of the
+/// distance between the rows around ω. Narrower ones would explain anything between two rows. Up to a factor of 30 beyond the band.
+[[nodiscard]] std::vector<Section> sections_shown(const std::vector<double>& frequencies, double share);
 
 /// At most 120 rows that follow a curve: equally spaced over its relative changes and the logarithm of frequency together.
 [[nodiscard]] std::vector<Eigen::Index> rows_that_follow(const std::vector<double>& frequencies, const Eigen::VectorXcd& values);
