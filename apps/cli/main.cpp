@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <filesystem>
-#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -108,8 +107,8 @@ int main(int argc, char** argv) {
   }
   try {
     return trivet::cli::exit_code(dispatch(app, options));
-  } catch (const std::system_error& error) {  // of files too: what() would speak of the library
-    trivet::cli::write_error(fmt::format("error: {}\n", error.code().message()));
+  } catch (const std::filesystem::filesystem_error& error) {  // what() would speak of the library
+    trivet::cli::write_error(fmt::format("error: {}: {}\n", error.path1().string(), error.code().message()));
     return trivet::cli::not_computed;
   } catch (const std::exception& error) {
     trivet::cli::write_error(fmt::format("error: {}\n", error.what()));

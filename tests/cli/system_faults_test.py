@@ -195,8 +195,8 @@ class Gmsh(Faults):
     def test_that_fails(self):
         self.rejected("gmsh failed (exit code 3): no licence", "#!/bin/sh\necho no licence\nexit 3\n")
         self.rejected("gmsh failed (signal 11)", "#!/bin/sh\nkill -SEGV $$\n")
-        self.rejected("cannot start", "nonsense\n")
-        self.rejected("cannot start", "#!/no/such/program\n")
+        self.rejected("gmsh cannot be started: Exec format error", "nonsense\n")
+        self.rejected("gmsh cannot be started: No such file or directory", "#!/no/such/program\n")
 
     def test_that_writes_nothing_or_nonsense(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nexit 0\n")

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "trivet/foundation/child_process.h"
 
@@ -111,7 +112,13 @@ foundation::Expected<void> run_gmsh(const GmshJob& job, const foundation::Progre
       .environment = {"HOME=" + job.folder.string(), "GMSH_HOME=" + job.folder.string(), "LC_ALL=C"},
       .time_limit = *limit,
       .task = job.task};
-  const foundation::CommandOutcome outcome = run(command, progress);
+  foundation::CommandOutcome outcome;
+  try {
+    outcome = run(command, progress);
+  } catch (const std::system_error& error) {
+    return refused(fmt::format("{}: gmsh cannot be started: {}", job.step_file.string(), error.code().message()),
+                   "STEP files are read by the program gmsh", fmt::format("check {}", program->string()));
+  }
   if (outcome.end == foundation::CommandOutcome::End::time_limit)
     return refused(
         fmt::format("{}: gmsh had not finished after {:.4g} s and was ended", job.step_file.string(), *limit),
