@@ -59,6 +59,7 @@ int dispatch(const CLI::App& app, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  trivet::cli::occupy_closed_streams();
   trivet::cli::end_cleanly_on_signals();
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");

@@ -17,7 +17,7 @@ import uuid
 
 TRIVET = os.path.abspath(os.environ["TRIVET"])
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"]).resolve()
-SIGNALS_IN_TESTS = 24
+SIGNALS_IN_TESTS = 21
 SEED = 20260501
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL, signal.SIGKILL)
 CASES = "".join(f"[cases.c{i}]\nelements.suspension.scale = {i + 2}\n" for i in range(6))

@@ -239,7 +239,9 @@ class Faults(InTemporaryFolder):
     def test_a_reader_that_leaves_is_no_error(self):
         mount = SOURCE / "examples/rubber_mounts/compressor.toml"
         element = next(iter(tomllib.loads(mount.read_text())["elements"]))
-        commands = [[which, PAPER, *form] for which in ("modes", "roots", "peaks", "static") for form in ((), ("--json",), ("--csv",))]
+        commands = [[which, PAPER, *form] for which in ("modes", "roots", "peaks") for form in ((), ("--json",), ("--csv",))]
+        commands += [[which, SOURCE / "examples" / example, *form] for form in ((), ("--json",), ("--csv",))
+                     for which, example in (("static", "skew_mounts/machine.toml"), ("orders", "genset/genset.toml"), ("random", "optical_table/table.toml"))]
         commands += [["response", PAPER, "--csv"], ["check", PAPER], ["check", PAPER, "--json"], ["element", mount, element], ["explain", PAPER], ["suspension", PAPER],
                      ["map", SOURCE / "examples/paper/map.toml", "--points", "5", "--json"], ["schema"], ["new"], ["run", PAPER, "-o", self.folder / "out"]]
         for command in commands:
@@ -248,8 +250,18 @@ class Faults(InTemporaryFolder):
                 os.close(reader)
                 done = subprocess.run([TRIVET, *map(str, command)], stdout=writer, stderr=subprocess.PIPE, text=True)
                 os.close(writer)
-                self.assertEqual((done.returncode, done.stderr), (141, ""))
+                self.assertEqual(done.returncode, 141, done.stderr)
+                self.assertNotIn("error", done.stderr)
+                self.assertNotIn("pipe", done.stderr)
         self.assertTrue((self.folder / "out" / "report.html").exists())
+
+    def test_closed_streams_get_no_file_of_ours(self):
+        for closed, code, words in ((">&-", 1, "Bad file descriptor"), ("<&- >&- 2>&-", 1, ""), ("2>&-", 0, ""), ("<&-", 0, ""), ("<&- 2>&-", 0, "")):
+            with self.subTest(closed=closed):
+                done = subprocess.run(["sh", "-c", f'exec "{os.path.abspath(TRIVET)}" run "{PAPER}" -o "{self.folder}/out" {closed}'], capture_output=True, text=True)
+                self.assertEqual(done.returncode, code, done.stderr)
+                self.assertIn(words, done.stderr)
+        self.assertEqual(os.listdir(self.folder), ["out"])
 
     def test_the_picture_is_drawn_without_a_reader(self):
         picture = self.folder / "map.svg"
