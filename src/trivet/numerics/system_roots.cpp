@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/system_roots.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/massless.h"
 
@@ -39,6 +42,35 @@ double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
   return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
 }
 
+/// Sets to zero what is only round-off: entries of φᵀ M φ below what cancels in them. In the columns of free motions,
+/// which any rotation among them mixes, that is the most of all of them.
+Eigen::MatrixXd without_round_off(const Eigen::MatrixXd& phi, const Eigen::MatrixXd& m,
+                                  const std::vector<Eigen::Index>& free) {
+  Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.cwiseAbs() * phi.cwiseAbs();
+  if (!free.empty()) {
+    const Eigen::RowVectorXd most_of_rows = available(free, Eigen::all).colwise().maxCoeff();
+    for (const Eigen::Index i : free) available.row(i) = most_of_rows;
+    const Eigen::VectorXd most_of_columns = available(Eigen::all, free).rowwise().maxCoeff();
+    for (const Eigen::Index i : free) available.col(i) = available.col(i).cwiseMax(most_of_columns);
+  }
+  const Eigen::MatrixXd projected = phi.transpose() * m * phi;
+  return (projected.array().abs() <= 64 * static_cast<double>(m.rows()) * epsilon * available.array())
+      .select(0.0, projected);
+}
+
+/// Free motions may be combined as one likes. Dampers that resist some combinations leave others alone: those become
+/// motions of the basis, so that what vanishes for them does so in single entries of the projected damping. Otherwise
+/// its eigenvalues of round-off would be roots of 1e-18 1/s in place of 0.
+void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>& free, Eigen::MatrixXd& phi) {
+  if (free.size() < 2) return;
+  const Eigen::MatrixXd motions = phi(Eigen::all, free);
+  const Eigen::MatrixXd damping = without_round_off(phi, m.B, free)(free, free);
+  if (damping.isDiagonal(0)) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (damping + damping.transpose()));
+  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the symmetric eigensolver did not converge");
+  phi(Eigen::all, free) = (motions * solver.eigenvectors()).eval();
+}
+
 }  // namespace
 
 SystemRoots system_roots(const DynamicMatrices& m) {
@@ -55,12 +87,15 @@ SystemRoots system_roots(const DynamicMatrices& m) {
   QuadraticRoots result;
   const bool basis_is_orthonormal = !massless && modes.route == ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
   if (basis_is_orthonormal) {
-    const Eigen::MatrixXd& phi = modes.shapes;
-    const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd();
-    Eigen::MatrixXd damping = phi.transpose() * m.B * phi;
-    // A rigid motion that no damper resists: its projected damping is a difference that should vanish exactly.
-    const Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.B.cwiseAbs() * phi.cwiseAbs();
-    damping = (damping.array().abs() <= 64 * double(m.size()) * epsilon * available.array()).select(0.0, damping);
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < modes.lambda.size(); ++i)
+      if (modes.lambda(i) == 0) free.push_back(i);
+    Eigen::MatrixXd phi = modes.shapes;
+    part_free_motions(m, free, phi);
+    // A free motion that no damper resists: its projected damping is a difference that should vanish exactly.
+    const Eigen::MatrixXd damping = without_round_off(phi, m.B, free);
+    Eigen::MatrixXd loss;
+    if (m.lossy()) loss = without_round_off(phi, m.K_loss, free);
     result = roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
     result.vectors = (phi * result.vectors).eval();
   } else {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/projects.h"
+
+namespace {
+
+using namespace trivet;
+
+/// One point of three springs leaves three rotations free; a damper resists one combination of them, modal damping
+/// none.
+constexpr const char* damped_pendulum_without_weight = R"(trivet = 1
+[bodies.machine]
+mass = 120
+center_of_mass = [0.02, -0.01, 0.03]
+inertia = {about = "center_of_mass", xx = 3.1, yy = 4.7, zz = 5.3}
+[elements.springs]
+type = "three_springs"
+on = "machine"
+at = [0, 0, -0.3]
+translation = [2.1e5, 3.3e5, 5.7e5]
+[elements.damper]
+type = "damper"
+on = "machine"
+at = [0.11, 0, -0.3]
+axis = "y"
+coefficient = 230
+[damping]
+modal = 0.02
+[excitations.push]
+type = "harmonic"
+on = "machine"
+at = [0.05, 0, 0.1]
+force = [10, 5, 100]
+[analyses]
+peaks = {}
+)";
+
+TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
+  const study::Project project = test::project(damped_pendulum_without_weight);
+  study::Analyses asked;
+  asked.roots = true;
+  const study::Answers answers = study::answers(project.base(), asked);
+  int at_rest = 0;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const modal::Root& root : answers.roots.list)
+    if (const double size = std::abs(root.eigenvalue); size == 0)
+      ++at_rest;
+    else
+      slowest = std::min(slowest, size);
+  EXPECT_EQ(at_rest, 5);     // two of each free motion, one of that with the damper
+  EXPECT_GT(slowest, 1e-3);  // the damper's own: c/m of a kilogram scale, far above round-off
+}
+
+TEST(FreeMotions, BesideADamperAndModalDampingTheirPeaksAreFound) {
+  const study::Project project = test::project(damped_pendulum_without_weight);
+  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  ASSERT_TRUE(answers.peaks.has_value());
+  EXPECT_GE(answers.peaks->peaks.list.size(), 3u);
+  for (const response::Peak& peak : answers.peaks->peaks.list)
+    EXPECT_TRUE(std::isfinite(peak.amplitude) && std::isfinite(peak.angular_frequency));
+}
+
+}  // namespace
