@@ -93,8 +93,12 @@ Signal sweep_signal(const Sweep& sweep, double tolerance) {
     double g = left / 2;
     for (int i = 0; i < 2; ++i) g = evenly(std::min(left / 2, radians_per_piece / fastest(i == 0 && fastest(0) > 0 ? 0 : g)));
     auto pair = two_parabolas(sweep, s, g);
+    const double shortest = 1e-9 * sweep.duration;  // no sweep within most_parabolas needs shorter ones
     while (error_of(sweep, pair, s, g) > 0.9 * tolerance * std::max(local_amplitude(sweep, s), local_amplitude(sweep, s + 2 * g)))
-      pair = two_parabolas(sweep, s, g = evenly(0.7 * g));
+      if (pair = two_parabolas(sweep, s, g = evenly(0.7 * g)); !(g > shortest))
+        throw foundation::NotComputable(fmt::format(
+            "a sweep is not followed by parabolas at {:.4g} s of its duration: look at its frequencies and amplitude",
+            s));
     signal.pieces.push_back(pair.first);
     signal.pieces.push_back(pair.second);
     s = 2 * g < left ? s + 2 * g : sweep.duration;

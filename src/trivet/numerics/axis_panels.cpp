@@ -15,6 +15,9 @@ namespace trivet::numerics {
 namespace {
 
 constexpr double most_turns = 20'000;  // of a delayed load's phase
+/// A pole needs some 20 panels per decade of its damping ratio, a delay 16,000 at its most turns: more come of poles
+/// that are wrong.
+constexpr std::size_t most_panels = 200'000;
 constexpr double lowest_of_free_motion = 1e-6;  // [rad/s]; a turn in two months
 
 /// Where the cover of a system that is free to move begins. What its other motions do at rest is missed by (ω/smallest)², and the free one, ω²A beside the
@@ -54,6 +57,10 @@ double panel_radius(const Eigen::VectorXcd& poles, double from) {
 PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& load) {
   PanelCover cover;
   const Eigen::VectorXcd poles = with_load(of_system, load);
+  if (!poles.allFinite())
+    throw foundation::NotComputable(
+        "peaks: a root of the system is beyond the range of computation: look at the sizes of masses, stiffnesses and "
+        "dampings");
   const Eigen::VectorXd size = poles.cwiseAbs();
   const double largest = size.size() > 0 ? size.maxCoeff() : 0;
   double smallest = largest;
@@ -82,6 +89,11 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
       ++pole;
     }
     const double radius = std::max(std::min(panel_radius(poles, from), most), 64 * std::numeric_limits<double>::epsilon() * from);
+    if (!(from + 2 * radius > from) || cover.panels.size() >= most_panels)
+      throw foundation::NotComputable(
+          fmt::format("peaks: the axis from {:.4g} to {:.4g} rad/s cannot be covered with {} panels free of poles: the "
+                      "roots of the system lie too far apart",
+                      from, end, most_panels));
     cover.panels.push_back({from + radius, radius, false});
     from += 2 * radius;
   }

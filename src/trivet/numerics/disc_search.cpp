@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/disc_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/axis_panels.h"
 #include "trivet/numerics/curve_series.h"
 #include "trivet/numerics/frequency_sweep.h"
@@ -28,16 +31,27 @@ Eigen::VectorXd sizes_on(const Panel& panel, const SeriesAtInfinity& q, const Ei
   return there.cwiseAbs().cwiseQuotient(scale).maxCoeff() * scale;
 }
 
-void search_panel(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates, const Eigen::VectorXd& sizes,
-                  const Eigen::VectorXd& given, const Band& band, SearchedCurve& result) {
+/// False if the series of the curve is beyond the range of computation.
+bool search_panel(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates,
+                  const Eigen::VectorXd& sizes, const Eigen::VectorXd& given, const Band& band, SearchedCurve& result) {
   const CurveSeries series = curve_series(curve, panel, coordinates);
+  if (!std::isfinite(size_of(series))) return false;
   if (panel.at_infinity) result.at_end = limit_at_infinity(series, panel);
   else if (const double tau = (band.from - panel.centre) / panel.radius; std::abs(tau) <= 1 + round_off) result.at_start = amplitude(series, panel, tau);
   const double size = size_of(series) * (panel.at_infinity ? std::pow(panel.radius, series.power) : 1);
   const double possible = possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
-  if (!(size > vanishing_share * possible)) return;  // its ups and downs are round-off
+  if (!(size > vanishing_share * possible)) return true;  // its ups and downs are round-off
   result.largest_share = std::max(result.largest_share, size / possible);
   add_extrema(series, panel, band.from, band.to, result.extrema);
+  return true;
+}
+
+/// The gap around an undamped pole reaches as far as its own digits.
+bool stands_on_a_pole(const Panel& panel, const std::vector<double>& poles) {
+  constexpr double own_digits = 64 * gap_at_pole;
+  return std::any_of(poles.begin(), poles.end(), [&](double pole) {
+    return std::abs(where_sized(panel) - pole) <= panel.radius + own_digits * pole;
+  });
 }
 
 /// |y|, curves × frequencies, from direct solutions.
@@ -91,17 +105,33 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
     curve.complete = result.from < result.to;  // else the band ends where a free motion rules
   }
   double done = 0;
+  const double all =
+      static_cast<double>(cover.panels.size()) * static_cast<double>(std::max<std::size_t>(curves.size(), 1));
   for (const Panel& panel : cover.panels) {
-    foundation::report_progress(options.progress, "peaks", done++ / static_cast<double>(cover.panels.size()));
+    foundation::report_progress(options.progress, "peaks", done / all);
+    done += static_cast<double>(curves.size());
     if (panel.at_infinity ? band.to < 1 / panel.radius : panel.centre + panel.radius < band.from || panel.centre - panel.radius > band.to) continue;
     const CoordinateSeries q = coordinate_series(system.matrices, system.load, system.given, panel);
-    if (!q.response.coefficients.allFinite()) {  // stands on an undamped pole to the last digit: the gap around it is treated as such
-      for (SearchedCurve& curve : result.curves) curve.complete = false;
+    const auto note_gap = [&](SearchedCurve& curve) {
+      curve.complete = false;
+      if (!stands_on_a_pole(panel, cover.poles_on_axis))
+        throw foundation::NotComputable(
+            fmt::format("peaks: near {:.4g} rad/s the response is beyond the range of computation, as beside a free "
+                        "motion that is held by round-off only: hold that direction, or look at "
+                        "the sizes of masses, stiffnesses and dampings",
+                        where_sized(panel)));
+    };
+    if (!q.response.coefficients
+             .allFinite()) {  // stands on an undamped pole to the last digit, or no solver has digits here
+      for (SearchedCurve& curve : result.curves) note_gap(curve);
       continue;
     }
     const Eigen::VectorXd sizes = sizes_on(panel, q.response, scale);
     const Eigen::VectorXd given = system.given.vanishes() ? Eigen::VectorXd() : system.given.possible(where_sized(panel));
-    for (std::size_t c = 0; c < curves.size(); ++c) search_panel(curves[c], panel, q, sizes, given, band, result.curves[c]);
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      foundation::report_progress(options.progress, "peaks", (done - static_cast<double>(curves.size() - c)) / all);
+      if (!search_panel(curves[c], panel, q, sizes, given, band, result.curves[c])) note_gap(result.curves[c]);
+    }
   }
   std::vector<double> inside;
   for (const double pole : cover.poles_on_axis)

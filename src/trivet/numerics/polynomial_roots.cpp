@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "trivet/foundation/invalid_input.h"
+
 namespace trivet::numerics {
 
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients) {
@@ -16,7 +18,9 @@ std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& co
   companion.diagonal(-1).setOnes();
   for (Eigen::Index i = 0; i < degree; ++i)
     companion(i, degree - 1) = -coefficients[static_cast<std::size_t>(i)] / last * std::pow(unit, static_cast<double>(i - degree));
-  const Eigen::VectorXcd roots = unit * Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues();
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion, false);
+  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the roots of a polynomial did not converge");
+  const Eigen::VectorXcd roots = unit * solver.eigenvalues();
   return {roots.begin(), roots.end()};
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/invalid_input.h"
+
 namespace trivet::numerics {
 namespace {
 
@@ -34,11 +36,18 @@ Local around(std::span<const double> c, double at, double reach) {
   return d;
 }
 
+/// Each of some 70 roots takes two intervals per halving, 45 at most, so that a search that ends needs a tenth of
+/// these.
+constexpr int most_intervals = 100'000;
+
 class Search {
  public:
   Search(std::span<const double> g, std::vector<SignChange>& found) : g_(g), found_(found) {}
 
   void between(double lower, double upper) {
+    if (++intervals_ > most_intervals)
+      throw foundation::NotComputable(
+          "the extrema of a curve were not found: its slope changes sign too often to be searched");
     const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
     const Local d = around(g_, middle, std::max(std::abs(lower), std::abs(upper)));
     // |g − g(middle)| and |g' − g'(middle)| on the interval, by Taylor's formula.
@@ -106,6 +115,7 @@ class Search {
   int sign_ = 0;
   bool unclear_ = false;
   double unclear_since_ = 0;
+  int intervals_ = 0;
 };
 
 }  // namespace
@@ -118,6 +128,9 @@ double polynomial_value(std::span<const double> c, double tau) {
 
 std::vector<SignChange> sign_changes(std::span<const double> coefficients, double lower, double upper) {
   std::vector<SignChange> found;
+  if (!std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return std::isfinite(c); }))
+    throw foundation::NotComputable(
+        "the extrema of a curve were not found: its series holds numbers beyond the range of computation");
   if (coefficients.size() > 1) Search(coefficients, found).between(lower, upper);
   return found;
 }

@@ -18,6 +18,8 @@ namespace {
 constexpr double ellipse = 2.8 + 1 / 2.8;
 /// Of e^{−iωτ} on a panel: half width times delay.
 constexpr double most_turn = 6;
+/// A lightly damped pole takes some 20 panels per decade of its damping ratio, a delay 500,000 at its most turns.
+constexpr std::size_t most_panels = 1'000'000;
 /// Of a delay between inputs over the whole band.
 constexpr double most_turns_in_all = 1e6;
 
@@ -57,6 +59,11 @@ std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, do
     const double at = ends.back();
     double h = poles.size() > 0 ? std::min(half_width(poles, at), most) : most;
     h = std::max(h, 64 * std::numeric_limits<double>::epsilon() * at);
+    if (!(at + 2 * h > at) || ends.size() > most_panels)
+      throw foundation::NotComputable(
+          fmt::format("random response: the band from {:.4g} to {:.4g} rad/s cannot be integrated in {} panels: the "
+                      "roots of the system lie too far apart, or one at {:.4g} rad/s",
+                      from, to, most_panels, at));
     // No sliver at the end: what is left is taken whole or in halves.
     ends.push_back(at + 2 * h >= to ? to : at + 4 * h >= to ? 0.5 * (at + to) : at + 2 * h);
   }

@@ -95,7 +95,7 @@ class Comparison {
 
 /// Adds the true maxima beside grid points that could hide one above 1 or above all others: the grid follows the curve to better than
 /// `hidden`.
-void add_summits(const Comparison& comparison, std::vector<Node>& nodes) {
+void add_summits(const Comparison& comparison, const foundation::Progress& progress, std::vector<Node>& nodes) {
   constexpr double hidden = 0.03;
   double highest = 0;
   for (const Node& node : nodes)
@@ -105,6 +105,7 @@ void add_summits(const Comparison& comparison, std::vector<Node>& nodes) {
     const bool rises = i == 0 || nodes[i].ratio >= nodes[i - 1].ratio,
         falls = i + 1 == nodes.size() || nodes[i].ratio >= nodes[i + 1].ratio;
     const double ratio = nodes[i].ratio;
+    foundation::report_progress(progress, "limit line", static_cast<double>(i) / static_cast<double>(nodes.size()));
     if (!rises || !falls || !std::isfinite(ratio)) continue;
     if (ratio < (1 - hidden) * highest && !(ratio > 1 - hidden && ratio <= 1)) continue;
     const Node summit = comparison.summit(nodes[i == 0 ? 0 : i - 1].omega, nodes[std::min(i + 1, nodes.size() - 1)].omega);
@@ -114,8 +115,10 @@ void add_summits(const Comparison& comparison, std::vector<Node>& nodes) {
   std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
 }
 
-void note_exceeded(const Comparison& comparison, const std::vector<Node>& nodes, std::vector<Band>& exceeded) {
+void note_exceeded(const Comparison& comparison, const foundation::Progress& progress, const std::vector<Node>& nodes,
+                   std::vector<Band>& exceeded) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    foundation::report_progress(progress, "limit line", static_cast<double>(i) / static_cast<double>(nodes.size()));
     const bool above = nodes[i].ratio > 1, before = i > 0 && nodes[i - 1].ratio > 1;
     if (above && !before) {
       const double from = i == 0 ? nodes[i].omega : comparison.crossing(nodes[i - 1], nodes[i]);
@@ -195,8 +198,8 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
       if (std::isinf(peak.amplitude) && peak.angular_frequency > part.from && peak.angular_frequency < part.to)
         nodes.push_back({peak.angular_frequency, infinity});
     std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
-    add_summits(comparison, nodes);
-    note_exceeded(comparison, nodes, result.exceeded);
+    add_summits(comparison, progress, nodes);
+    note_exceeded(comparison, progress, nodes, result.exceeded);
     all.insert(all.end(), nodes.begin(), nodes.end());
   }
   result.margin.resize(static_cast<Eigen::Index>(all.size()));

@@ -133,7 +133,11 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
     curve.rms = root_mean_square(curve);
     if (!std::isfinite(curve.rms)) throw foundation::NotComputable(fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
     const LinearRows here{rows.on_state.row(row), rows.on_input.cols() > 0 ? Eigen::MatrixXd(rows.on_input.row(row)) : Eigen::MatrixXd(1, 0)};
-    search_between_points(walk, space, here, grid, record.checkpoints(), curve);
+    const foundation::Progress of_answer = [&](std::string_view task, double fraction) {
+      foundation::report_progress(progress, task,
+                                  (static_cast<double>(k) + fraction) / static_cast<double>(channels.size()));
+    };
+    search_between_points(walk, space, here, grid, record.checkpoints(), of_answer, curve);
   }
   return result;
 }

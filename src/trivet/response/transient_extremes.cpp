@@ -109,16 +109,20 @@ Candidates candidates(const TimeCurve& curve, double margin) {
 
 }  // namespace
 
-void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid, const Checkpoints& checkpoints,
-                           TimeCurve& curve) {
+void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
+                           const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve) {
   // Of a sine with the phase θ between points that parabola has (1 + cos θ)/2 of the rise; a quarter more for what is not one sine.
   const double phase = std::min(grid.fastest * grid.step, 2.5);
   const Candidates found = candidates(curve, 2.5 / (1 + std::cos(phase)));
+  std::size_t done = 0;
+  const std::size_t all = found.largest.size() + found.smallest.size();
   for (const double sign : {1.0, -1.0}) {
     Extreme& best = sign > 0 ? curve.largest : curve.smallest;
     Search search(walk, space, row, sign);
     for (const Candidate& candidate : sign > 0 ? found.largest : found.smallest) {
       if (candidate.reach <= sign * best.value) break;
+      foundation::report_progress(progress, "largest and smallest values",
+                                  static_cast<double>(done++) / static_cast<double>(all));
       const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0), last = std::min(candidate.point + 1, grid.points - 1);
       WalkState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];
       for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i) walk.advance(state, grid.time(i + 1));

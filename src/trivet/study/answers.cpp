@@ -44,8 +44,10 @@ double lowest_defined(const assembly::Assembled& assembled) {
   return lowest;
 }
 
-std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const Loaded& asked, const response::FrequencyResponse& response,
-                                    const modal::Roots& roots, const response::Peaks& peaks, bool continuous) {
+std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const Loaded& asked,
+                                    const response::FrequencyResponse& response, const modal::Roots& roots,
+                                    const response::Peaks& peaks, bool continuous,
+                                    const foundation::Progress& progress) {
   std::vector<Eigen::VectorXd> result;
   if (!continuous) {
     for (const response::Curve& curve : response.curves) result.push_back(curve.value.unaryExpr([](const std::complex<double>& z) { return response::phase(z); }).real());
@@ -54,7 +56,8 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   // Whole turns are counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
-  const response::CurveModel model = response::curve_model(assembled, asked.channels, asked.load, roots.poles, peaks, {lowest_defined(assembled), top});
+  const response::CurveModel model = response::curve_model(assembled, asked.channels, asked.load, roots.poles, peaks,
+                                                           {lowest_defined(assembled), top}, {}, progress);
   std::vector<double> grid = response::drawing_grid(model, peaks);
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
   std::sort(grid.begin(), grid.end());
@@ -280,7 +283,7 @@ class CaseStudy {
     result.curves = result.model && assembled_.frequency_dependent() ? response::interpolated(*result.model, asked.channels, peaks, grid)
                                                                      : response::frequency_response(assembled_, asked.channels, asked.load, grid);
     result.continuous_phase = request.continuous_phase;
-    result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase);
+    result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase, progress_);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
     const std::vector<double> samples = request.at.empty()
                                             ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, deep_check_frequencies)

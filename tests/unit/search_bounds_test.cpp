@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches end: on numbers beyond the range of computation, and where nothing settles.
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/axis_panels.h"
+#include "trivet/numerics/sign_changes.h"
+#include "trivet/response/integration_panels.h"
+
+namespace {
+
+using namespace trivet;
+using foundation::NotComputable;
+
+TEST(SearchBounds, CoefficientsThatAreNotFiniteAreRefused) {
+  for (const double wrong : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(static_cast<void>(numerics::sign_changes(std::vector<double>{1, wrong, 1}, -1, 1)), NotComputable);
+}
+
+/// Their bounds by Taylor's formula overflow, so that no interval can ever be decided.
+TEST(SearchBounds, CoefficientsWhoseBoundsOverflowEndInARefusal) {
+  std::vector<double> c(40, 1e305);
+  for (std::size_t k = 0; k < c.size(); k += 2) c[k] = -1e305;
+  EXPECT_THROW(static_cast<void>(numerics::sign_changes(c, -1, 1)), NotComputable);
+}
+
+TEST(SearchBounds, PolesThatLeaveNoPanelAreRefused) {
+  Eigen::VectorXcd poles(2);
+  poles << 0, std::numeric_limits<double>::denorm_min();
+  EXPECT_THROW(static_cast<void>(numerics::cover_axis(poles)), NotComputable);
+  poles << -1, std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(numerics::cover_axis(poles)), NotComputable);
+}
+
+TEST(SearchBounds, ABandThatBeginsOnAPoleIsNotIntegrated) {
+  EXPECT_THROW(static_cast<void>(response::graded_panels(Eigen::VectorXcd::Zero(1), 0, 1, 0)), NotComputable);
+}
+
+}  // namespace
