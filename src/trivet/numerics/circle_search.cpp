@@ -30,9 +30,20 @@ double round_off(double condition) {
 }
 /// So many gaps without a panel between them are no undamped poles: the laws cannot be continued here.
 constexpr int most_gaps_in_a_row = 200;
+/// Panels tried, each of them 64 solutions: smooth laws take hundreds, a table some more for each of its rows.
+constexpr std::size_t most_trials = 20'000, more_per_seam = 16;
+
+/// Of each curve on a circle.
+struct Sizes {
+  Eigen::VectorXd level;      ///< its largest amplitude
+  Eigen::VectorXd possible;   ///< see CurveSample
+  Eigen::VectorXd round_off;  ///< below, its ups and downs are round-off of the solutions
+  Eigen::VectorXd doubt;      ///< the same where it is more than what the series is cut at
+};
 
 /// Taylor coefficients of every curve (rows) in τ, ω = centre + radius τ; empty if a pole is too near.
-Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, Eigen::VectorXd& level, Eigen::VectorXd& possible) {
+Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, Sizes& sizes) {
+  auto& [level, possible, noise, doubt] = sizes;
   std::vector<Eigen::VectorXcd> values;
   possible.resize(0);
   double condition = 0;
@@ -42,7 +53,9 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, E
     values.push_back(at.values);
     condition = std::max(condition, at.condition);
     possible = k == 0 ? at.possible : Eigen::VectorXd(possible.cwiseMax(at.possible));
+    noise = k == 0 ? at.alike : Eigen::VectorXd(noise.cwiseMax(at.alike));
   }
+  noise *= round_off(condition);
   const Eigen::Index curves = values[0].size();
   Eigen::MatrixXcd series = Eigen::MatrixXcd::Zero(curves, samples);
   level.setZero(curves);
@@ -50,8 +63,13 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, E
     for (int k = 0; k < samples; ++k) series.col(j) += values[static_cast<std::size_t>(k)] * std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
   for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
   // Coefficients of the last powers are those of the first negative ones: the principal part of a pole inside.
-  for (Eigen::Index c = 0; c < curves; ++c)
-    if (series.row(c).tail(betraying).cwiseAbs().maxCoeff() > std::max(pole_free * level(c), round_off(condition) * possible(c))) return {};
+  doubt.setZero(curves);
+  for (Eigen::Index c = 0; c < curves; ++c) {
+    const double tail = series.row(c).tail(betraying).cwiseAbs().maxCoeff();
+    if (level(c) <= noise(c) || tail <= std::max(pole_free * level(c), round_off(condition) * possible(c))) continue;
+    if (tail > noise(c)) return {};
+    doubt(c) = noise(c);
+  }
   double power = 1;
   for (int j = 0; j < samples; ++j, power /= spread) series.col(j) *= power;
   return series.leftCols(samples - betraying);
@@ -75,7 +93,8 @@ double first_guess(const Eigen::VectorXcd& poles, double from) {
 class Walk {
  public:
   Walk(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options)
-      : sample_(sample), options_(options), seams_(options.seams), rise_(static_cast<std::size_t>(curves), 0.0),
+      : sample_(sample), options_(options), seams_(options.seams),
+        doubt_(static_cast<std::size_t>(curves), 0.0), top_(static_cast<std::size_t>(curves), 0.0), rise_(static_cast<std::size_t>(curves), 0.0),
         found_{std::vector<SearchedCurve>(static_cast<std::size_t>(curves)), options.from, options.to, 0} {
     seams_.push_back(options.to);
     std::sort(seams_.begin(), seams_.end());
@@ -85,23 +104,39 @@ class Walk {
     constexpr double at_the_end = 1e-9;
     double from = options_.from, radius = first_guess(options_.near_poles, from);
     while (from < options_.to * (1 - at_the_end)) step(from, radius);
+    refuse_doubts();
     note_ends();
     return std::move(found_);
   }
 
  private:
+  /// Ups and downs of round-off must stay far below every peak that counts: a millionth of its curve.
+  void refuse_doubts() const {
+    constexpr double negligible = 1e-7;
+    for (std::size_t c = 0; c < top_.size(); ++c)
+      if (doubt_[c] > negligible * top_[c])
+        throw foundation::NotComputable(
+            fmt::format("peaks: curve {} of {} is so small beside the others that round-off hides its peaks: do not ask for it",
+                        c + 1, top_.size()));
+  }
+
   void step(double& from, double& radius) {
     constexpr double growth = 1.6, on_a_seam = 1e-10;  // smaller than the end's share, so that a seam is always ahead
     foundation::report_progress(options_.progress, "peaks", from / options_.to);
+    if (++trials_ > most_trials + more_per_seam * seams_.size())
+      throw foundation::NotComputable(
+          fmt::format("peaks: {} panels were tried and the search is at {:.6g} rad/s only: ask for a lower band, or "
+                      "give tables fewer rows",
+                      trials_, from));
     // The whole circle must lie where the laws are defined: Re ω > 0.
     const double seam = *std::upper_bound(seams_.begin(), seams_.end(), from * (1 + on_a_seam));
     radius = std::min({radius, 0.5 * (std::min(seam, options_.to) - from), from / (spread - 1) * 0.9});
     const Panel panel{from + radius, radius, false};
-    Eigen::VectorXd level, possible;
-    const Eigen::MatrixXcd series = circle_series(sample_, panel, level, possible);
+    Sizes sizes;
+    const Eigen::MatrixXcd series = circle_series(sample_, panel, sizes);
     if (series.size() > 0) {
       gaps_ = 0;
-      note_panel(series, panel, level, possible);
+      note_panel(series, panel, sizes);
       from += 2 * radius;
       radius *= growth;
     } else if (radius *= 0.5; !(radius > gap_at_pole * from)) {
@@ -110,14 +145,17 @@ class Walk {
     }
   }
 
-  void note_panel(const Eigen::MatrixXcd& series, const Panel& panel, const Eigen::VectorXd& level, const Eigen::VectorXd& possible) {
+  void note_panel(const Eigen::MatrixXcd& series, const Panel& panel, const Sizes& sizes) {
+    const auto& [level, possible, noise, doubt] = sizes;
     ++found_.panels;
     for (std::size_t c = 0; c < rise_.size(); ++c) {
       const auto row = static_cast<Eigen::Index>(c);
-      if (!(level(row) > vanishing_share * possible(row))) {  // its ups and downs are round-off
+      if (!(level(row) > std::max(vanishing_share * possible(row), noise(row)))) {  // its ups and downs are round-off
         rise_[c] = 0;
         continue;
       }
+      doubt_[c] = std::max(doubt_[c], doubt(row));
+      top_[c] = std::max(top_[c], level(row));
       SearchedCurve& curve = found_.curves[c];
       curve.largest_share = std::max(curve.largest_share, level(row) / possible(row));
       const CurveSeries square = squared_modulus(series.row(row));
@@ -156,10 +194,12 @@ class Walk {
   const CurveSampler& sample_;
   const CircleSearchOptions& options_;
   std::vector<double> seams_;
+  std::vector<double> doubt_, top_;  ///< of each curve: round-off that its series took, and its largest amplitude
   std::vector<double> rise_;   ///< d|y|²/dω at the end of the panel before
   std::vector<double> poles_;  ///< undamped ones
   AxisSearch found_;
   int gaps_ = 0;
+  std::size_t trials_ = 0;
 };
 
 }  // namespace

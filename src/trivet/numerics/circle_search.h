@@ -15,6 +15,7 @@ namespace trivet::numerics {
 struct CurveSample {
   Eigen::VectorXcd values;
   Eigen::VectorXd possible;   ///< the same if all terms worked together
+  Eigen::VectorXd alike;      ///< the same if all coordinates moved as much as the largest: round-off of a solution is a share of that
   double condition = 0;       ///< of what was solved
 };
 
@@ -32,9 +33,9 @@ struct CircleSearchOptions {
 /// Relative accuracy of series taken from circles: where they are cut, and what poles just outside leave.
 inline constexpr double circle_accuracy = 1e-10;
 
-/// All extrema of curves that are known by their values alone. Each panel proves itself: samples on a circle around it must have no principal
-/// part and a decaying series; until then it shrinks.
-/// @throws foundation::NotComputable where no panel can be had over a stretch of the axis
+/// All extrema of curves that are known by their values alone. Each panel proves itself: samples on a circle around it
+/// must have no principal part and a decaying series; until then it shrinks.
+/// @throws foundation::NotComputable where no panel can be had over a stretch of the axis, or after 20,000 trials and 16 for each seam
 [[nodiscard]] AxisSearch search_by_circles(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options);
 
 }  // namespace trivet::numerics

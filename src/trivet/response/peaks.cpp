@@ -37,11 +37,11 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
 /// Samples on circles, as far as every element is defined.
 numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                                   const Eigen::VectorXcd& near_poles, double end, const foundation::Progress& progress) {
-  constexpr double start_share = 1e-3;
+  constexpr double start_share = 1e-3, oscillating = 1e-9;  // the latter of |λ|: less is round-off of a root that only creeps
   double from = 0, smallest = end;
   std::vector<double> seams;
   for (const Complex& pole : near_poles)
-    if (std::abs(pole) > 0 && pole.imag() != 0) smallest = std::min(smallest, std::abs(pole));
+    if (std::abs(pole.imag()) > oscillating * std::abs(pole)) smallest = std::min(smallest, std::abs(pole));
   for (const assembly::ElementMap& map : assembled.elements) {
     from = std::max(from, map.defined_from);
     seams.insert(seams.end(), map.knots.begin(), map.knots.end());
@@ -50,9 +50,18 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
   const auto curves = static_cast<Eigen::Index>(channels.size());
   if (loading.vanishes() || !(end > from)) return {std::vector<numerics::SearchedCurve>(channels.size()), from, end, 0};
   const ExactResponse exact(assembled, channels, loading);
+  const std::vector<numerics::ObservedCurve> observed = assembly::curves(channels);
+  const Eigen::VectorXd unit = numerics::unit_scale(assembled.constant);
   return numerics::search_by_circles([&](Complex omega, double near) {
     ExactSample sample = exact.at(omega, near);
-    return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), sample.condition};
+    const Eigen::VectorXd together = sample.coordinates.cwiseAbs().cwiseQuotient(unit).maxCoeff() * unit;
+    const Eigen::VectorXd ground =
+        loading.motion.vanishes() ? Eigen::VectorXd() : Eigen::VectorXd(loading.motion.possible(std::abs(omega)));
+    Eigen::VectorXd alike(curves);
+    for (Eigen::Index c = 0; c < curves; ++c)
+      alike(c) = numerics::possible_amplitudes(observed[static_cast<std::size_t>(c)], together, ground,
+                                               Eigen::RowVectorXd::Constant(1, std::abs(omega))).value();
+    return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), std::move(alike), sample.condition};
   }, curves, {from, end, std::move(seams), near_poles, progress});
 }
 
