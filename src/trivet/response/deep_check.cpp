@@ -54,6 +54,21 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
   return t;
 }
 
+/// Largest column sum of the magnitudes of entries.
+Extended one_norm(const ExtendedMatrix& m) { return m.cwiseAbs().colwise().sum().maxCoeff(); }
+
+/// Relative difference that round-off explains: that of the terms of Z, and of the load per motion that they stand
+/// against, times the size of Z⁻¹. An entry of Z sums the 12×12 of elements, so that at least twelve terms take part in
+/// it however few coordinates are free. K, iωB and −ω²A may cancel: their digits are lost before any solver begins,
+/// which the condition of Z does not show (that of a single coordinate is always 1).
+double allowed_difference(Eigen::Index n, double condition, Extended terms, Extended load, Extended sum) {
+  constexpr Eigen::Index least_terms = 12;
+  constexpr double per_term = 16;
+  const double lost = sum > 0 ? static_cast<double>(std::max(terms, load) / sum) : 1;
+  return per_term * static_cast<double>(std::max(n, least_terms)) * std::numeric_limits<double>::epsilon() * condition *
+         std::max(lost, 1.0);
+}
+
 }  // namespace
 
 DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
@@ -121,28 +136,39 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
     ExtendedMatrix z = stiffness + Complex(0, w) * damping - w * w * mass;
+    ExtendedMatrix terms = stiffness.cwiseAbs().cast<Complex>() + w * damping.cwiseAbs().cast<Complex>() +
+                           w * w * mass.cwiseAbs().cast<Complex>();
     ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<Complex>();
+    ExtendedVector load_terms = h.cwiseAbs().cast<Complex>();
+    const auto drive = [&](const ExtendedVector& load) {
+      h -= load;
+      load_terms += load.cwiseAbs().cast<Complex>();
+    };
     for (const auto& [element, t] : dependent) {
       const ExtendedMatrix exact = elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<Complex>();
-      z += t.cast<Complex>() * exact * t.transpose().cast<Complex>();
-      h -= t.cast<Complex>() * (exact * ends.at(element, angular_frequency[i]));
+      const ExtendedMatrix carried = t.cast<Complex>() * exact * t.transpose().cast<Complex>();
+      z += carried;
+      terms += carried.cwiseAbs().cast<Complex>();
+      drive(t.cast<Complex>() * (exact * ends.at(element, angular_frequency[i])));
     }
     for (const auto& [element, m] : driven) {
       const Carrier t = carrier(layout, element, system.elements()[element], m.stiffness.rows() - 12, n);
       const ExtendedMatrix dynamic = m.stiffness.leftCols(12).cast<Complex>() * Complex(1, m.loss_factor) + Complex(0, w) * m.damping.leftCols(12).cast<Complex>() -
                                      w * w * m.mass.leftCols(12).cast<Complex>();
-      h -= t.cast<Complex>() * (dynamic * ends.at(element, angular_frequency[i]));
+      drive(t.cast<Complex>() * (dynamic * ends.at(element, angular_frequency[i])));
     }
     if (driven_damping.size() > 0 && !loading.motion.vanishes())
-      h -= Complex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<Complex>();
+      drive(Complex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<Complex>());
     h = (scale * h).eval();
     z = (scale * z * scale).eval();
+    terms = (scale * terms * scale).eval();
     const numerics::RefinedSolver direct(z);
     const ExtendedVector q = direct.solve(h);
     const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<Complex>() - q;
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
-    const double allowed = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * direct.condition();
+    const Extended of_load = size > 0 ? (scale * load_terms).cwiseAbs().sum() / size : 0;
+    const double allowed = allowed_difference(n, direct.condition(), one_norm(terms), of_load, one_norm(z));
     if (!(allowed < 1e-3)) {
       ++check.incomparable;
       continue;
@@ -160,9 +186,10 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
 }
 
 std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count) {
+  constexpr double oscillating = 1e-9;  // of |λ|: complex solvers leave an imaginary part of round-off, 1e-150 even, to what only creeps
   std::vector<double> result;
   for (Eigen::Index k = 0; k < poles.size() && static_cast<int>(result.size()) < count / 2; ++k)
-    if (poles(k).imag() > from && poles(k).imag() < to) result.push_back(poles(k).imag());
+    if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k))) result.push_back(at);
   const int spread = count - static_cast<int>(result.size());
   for (int i = 0; i < spread; ++i) result.push_back(from + (to - from) * (i + 0.5) / spread);
   std::sort(result.begin(), result.end());

@@ -14,7 +14,7 @@ struct DeepCheck {
   int frequencies = 0;               ///< compared
   int incomparable = 0;              ///< left out: so near an undamped resonance that round-off × condition exceeds 0.1 %
   double worst_difference = 0;       ///< ‖q − q'‖∞ / ‖q'‖∞ in coordinates of unit mass diagonal, at its worst relative to `allowed`
-  double allowed = 0;                ///< there: 16 n ε × condition of Z
+  double allowed = 0;  ///< there: 16 ε × the larger of n and 12 × condition of Z × size of its terms over size of Z
   double at_angular_frequency = 0;   ///< [rad/s]
   bool passed = true;
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "support/projects.h"
+#include "trivet/response/deep_check.h"
+
+namespace {
+
+using namespace trivet;
+
+/// K, iωB and −ω²A of a single coordinate cancel at its resonance, while its condition is always 1.
+TEST(DeepCheck, AllowsForDigitsThatCancelInASingleCoordinate) {
+  const study::Project project = test::project(R"(trivet = 1
+[bodies.b]
+mass = 3.7
+free = ["z"]
+[elements.s]
+type = "three_springs"
+on = "b"
+at = [0.13, 0.07, 0.3]
+axis = [0.3, 0.2, 0.9]
+translation = [12345, 5432, 98765]
+damping = {proportional = 1e-11}
+[elements.t]
+type = "three_springs"
+on = "b"
+at = [-0.13, 0.17, 0.3]
+axis = [0.3, -0.2, 0.7]
+translation = [12345, 5432, 98765]
+damping = {proportional = 1e-11}
+)");
+  const response::DeepCheck check = study::deep_check(project.base());
+  EXPECT_TRUE(check.passed) << check.worst_difference << " of allowed " << check.allowed;
+  EXPECT_GE(check.frequencies, 60);
+}
+
+/// An unbalance there would be 1e-304 of its size elsewhere.
+TEST(DeepCheck, AsksAtNoFrequencyThatIsRoundOffOfARootThatCreeps) {
+  Eigen::VectorXcd poles(2);
+  poles << std::complex<double>(-16, 7e-153), std::complex<double>(-2, 21);
+  const std::vector<double> omega = response::check_frequencies(poles, 0, 100, 64);
+  EXPECT_THAT(omega, testing::Each(testing::Gt(0.1)));
+  EXPECT_THAT(omega, testing::Contains(21.0));
+}
+
+TEST(DeepCheck, DoesNotAllowMuchWhereNothingCancels) {
+  const study::Project project = test::project(test::chain({1}, {1000, 0}, {0, 0}));
+  const response::DeepCheck check = study::deep_check(project.base());
+  EXPECT_TRUE(check.passed);
+  EXPECT_LT(check.allowed, 1e-9);
+}
+
+}  // namespace
