@@ -9,6 +9,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/outside_features.h"
 #include "trivet/study/part_readers.h"
 
 namespace trivet::study {
@@ -64,7 +65,7 @@ class ElementReader {
   void report_tables_inside(const Node& node) {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
       const bool ours = node.keys[i] == "damping" || node.keys[i].ends_with("orientation");
-      if (node.items[i].kind == Node::Kind::table && !ours)
+      if (node.items[i].kind == Node::Kind::table && !ours && !outside_feature(reader_.path(), node.keys[i]))
         reader_.error(node.keys[i], "unknown key", "no element has a table of this name", "a name with a dot stands in quotes, and names here have none: write [elements.\"front left\"]");
     }
   }
@@ -141,7 +142,10 @@ class ElementReader {
     else if (element_.type == "table" || element_.type == "air_spring" || element_.type == "wire_rope") read_tabulated(reader_, span_, element_);
     else if (element_.type.starts_with(catalogue_prefix)) read_catalogue_mount(reader_, element_.type.substr(std::string(catalogue_prefix).size()), span_, element_);
     else {
-      if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types()));
+      if (const auto outside = outside_type(element_.type))
+        reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
+      else if (reader_.has("type"))
+        static_cast<void>(reader_.choice("type", all_types()));
       return false;
     }
     return true;

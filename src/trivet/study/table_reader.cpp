@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/outside_features.h"
 
 namespace trivet::study {
 namespace {
@@ -282,7 +283,12 @@ void TableReader::finish() {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const std::string guess = foundation::nearest_name(key, known_);
     const std::string short_key = key.substr(0, 60);
-    error_at(table_.items[i], path_.empty() ? short_key : path_ + "." + short_key, "unknown key",
+    const std::string where = path_.empty() ? short_key : path_ + "." + short_key;
+    if (const auto outside = outside_feature(path_, key)) {
+      error_at(table_.items[i], where, shown(table_.items[i]), outside->rule, outside->remedy);
+      continue;
+    }
+    error_at(table_.items[i], where, "unknown key",
              known_.empty() ? "nothing may stand here" : "known here: " + listed(known_),
              guess.empty() ? "remove it" : "did you mean \"" + guess + "\"?");
   }
