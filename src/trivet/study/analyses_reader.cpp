@@ -37,6 +37,10 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
       if (omega < 0) reader.error("at", fmt::format("{:.6g} rad/s", omega), "an angular frequency is ≥ 0", "remove the sign");
     if (at->empty()) reader.error("at", "an empty list", "at least one frequency is wanted", "give one, or a band");
     if (reader.has("band")) reader.error("at", "at and band", "only one of them says where", "remove one");
+    for (const char* key : {"spacing", "points"})
+      if (reader.has(key))
+        reader.error(key, std::string(key) + " beside at", "single frequencies are no grid",
+                     "remove it, or give a band in place of at");
     request.at = *at;
   }
   request.continuous_phase = reader.choice("phase", {"wrapped", "continuous"}) == "continuous";
@@ -123,7 +127,8 @@ Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
     reader.finish();
   }
   read_limit_lines(root, names, analyses);
-  analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear, analyses.map.has_value());
+  analyses.limits =
+      read_limits(root, names, analyses.response, quantity_is_clear, analyses.map && analyses.map->limits_of_file);
   take_limits_of_file(analyses);
   return analyses;
 }

@@ -34,7 +34,9 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
   if (node->kind == Node::Kind::table) tables.push_back(node);
   for (const Node& item : node->items)
     if (node->kind == Node::Kind::array && item.kind == Node::Kind::table) tables.push_back(&item);
-  if (tables.empty()) reader.error("coherence", words(node->kind), "a table, or a list of tables, is wanted: {with = \"NAME\", value = 0.6}", "write it so");
+  if (tables.empty() || (node->kind == Node::Kind::array && tables.size() < node->items.size()))
+    reader.error("coherence", words(node->kind),
+                 "a table, or a list of tables, is wanted: {with = \"NAME\", value = 0.6}", "write it so");
   for (const Node* one : tables) {
     TableReader inside(*one, reader.path() + ".coherence", reader.problems());
     model::Random::Partner partner;
@@ -43,6 +45,10 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
     partner.coherence.decay = inside.number("decay", Quantity::pure).value_or(0);
     partner.coherence.distance = inside.number("distance", Quantity::length).value_or(0);
     partner.coherence.speed = inside.number("speed", Quantity::velocity).value_or(0);
+    for (const char* key : {"distance", "speed"})
+      if (inside.has(key) && !inside.has("decay"))
+        inside.error(key, std::string(key) + " without decay", "they say together how coherence falls with frequency",
+                     "add decay, or remove it");
     inside.finish();
     partners.push_back(partner);
   }

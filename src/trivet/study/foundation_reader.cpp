@@ -7,6 +7,7 @@
 #include <map>
 
 #include "trivet/study/element_parts.h"
+#include "trivet/study/idle_key.h"
 #include "trivet/study/mobility_table.h"
 
 namespace trivet::study {
@@ -52,6 +53,10 @@ Ground read_impedance(TableReader& reader) {
     if (!(k(j) > 0) && reader.has("translation"))
       reader.error(j < 3 ? "translation" : "rotation", fmt::format("{:.6g} for {}", k(j), model::coordinate_names[static_cast<std::size_t>(j)]),
                    "the stiffness of a direction that gives is > 0", "name the directions that give: free = [\"z\"]");
+  if (turns && !ground.directions.empty() &&
+      std::none_of(ground.directions.begin(), ground.directions.end(), [](int j) { return j > 2; }))
+    warn_of_idle_key(reader, "rotation", "rotation of a ground point that does not turn", "`free` names no rotation",
+                     "add rx, ry or rz to `free`, or remove it");
   const double mass = reader.number("mass", Quantity::mass).value_or(0);
   const Eigen::Vector3d inertia = reader.vector("inertia", Quantity::inertia).value_or(Eigen::Vector3d::Zero());
   if (mass < 0) reader.error("mass", fmt::format("{:.6g} kg", mass), "it is ≥ 0", "remove the sign");
@@ -138,6 +143,29 @@ void stand_on_place(const Ground& ground, model::Element& element, model::Descri
   description.elements.push_back(std::move(joint));
 }
 
+/// The motion of a mount that is not there moves nothing.
+void report_idle_shape(TableReader& root, const std::string& ground, const std::string& mount,
+                       const Mentioned& mentioned) {
+  if (std::any_of(mentioned.stands_on.begin(), mentioned.stands_on.end(),
+                  [&](const Mentioned::Standing& one) { return one.element == mount && one.ground == ground; }))
+    return;
+  const std::string subject = "foundations." + ground + ".modes";
+  const Node* origin = root.node("foundations")->find(ground)->find("modes");
+  const std::string finding = "shapes of \"" + mount.substr(0, 60) + "\"";
+  if (std::find(mentioned.elements.begin(), mentioned.elements.end(), mount) != mentioned.elements.end()) {
+    root.problems()
+        .warning(subject, finding, "this element does not stand on the foundation",
+                 "add foundation = \"" + ground + "\" to it, or remove its shapes")
+        .origin = origin->origin;
+    return;
+  }
+  const std::string guess = foundation::nearest_name(mount, mentioned.elements);
+  root.problems()
+      .error(subject, finding, "no element has this name",
+             guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
+      .origin = origin->origin;
+}
+
 }  // namespace
 
 void read_foundations(TableReader& root, model::Description& description, Mentioned& mentioned) {
@@ -159,6 +187,8 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
     if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(), [&](const Mentioned::Standing& one) { return one.ground == name; }))
       reader.problems().warning("foundations." + name, "no element stands on it", "a foundation acts only under elements that name it", "add foundation = \"" + name + "\" to them").origin = table->items[i].origin;
   }
+  for (const auto& [name, ground] : grounds)
+    for (const auto& [mount, shape] : ground.shapes) report_idle_shape(root, name, mount, mentioned);
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
   for (const auto& [element_name, ground_name, origin] : mentioned.stands_on) {
     const std::string subject = "elements." + element_name + ".foundation";

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "trivet/study/idle_key.h"
 #include "trivet/study/pairs_reader.h"
 #include "trivet/study/wanted_reader.h"
 
@@ -44,6 +45,10 @@ RandomRequest read_random(TableReader& reader, const ResultNames& names, const M
   if (word)
     for (const auto& [name, weighting] : weightings)
       if (*word == name) request.weighting = weighting;
+  const std::vector<std::string>& of = request.wanted.of;
+  if (word && std::all_of(of.begin(), of.end(), [&](const std::string& name) { return names.is_force(name); }))
+    warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
+                     "people feel motions, and no motion is asked for", "remove it, or ask for motions");
   return request;
 }
 
@@ -226,6 +231,9 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     request.line.name = name;
     request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
+    if (measured && reader.has("quantity") && names.is_force(request.of))
+      warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it says how a motion is measured",
+                       "remove it");
     if (measured) {
       const bool force = *measured == Quantity::force || *measured == Quantity::moment;
       const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';

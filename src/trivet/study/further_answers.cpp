@@ -142,6 +142,9 @@ TransientResult transient_answer(const CaseContext& c, const TransientRequest& r
     throw foundation::NotComputable("transient: nothing sets the model in motion; add [excitations.NAME] with type = \"time\", or initial values");
   TransientResult result{response::transient_response(c.system, c.assembled, channels_of(c, request.wanted), inputs, options, c.progress), request.wanted.quantity};
   warnings.add(result.response.warnings);
+  if (request.nearest_linear_system && !c.assembled.frequency_dependent())
+    warnings.warning("analyses.transient.nearest_linear_system", "true",
+                     "no element depends on frequency in a way that needs it", "remove it");
   return result;
 }
 

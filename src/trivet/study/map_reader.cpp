@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "trivet/study/design_parameter.h"
+#include "trivet/study/idle_key.h"
 
 namespace trivet::study {
 namespace {
@@ -225,6 +226,15 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   if (!asks_for_peaks && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
     reader.error("", "neither limits nor no_peak", "a map shows where designs keep rules", "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
   request.limits_of_file = !reader.has("limits");
+  const bool has_limits = reader.has("limits") ? limits && !limits->keys.empty() : root.has("limits");
+  if (!has_limits && reader.has("band"))
+    warn_of_idle_key(reader, "band", "a band without limits",
+                     "it bounds the frequencies of limited amplitudes; resonance peaks count wherever they lie",
+                     "add limits, or remove it");
+  for (const char* key : {"min_prominence", "peak_tolerance"})
+    if (!asks_for_peaks && reader.has(key))
+      warn_of_idle_key(reader, key, std::string(key) + " without no_peak", "it says which peaks count",
+                       "add no_peak, or remove it");
   reader.finish();
   result.map = std::move(request);
 }

@@ -7,6 +7,7 @@
 
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/idle_key.h"
 
 namespace trivet::study {
 
@@ -47,6 +48,15 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   if (!values) {
     reader.add_of_file("file", values.error());
     return std::nullopt;
+  }
+  if (!reader.has(y) && csv->columns.size() > 2) {
+    std::string others;
+    for (const std::string& column : csv->columns)
+      if (column != x_name && column != y_name)
+        others += (others.empty() ? "\"" : ", \"") + column.substr(0, 60) + "\"";
+    warn_of_idle_key(
+        reader, "file", "column" + std::string(csv->columns.size() > 3 ? "s " : " ") + others + " not used",
+        "one column is read beside " + x_name, "say which: " + y + " = \"" + y_name + "\", or remove the others");
   }
   foundation::Problems holes;
   constexpr std::size_t most = 20;

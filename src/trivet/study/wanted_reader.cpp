@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/study/idle_key.h"
+
 namespace trivet::study {
 
 ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
@@ -40,6 +42,12 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
       if (name == group + ".moment." + letter) return Quantity::moment;
     }
   return std::nullopt;
+}
+
+bool ResultNames::is_force(const std::string& name) const {
+  const auto measured = component(name, assembly::Quantity::displacement);
+  return std::find(forces_.begin(), forces_.end(), name) != forces_.end() || measured == Quantity::force ||
+         measured == Quantity::moment;
 }
 
 std::vector<std::string> ResultNames::components() const {
@@ -148,6 +156,11 @@ void read_wanted(TableReader& reader, const ResultNames& result_names, const std
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
   if (quantity == "acceleration") wanted.quantity = assembly::Quantity::acceleration;
+  if (quantity && reader.has("of") && std::all_of(wanted.of.begin(), wanted.of.end(), [&](const std::string& name) {
+        return result_names.is_force(name);
+      }))
+    warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
+                     "it says how motions are measured, and no motion is asked for", "remove it, or ask for motions");
   if (reader.has("excitations")) wanted.excitations = read_selected(reader, known, kind);
 }
 

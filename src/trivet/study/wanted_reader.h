@@ -20,6 +20,9 @@ class ResultNames {
   /// What a full name (group, dot, component) measures, if it is one.
   [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const;
 
+  /// A force or moment, or a group of them: displacement, velocity and acceleration are the same to it.
+  [[nodiscard]] bool is_force(const std::string& name) const;
+
   /// All full names.
   [[nodiscard]] std::vector<std::string> components() const;
 
