@@ -18,7 +18,11 @@ using trivet::cli::Options;
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& about, Options& options) {
   CLI::App* command = app.add_subcommand(name, about);
   command->add_option("PROJECT", options.project, "project file (TOML)")->required();
-  command->add_option("--set", options.settings, "change a number: elements.front.scale=1.5 (repeatable)")->allow_extra_args(false);
+  command
+      ->add_option(
+          "--set", options.settings,
+          "change a number: elements.front.scale=1.5 (repeatable); laid over the file and its cases, so that it wins")
+      ->allow_extra_args(false);
   return command;
 }
 

@@ -52,7 +52,9 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
-std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems, const Case* base = nullptr);
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
+                              foundation::Problems& problems,
+                              const Case* base = nullptr);
 
 /// The model of a document, without what is asked of it.
 Node without_questions(Node document) {
@@ -108,7 +110,8 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, foundatio
 }
 
 /// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
-std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title, foundation::Problems& problems, const Case* base) {
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
+                              foundation::Problems& problems, const Case* base) {
   foundation::Problems reading;
   TableReader root(document, "", reading);
   model::Description description;
@@ -151,16 +154,87 @@ void add_of_case(const foundation::Problems& found, const foundation::Problems& 
   }
 }
 
-void list_changes(const Node& node, const std::string& path, std::vector<std::string>& lines) {
+struct ChangedNumber {
+  std::string path, value;
+};
+
+void list_changes(const Node& node, const std::string& path, std::vector<ChangedNumber>& changes) {
   switch (node.kind) {
     case Node::Kind::table:
-      for (std::size_t i = 0; i < node.keys.size(); ++i) list_changes(node.items[i], path.empty() ? node.keys[i] : path + "." + node.keys[i], lines);
+      for (std::size_t i = 0; i < node.keys.size(); ++i)
+        list_changes(node.items[i], path.empty() ? node.keys[i] : path + "." + node.keys[i], changes);
       return;
-    case Node::Kind::array: lines.push_back(fmt::format("{} = [{} values]", path, node.items.size())); return;
-    case Node::Kind::text: lines.push_back(fmt::format("{} = \"{}\"", path, node.text)); return;
-    case Node::Kind::boolean: lines.push_back(fmt::format("{} = {}", path, node.boolean)); return;
-    default: lines.push_back(fmt::format("{} = {:.12g}", path, node.number)); return;
+    case Node::Kind::array:
+      changes.push_back({path, fmt::format("[{} values]", node.items.size())});
+      return;
+    case Node::Kind::text:
+      changes.push_back({path, "\"" + node.text + "\""});
+      return;
+    case Node::Kind::boolean:
+      changes.push_back({path, node.boolean ? "true" : "false"});
+      return;
+    default:
+      changes.push_back({path, fmt::format("{:.12g}", node.number)});
+      return;
   }
+}
+
+/// What the command line changes. Every setting has its own number.
+struct Settings {
+  std::vector<Node> changes;
+  std::vector<ChangedNumber> numbers;
+};
+
+bool is_part_of(const std::string& path, const std::string& whole) {
+  return path == whole || path.starts_with(whole + ".");
+}
+
+Settings read_settings(const std::vector<std::string>& settings, foundation::Problems& problems) {
+  Settings result;
+  for (const std::string& setting : settings) {
+    foundation::Expected<Node> change = parse_setting(setting);
+    if (!change) {
+      problems.add(change.error());
+      continue;
+    }
+    std::vector<ChangedNumber> numbers;
+    list_changes(*change, "", numbers);
+    for (const ChangedNumber& number : numbers) {
+      const auto earlier = std::find_if(result.numbers.begin(), result.numbers.end(), [&](const ChangedNumber& known) {
+        return is_part_of(known.path, number.path) || is_part_of(number.path, known.path);
+      });
+      if (earlier != result.numbers.end())
+        problems
+            .error(number.path,
+                   number.value + ", and " + earlier->path + " = " + earlier->value + " in an earlier --set",
+                   "two settings of one number: only one of them can hold", "keep one of them")
+            .origin = change->origin;
+    }
+    result.numbers.insert(result.numbers.end(), numbers.begin(), numbers.end());
+    result.changes.push_back(std::move(*change));
+  }
+  return result;
+}
+
+/// Does the document hold this number, after all changes?
+bool holds(const Node& document, const ChangedNumber& number) {
+  std::vector<ChangedNumber> there;
+  list_changes(deepest(document, number.path), number.path, there);
+  return there.size() == 1 && there.front().path == number.path && there.front().value == number.value;
+}
+
+/// Those of a case that the command line left as they were, then those of the command line.
+std::vector<std::string> change_lines(const Node* of_case, const Settings& settings, const Node& document) {
+  std::vector<ChangedNumber> numbers;
+  if (of_case) list_changes(*of_case, "", numbers);
+  std::erase_if(numbers, [&](const ChangedNumber& number) {
+    const auto again = [&](const ChangedNumber& setting) { return is_part_of(number.path, setting.path); };
+    return !holds(document, number) || std::any_of(settings.numbers.begin(), settings.numbers.end(), again);
+  });
+  numbers.insert(numbers.end(), settings.numbers.begin(), settings.numbers.end());
+  std::vector<std::string> lines;
+  for (const ChangedNumber& number : numbers) lines.push_back(number.path + " = " + number.value);
+  return lines;
 }
 
 }  // namespace
@@ -182,23 +256,19 @@ foundation::Expected<model::System> changed_system(const Case& variant, const st
   return tl::make_unexpected(std::move(problems));
 }
 
-foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source, const std::vector<std::string>& settings) {
+foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
+                                                const std::vector<std::string>& given) {
   foundation::Expected<Node> parsed = parse_toml(text, source);
   if (!parsed) return tl::make_unexpected(parsed.error());
   Node document = std::move(*parsed);
   foundation::Problems problems;
   std::string hashed = text;
-  std::vector<std::string> setting_lines;
-  for (const std::string& setting : settings) {
-    hashed += "\n" + setting;
-    const foundation::Expected<Node> change = parse_setting(setting);
-    if (!change) {
-      problems.add(change.error());
-      continue;
-    }
-    apply_changes(document, *change, "", problems);
-    list_changes(*change, "", setting_lines);
-  }
+  for (const std::string& setting : given) hashed += "\n" + setting;
+  const Settings settings = read_settings(given, problems);
+  foundation::Problems of_settings;
+  const Node as_written = document;
+  for (const Node& change : settings.changes) apply_changes(document, change, "", of_settings);
+  problems.add(of_settings);
 
   Project project;
   project.source = source;
@@ -206,7 +276,7 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
   foundation::Problems of_base;
   auto base = read_case(document, "", project.title, of_base);
   problems.add(of_base);
-  if (base) base->changes = setting_lines;
+  if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));
   const Node* cases = document.find("cases");
   if (cases && cases->kind != Node::Kind::table) {
@@ -214,6 +284,8 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
   } else if (cases && cases->keys.size() > most_cases) {
     problems.error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases), "split the file").origin = cases->origin;
   } else if (cases) {
+    foundation::Problems known = of_base;
+    known.add(of_settings);
     for (std::size_t i = 0; i < cases->keys.size(); ++i) {
       const Node& change = cases->items[i];
       const std::string& name = cases->keys[i];
@@ -221,15 +293,17 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
         problems.error("cases." + name, name.empty() ? "name \"\"" : words(change.kind), "a case is a table with a name", "write [cases.NAME] and the changed numbers below").origin = change.origin;
         continue;
       }
-      Node variant = document;
+      Node variant = as_written;
       foundation::Problems of_case;
       apply_changes(variant, change, "", of_case);
+      for (const Node& setting : settings.changes)
+        apply_changes(variant, setting, "", of_case);  // the command line has the last word
       std::string title;
-      auto variant_case = read_case(variant, name, title, of_case, project.cases.empty() ? nullptr : &project.base());
-      add_of_case(of_case, of_base, name, problems);
+      auto variant_case =
+          read_case(variant, name, title, of_case, project.cases.empty() ? nullptr : &project.base());
+      add_of_case(of_case, known, name, problems);
       if (!variant_case || project.cases.empty()) continue;
-      variant_case->changes = setting_lines;
-      list_changes(change, "", variant_case->changes);
+      variant_case->changes = change_lines(&change, settings, variant);
       project.cases.push_back(std::move(*variant_case));
     }
   }

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a user gives takes effect or is named: numbers of the command line, questions, excitations, points, columns."""
+import json
+import unittest
+
+from trivet_test import InTemporaryFolder, answer, trivet
+
+MACHINE = """trivet = 1
+[bodies.machine]
+mass = 100
+inertia = {about = "center_of_mass", xx = 4, yy = 4, zz = 4}
+points.seat = [0.1, 0, 0.2]
+[elements.mount]
+type = "bushing"
+on = "machine"
+at = [0, 0, 0]
+translation = [1e5, 1e5, 1e5]
+rotation = [1e4, 1e4, 1e4]
+damping = {proportional = 0.001}
+[excitations.push]
+type = "harmonic"
+on = "machine"
+at = [0, 0, 0]
+force = [0, 0, 100]
+"""
+CASES = """[cases.stiff]
+elements.mount.scale = 4
+[cases.other]
+elements.mount.damping = {loss_factor = 0.1}
+"""
+
+
+class OrderOfChanges(InTemporaryFolder):
+    def lowest(self, *arguments):
+        return answer("modes", self.file(MACHINE + CASES), *arguments)["modes"][0]["angular_frequency"]
+
+    def test_the_command_line_wins_over_the_case(self):
+        base = self.lowest()
+        self.assertAlmostEqual(self.lowest("--case", "stiff"), 2 * base, places=9)
+        self.assertAlmostEqual(self.lowest("--case", "stiff", "--set", "elements.mount.scale=9"), 3 * base, places=9)
+        light = ("--set", "bodies.machine.mass=25", "--set", 'bodies.machine.inertia={about="center_of_mass",xx=1,yy=1,zz=1}')
+        self.assertAlmostEqual(self.lowest("--case", "stiff", *light), 4 * base, places=9)
+
+    def test_braces_on_the_command_line_replace_those_of_the_case(self):
+        found = answer("roots", self.file(MACHINE + CASES), "--case", "other",
+                       "--set", "elements.mount.damping={proportional=0.01}")
+        self.assertTrue(all(root["eigenvalue"][0] < -1 for root in found["roots"]), found)
+
+    def test_a_law_in_braces_takes_the_place_of_the_law_of_the_case_in_the_list_too(self):
+        done = trivet("run", self.file(MACHINE + CASES), "-o", self.folder / "out",
+                      "--set", "elements.mount.damping={proportional=0.01}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        cases = json.loads((self.folder / "out/results.json").read_text())["cases"]
+        self.assertEqual(cases[2]["changes"], ["elements.mount.damping.proportional = 0.01"])
+
+    def test_a_run_lists_the_number_that_holds(self):
+        asked = "[analyses]\nmodes = {}\nresponse = {of = [\"machine\", \"machine.seat\"]}\n"
+        done = trivet("run", self.file(MACHINE + CASES + asked), "-o", self.folder / "out", "--set", "elements.mount.scale=9")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        cases = json.loads((self.folder / "out/results.json").read_text())["cases"]
+        self.assertEqual(cases[1]["changes"], ["elements.mount.scale = 9"])
+        self.assertEqual(cases[2]["changes"], ["elements.mount.damping.loss_factor = 0.1", "elements.mount.scale = 9"])
+
+    def test_a_number_that_is_set_twice_is_an_error(self):
+        done = trivet("modes", self.file(MACHINE), "--set", "elements.mount.scale=2", "--set", "elements.mount.scale=3")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("elements.mount.scale: 3, and elements.mount.scale = 2 in an earlier --set", done.stderr)
+        both = trivet("modes", self.file(MACHINE), "--set", "elements.mount.scale=2", "--set", "bodies.machine.mass=3")
+        self.assertEqual(both.returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
