@@ -179,12 +179,24 @@ std::string results_json(const Project& project, const std::vector<Answers>& ans
 
 std::string page_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::page); }
 
-std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions) {
+std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
+                          const std::vector<CaseDeepCheck>& deep) {
   Json list = Json::array();
   for (const auto& p : problems.list())
     list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"}, {"file", p.origin.source}, {"line", p.origin.line},
                     {"subject", p.subject}, {"finding", p.finding}, {"rule", p.rule}, {"remedy", p.remedy}, {"message", foundation::message(p)}});
-  return json::text({{"ok", !problems.has_errors()}, {"problems", std::move(list)}, {"free_motions", free_motions}, {"warnings", json::warnings(problems)}}, 1) + "\n";
+  Json result{{"ok", !problems.has_errors()},
+              {"problems", std::move(list)},
+              {"free_motions", free_motions},
+              {"warnings", json::warnings(problems)}};
+  for (const auto& [name, check] : deep)
+    result["deep"].push_back({{"case", name},
+                              {"verdict", check.verdict()},
+                              {"frequencies", check.frequencies},
+                              {"worst_difference", json::number(check.worst_difference)},
+                              {"allowed", json::number(check.allowed)},
+                              {"at", check.at_angular_frequency}});
+  return json::text(result, 1) + "\n";
 }
 
 }  // namespace trivet::study

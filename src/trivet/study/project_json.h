@@ -26,7 +26,16 @@ struct CheckLine {
 /// What the report page needs of it: models instead of long tables of curves, and nothing of the answers that stand in the page as static figures.
 [[nodiscard]] std::string page_json(const Project& project, const std::vector<Answers>& answers);
 
-/// {"ok", "problems": [...]}: the verdict of `trivet check --json`.
-[[nodiscard]] std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions);
+/// Two solvers compared on one case.
+struct CaseDeepCheck {
+  std::string case_name;
+  response::DeepCheck check;
+};
+
+/// {"ok", "problems": [...], "deep": [...]}: the verdict of `trivet check --json`; "deep" only where solvers were
+/// compared.
+[[nodiscard]] std::string problems_json(const foundation::Problems& problems,
+                                        const std::vector<std::string>& free_motions,
+                                        const std::vector<CaseDeepCheck>& deep = {});
 
 }  // namespace trivet::study
