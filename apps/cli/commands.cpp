@@ -50,6 +50,8 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
   if (which == "response") {
     analyses.response = file.response.value_or(study::ResponseRequest{});
     analyses.limits = file.limits;
+    if (analyses.response->at.empty() && options.at.empty())
+      analyses.limit_lines = file.limit_lines;  // lines are compared over a band
     if (!options.at.empty()) {
       analyses.response->at = frequencies("--at", options.at);
       analyses.response->band.reset();
@@ -59,6 +61,7 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
       if (band.size() != 2 || !(band[1] > band[0])) throw BadArgument(fmt::format("--band {}: a band is FROM,TO with FROM < TO", options.band));
       analyses.response->band = response::Band{band[0], band[1]};
       analyses.response->at.clear();
+      analyses.limit_lines = file.limit_lines;
     }
   } else if (which == "peaks") {
     analyses.peaks = file.peaks.value_or(study::PeaksRequest{file.response ? file.response->wanted : study::Wanted{}});
@@ -82,10 +85,21 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
   return analyses;
 }
 
+/// The questions of the file that a command looks at. Peaks are those of the response unless the file says otherwise.
+std::vector<std::string> asked_by(const std::string& which) {
+  if (which == "modes" || which == "roots") return {};
+  if (which == "response") return {"response", "limits", "limit_lines"};
+  if (which == "peaks") return {"peaks", "response"};
+  return {which};
+}
+
 std::string rendered(const std::string& which, const study::Case& variant, const study::Answers& answers, const Options& options) {
   if (which == "modes") return options.json ? study::modes_json(variant, answers) : options.csv ? study::modes_csv(variant, answers) : modes_text(variant, answers);
   if (which == "roots") return options.json ? study::roots_json(variant, answers) : options.csv ? study::roots_csv(answers) : roots_text(answers);
-  if (which == "response") return options.json ? study::response_json(answers) : options.csv ? study::response_csv(answers) : response_text(answers) + limits_text(answers);
+  if (which == "response")
+    return options.json  ? study::response_json(answers)
+           : options.csv ? study::response_csv(answers)
+                         : response_text(answers) + limits_text(answers) + limit_lines_text(answers);
   if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : peaks_text(answers);
   if (which == "random") return options.json ? study::random_json(answers) : options.csv ? study::random_csv(answers) : random_text(answers);
   if (which == "transient") return options.json ? study::transient_json(answers) : options.csv ? study::transient_csv(answers) : transient_text(answers);
@@ -118,9 +132,13 @@ std::unique_ptr<study::PictureFile> new_picture(const Options& options) {
   }
 }
 
-std::optional<study::Project> read_or_complain(const Options& options) {
+study::Questions questions_of(const Options& options, std::vector<std::string> wanted) {
+  return {std::move(wanted), options.case_name};
+}
+
+std::optional<study::Project> read_or_complain(const Options& options, const study::Questions& questions) {
   foundation::remove_abandoned_folders();
-  auto project = study::read_project(options.project, options.settings);
+  auto project = study::read_project_for(questions, options.project, options.settings);
   if (project) return std::move(*project);
   if (options.json) write_output(study::problems_json(project.error(), {}));
   write_problems(project.error());
@@ -135,6 +153,7 @@ int check_command(const Options& options) {
   std::string text;
   std::vector<study::CheckLine> base_lines;
   bool agrees = true;
+  std::vector<study::CaseDeepCheck> compared;
   for (const study::Case& variant : project->cases) {
     foundation::Problems found = variant.warnings;
     const assembly::Assembled assembled = assembly::assemble(variant.system);
@@ -154,12 +173,14 @@ int check_command(const Options& options) {
     if (options.deep) {
       const response::DeepCheck deep = study::deep_check(variant);
       agrees = agrees && deep.passed;
+      compared.push_back({variant.name, deep});
       text += fmt::format("  two solvers at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed there {:.2e} (round-off × condition): {}\n",
                           deep.frequencies, deep.worst_difference, deep.at_angular_frequency, deep.allowed, deep.verdict());
     }
   }
   warnings.sort_by_origin();
-  if (options.json) write_output(study::problems_json(warnings, free_motions));
+  if (options.json)
+    write_output(study::problems_json(warnings, free_motions, compared));
   else {
     write_problems(warnings);
     write_output(text + fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
@@ -170,18 +191,20 @@ int check_command(const Options& options) {
 }
 
 int answer_command(const std::string& which, const Options& options) {
-  const auto project = read_or_complain(options);
+  const auto project = read_or_complain(options, questions_of(options, asked_by(which)));
   if (!project) return wrong_input;
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);
     const study::Answers answers = study::answers(variant, wanted(which, variant, options), progress());
-    if (!answers.failures.empty()) throw foundation::NotComputable(answers.failures.front());
+    const bool only_beside =
+        answers.response.has_value();  // what failed then is a limit or a limit line beside the response
+    if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);
     const bool plain = !options.csv && !options.json;
     write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));
     Strictness strictness;
     strictness.add(answers);
-    return strictness.exit_code(options.strict, done);
+    return strictness.exit_code(options.strict, answers.failures.empty() ? done : not_computed);
   } catch (const BadArgument& bad) {
     write_error(fmt::format("error: {}\n", bad.what()));
     return wrong_input;

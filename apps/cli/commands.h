@@ -9,6 +9,7 @@
 
 #include "trivet/study/picture_file.h"
 #include "trivet/study/project.h"
+#include "trivet/study/questions.h"
 
 namespace trivet::cli {
 
@@ -57,7 +58,11 @@ struct BadArgument : std::runtime_error {
 /// The picture that was asked for, begun; none if none was. @throws BadArgument if it cannot stand where it was asked for
 [[nodiscard]] std::unique_ptr<study::PictureFile> new_picture(const Options& options);
 
-/// The project, or nothing after its problems were printed.
-[[nodiscard]] std::optional<study::Project> read_or_complain(const Options& options);
+/// The project, or nothing after its problems were printed. Errors in questions that are not wanted stop no command.
+[[nodiscard]] std::optional<study::Project> read_or_complain(const Options& options,
+                                                             const study::Questions& questions = {});
+
+/// Those that a command on one case answers.
+[[nodiscard]] study::Questions questions_of(const Options& options, std::vector<std::string> wanted);
 
 }  // namespace trivet::cli

@@ -10,6 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/element_picture.h"
 #include "trivet/study/element_json.h"
+#include "trivet/study/questions.h"
 
 namespace trivet::cli {
 namespace {
@@ -34,7 +35,7 @@ std::vector<std::size_t> replaced(const study::Case& variant, std::size_t elemen
 }  // namespace
 
 int element_command(const Options& options) {
-  const auto project = read_or_complain(options);
+  const auto project = read_or_complain(options, questions_of(options, {}));
   if (!project) return wrong_input;
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);
@@ -43,6 +44,11 @@ int element_command(const Options& options) {
     study::ElementSummary summary = study::element_summary(variant, element);
     std::optional<study::Simplification> simple;
     try {
+      if (study::has_broken_curves(variant))
+        summary.warnings.warning(
+            "analyses", "errors in response or peaks",
+            "the comparison with three springs is of the peaks of the coordinates, not of what the file asks for",
+            "trivet check lists the errors");
       simple = study::simplification(variant, replaced(variant, element, options.all), progress());
     } catch (const foundation::NotComputable& reason) {
       summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");

@@ -106,7 +106,7 @@ std::string explain_text(const study::Case& variant, const study::Explanation& e
 }  // namespace
 
 int explain_command(const Options& options) {
-  const auto project = read_or_complain(options);
+  const auto project = read_or_complain(options, questions_of(options, {"peaks", "response"}));
   if (!project) return wrong_input;
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);

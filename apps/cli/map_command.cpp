@@ -45,7 +45,7 @@ foundation::Problems model_warnings(const study::Case& variant) {
 }  // namespace
 
 int map_command(const Options& options) {
-  const auto project = read_or_complain(options);
+  const auto project = read_or_complain(options, questions_of(options, {"map", "response", "peaks", "limits"}));
   if (!project) return wrong_input;
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);

@@ -129,7 +129,7 @@ std::vector<Eigen::Vector3d> torques(const std::string& text) {
 }  // namespace
 
 int suspension_command(const Options& options) {
-  const auto project = read_or_complain(options);
+  const auto project = read_or_complain(options, questions_of(options, {}));
   if (!project) return wrong_input;
   try {
     const study::Case& variant = chosen_case(*project, options.case_name);

@@ -69,5 +69,41 @@ class OrderOfChanges(InTemporaryFolder):
         self.assertEqual(both.returncode, 0)
 
 
+class Questions(InTemporaryFolder):
+    def test_a_bad_question_stops_itself_check_and_run_alone(self):
+        path = self.file(MACHINE + "[analyses]\nstatic = {}\nresponse = {}\n[limits]\n\"machine.seat.z\" = 1\n")
+        for command in ("modes", "roots", "response", "peaks", "explain", "suspension"):
+            with self.subTest(command=command):
+                done = trivet(command, path)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(trivet("element", path, "mount").returncode, 0)
+        for command in (("static",), ("check",), ("run", "-o", str(self.folder / "out"))):
+            done = trivet(command[0], path, *command[1:])
+            self.assertEqual(done.returncode, 2, command)
+            self.assertIn("analyses.static: neither gravity nor a constant force", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_a_bad_question_of_one_case_stops_that_case_alone(self):
+        path = self.file(MACHINE + "[analyses]\nresponse = {}\n[cases.wrong]\nanalyses.response.of = \"mashine\"\n")
+        self.assertEqual(trivet("response", path).returncode, 0)
+        done = trivet("response", path, "--case", "wrong")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('case "wrong": analyses.response.of: "mashine"', done.stderr)
+
+    def test_peaks_follow_the_response_and_its_errors(self):
+        done = trivet("peaks", self.file(MACHINE + "[analyses]\nresponse = {of = \"mashine\"}\n"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("analyses.response.of", done.stderr)
+
+    def test_a_misspelt_question_stops_the_commands_that_might_be_meant(self):
+        path = self.file(MACHINE + "[analyses]\nrespnse = {of = \"ground\"}\n")
+        self.assertIn('did you mean "response"?', trivet("response", path).stderr)
+        self.assertEqual(trivet("modes", path).returncode, 0)
+        self.assertEqual(trivet("peaks", self.file(MACHINE + "[analyses]\noptimise = {}\n")).returncode, 0)
+
+    def test_errors_of_the_model_stop_everything(self):
+        self.assertEqual(trivet("modes", self.file(MACHINE.replace("mass = 100", "mass = -100"))).returncode, 2)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -13,6 +13,7 @@
 #include "trivet/study/document.h"
 #include "trivet/study/foundation_reader.h"
 #include "trivet/study/part_readers.h"
+#include "trivet/study/questions.h"
 #include "trivet/study/source_file.h"
 #include "trivet/study/toml_text.h"
 
@@ -53,7 +54,7 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
 }
 
 std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
-                              foundation::Problems& problems,
+                              foundation::Problems& problems, const Questions& questions = {},
                               const Case* base = nullptr);
 
 /// The model of a document, without what is asked of it.
@@ -111,7 +112,7 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, foundatio
 
 /// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
 std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
-                              foundation::Problems& problems, const Case* base) {
+                              foundation::Problems& problems, const Questions& questions, const Case* base) {
   foundation::Problems reading;
   TableReader root(document, "", reading);
   model::Description description;
@@ -134,7 +135,11 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   locate(physical, document);
   all.add(physical);
-  if (analyses.map && (!base || !(base->analyses.map == analyses.map))) check_numbers_of_map(document, *analyses.map, all);
+  all = without_unwanted(all, questions, name, analyses);
+  if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
+    check_numbers_of_map(document, *analyses.map, all);
+    all = without_unwanted(all, questions, name, analyses);
+  }
   const bool good = !all.has_errors();
   all.sort_by_origin();
   problems.add(all);
@@ -256,8 +261,10 @@ foundation::Expected<model::System> changed_system(const Case& variant, const st
   return tl::make_unexpected(std::move(problems));
 }
 
-foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
-                                                const std::vector<std::string>& given) {
+namespace {
+
+foundation::Expected<Project> project_for(const Questions& questions, const std::string& text,
+                                          const std::string& source, const std::vector<std::string>& given) {
   foundation::Expected<Node> parsed = parse_toml(text, source);
   if (!parsed) return tl::make_unexpected(parsed.error());
   Node document = std::move(*parsed);
@@ -274,7 +281,7 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
   project.source = source;
   project.sha256 = sha256(hashed);
   foundation::Problems of_base;
-  auto base = read_case(document, "", project.title, of_base);
+  auto base = read_case(document, "", project.title, of_base, questions);
   problems.add(of_base);
   if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));
@@ -300,7 +307,7 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
         apply_changes(variant, setting, "", of_case);  // the command line has the last word
       std::string title;
       auto variant_case =
-          read_case(variant, name, title, of_case, project.cases.empty() ? nullptr : &project.base());
+          read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());
       add_of_case(of_case, known, name, problems);
       if (!variant_case || project.cases.empty()) continue;
       variant_case->changes = change_lines(&change, settings, variant);
@@ -312,10 +319,23 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
   return project;
 }
 
-foundation::Expected<Project> read_project(const std::filesystem::path& path, const std::vector<std::string>& settings) {
+}  // namespace
+
+foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
+                                                const std::vector<std::string>& settings) {
+  return project_for({}, text, source, settings);
+}
+
+foundation::Expected<Project> read_project_for(const Questions& questions, const std::filesystem::path& path,
+                                               const std::vector<std::string>& settings) {
   const auto text = read_source(path);
   if (!text) return tl::make_unexpected(text.error());
-  return project_from_text(*text, path.string(), settings);
+  return project_for(questions, *text, path.string(), settings);
+}
+
+foundation::Expected<Project> read_project(const std::filesystem::path& path,
+                                           const std::vector<std::string>& settings) {
+  return read_project_for({}, path, settings);
 }
 
 }  // namespace trivet::study
