@@ -105,5 +105,51 @@ class Questions(InTemporaryFolder):
         self.assertEqual(trivet("modes", self.file(MACHINE.replace("mass = 100", "mass = -100"))).returncode, 2)
 
 
+class Unused(InTemporaryFolder):
+    def warnings(self, text, *command):
+        done = trivet(*(command or ("check",)), self.file(MACHINE + text))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout + done.stderr
+
+    def test_excitations_and_points_that_no_question_uses(self):
+        spectrum = ('[excitations.road]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\n'
+                    "psd = [[1, 1e-6], [10, 1e-8]]\n")
+        said = self.warnings(spectrum + "[analyses]\nresponse = {}\n")
+        self.assertIn("excitations.road: no analysis of this file uses it", said)
+        self.assertIn("bodies.machine.points.seat: no analysis of this file asks for it", said)
+        self.assertNotIn("excitations.push", said)
+        self.assertNotIn("no analysis", self.warnings(spectrum))  # a file that asks nothing
+        self.assertNotIn("no analysis", self.warnings(spectrum + "[analyses]\nresponse = {}\n", "peaks"))
+        used = spectrum + "[analyses]\nresponse = {of = \"machine.seat.z\"}\nrandom = {}\n"
+        self.assertNotIn("no analysis", self.warnings(used))
+        pull = '[excitations.pull]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n'
+        selected = self.warnings(pull + "[analyses]\nresponse = {excitations = [\"pull\"]}\n")
+        self.assertIn("excitations.push: no analysis of this file uses it", selected)
+        self.assertNotIn("excitations.pull", selected)
+
+    def test_a_second_column_of_a_history(self):
+        (self.folder / "a.csv").write_text("time,value,other\n0,0,1\n1,1,2\n2,0,3\n")
+        history = '[excitations.bump]\ntype = "time"\nbase = true\ntranslation = [0, 0, 1]\nhistory = {file = "a.csv"%s}\n'
+        ask = "[analyses]\ntransient = {of = [\"machine.seat\"]}\nresponse = {}\n"
+        self.assertIn('excitations.bump.history.file: column "other" not used', self.warnings(history % "" + ask))
+        self.assertNotIn("not used", self.warnings(history % ', value = "other"' + ask))
+
+    def test_keys_without_effect(self):
+        ask = ('[analyses]\nresponse = {of = "mount", quantity = "velocity"}\n'
+               'transient = {of = "machine.seat", initial_velocity = {"machine.z" = 1}, to = 1, nearest_linear_system = true}\n')
+        said = self.warnings(ask)
+        self.assertIn('analyses.response.quantity: "velocity" of forces alone', said)
+        self.assertIn("analyses.transient.nearest_linear_system", self.warnings(ask, "transient"))
+
+    def test_limit_lines_beside_the_response(self):
+        line = ('[analyses]\nresponse = {of = ["machine.seat"]}\n'
+                '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1e-9], [1000, 1e-9]]\n')
+        self.assertIn("severe", self.warnings(line, "response"))
+
+    def test_the_deep_check_in_json(self):
+        done = trivet("check", self.file(MACHINE), "--deep", "--json")
+        self.assertEqual(json.loads(done.stdout)["deep"][0]["verdict"], "agrees")
+
+
 if __name__ == "__main__":
     unittest.main()

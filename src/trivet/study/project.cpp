@@ -314,6 +314,12 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       project.cases.push_back(std::move(*variant_case));
     }
   }
+  if (!questions.wanted && !problems.has_errors()) {
+    const foundation::Problems unused = unused_parts(project.cases);
+    problems.add(unused);
+    project.cases.front().warnings.add(unused);
+    project.cases.front().warnings.sort_by_origin();
+  }
   problems.sort_by_origin();
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   return project;
