@@ -35,6 +35,16 @@ double dominant_frequency(const assembly::Assembled& assembled, const std::vecto
   return omega;
 }
 
+/// What may be written in the project file instead of the law of an element.
+std::string constant_law(const model::Element& element) {
+  const std::string path = "elements.\"" + element.name + "\"";
+  if (element.type == "coil_spring") return path + ".level = \"with_mass\"";
+  const auto* law = std::get_if<elements::Viscoelastic>(&element.law.damping);
+  if (law && std::holds_alternative<elements::FractionalZener>(*law))
+    return path + ".damping = {zener = {ratio, time}} or {maxwell = {ratios, times}}";
+  return "";
+}
+
 /// The Zener law with loss factor η at its maximum, at ω, and the stiffness of the element there.
 std::string zener_offer(double eta, double omega) {
   const double ratio = 2 * eta * (eta + std::hypot(eta, 1.0));
@@ -46,7 +56,7 @@ std::string zener_offer(double eta, double omega) {
 
 void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs,
                                    bool nearest_linear_system) {
-  std::string lossy, offers, dependent;
+  std::string lossy, offers, dependent, laws;
   const double omega = assembled.matrices.lossy() ? dominant_frequency(assembled, inputs) : 0;
   std::vector<double> offered;
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
@@ -57,18 +67,27 @@ void require_constant_coefficients(const model::System& system, const assembly::
       offered.push_back(eta);
       offers += fmt::format("; for {:.4g}: damping = {{proportional = \"{:.4g} s\"}}, or {}", eta, eta / omega, zener_offer(eta, omega));
     }
-    if (assembled.elements[e].frequency_dependent()) dependent += (dependent.empty() ? "\"" : ", \"") + name + "\"";
+    if (!assembled.elements[e].frequency_dependent()) continue;
+    dependent += (dependent.empty() ? "\"" : ", \"") + name + "\"";
+    if (const std::string law = constant_law(system.elements()[e]); !law.empty()) laws += ", or " + law;
   }
+  if (!lossy.empty() && offers.empty()) offers = ": damping = {proportional = …}, or {zener = {ratio, time}}";
   if (!lossy.empty())
-    throw foundation::NotComputable(fmt::format(
-        "transient: {}: a loss factor holds for steady harmonic motion only and has no motion in time (it would answer before its cause). An equivalent has "
-        "the same stiffness and loss at one frequency{}{}",
-        lossy, omega > 0 ? fmt::format(", here that of the mode that the inputs drive most, {:.4g} Hz", omega / (2 * std::numbers::pi)) : "", offers));
+    throw foundation::NotComputable(
+        fmt::format("transient: {}: a loss factor holds for steady harmonic motion only and has no motion in time (it "
+                    "would answer before its cause). Give its key damping an equivalent "
+                    "with the same stiffness and loss at one frequency{}{}",
+                    lossy,
+                    omega > 0 ? fmt::format(", here that of the mode that the inputs drive most, {:.4g} Hz",
+                                            omega / (2 * std::numbers::pi))
+                              : "",
+                    offers));
   if (!dependent.empty() && !nearest_linear_system)
-    throw foundation::NotComputable(fmt::format(
-        "transient: {}: the stiffness depends on frequency in a way that no constant matrices can say, so there is no exact motion in time; ask for the nearest "
-        "linear system to have it computed with that, or give a Zener or generalized Maxwell law",
-        dependent));
+    throw foundation::NotComputable(
+        fmt::format("transient: {}: the stiffness depends on frequency in a way that no constant matrices can say, so "
+                    "there is no exact motion in time; have it "
+                    "computed with the nearest linear system by nearest_linear_system = true in analyses.transient{}",
+                    dependent, laws));
 }
 
 assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {
