@@ -45,8 +45,10 @@ PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, s
     Motion motion = action.amplitude.cast<Complex>();
     Extended later = action.delay;
     if (as_one) {  // u + θ × (r − at)
-      const Eigen::Matrix<Complex, 3, 1> turn = motion.tail<3>(), arm = (place - action.at).cast<Complex>();
-      motion.head<3>() += turn.cross(arm);
+      using Vector3 = Eigen::Matrix<Extended, 3, 1>;
+      const Vector3 arm = (place - action.at).cast<Extended>(), real = motion.tail<3>().real(), imaginary = motion.tail<3>().imag();
+      // Part by part: Eigen's product of complex vectors is the conjugate one.
+      motion.head<3>() += real.cross(arm).cast<Complex>() + Complex(0, 1) * imaginary.cross(arm).cast<Complex>();
     } else if (action.wave) {
       later += action.wave->direction.dot(place) / action.wave->speed;
     }
