@@ -200,6 +200,8 @@ class Gmsh(Faults):
 
     def test_that_writes_nothing_or_nonsense(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nexit 0\n")
+        for odd in ("mkfifo faces.txt", "mkdir faces.msh", "ln -s /dev/zero faces.msh"):
+            self.rejected("which is no file", f"#!/bin/sh\n{odd}\n")
         for name in ("faces.txt", "faces.msh"):
             self.rejected("", f"#!/bin/sh\nhead -c 100000 /dev/urandom > {name}\n")
         self.rejected("", "#!/bin/sh\nprintf '1e18 nan -1\\n999999999999999999 1 2 3' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$Nodes\\n99999999999\\n' > faces.msh\n")

@@ -78,6 +78,19 @@ foundation::Expected<void> prepare(const GmshJob& job) {
   return {};
 }
 
+/// What it wrote is read as files: a pipe would block, a folder fail.
+foundation::Expected<void> check_results(const GmshJob& job) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(job.folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string extension = entry->path().extension().string();
+    const bool is_result = extension == ".txt" || extension == ".msh";
+    if (is_result && !std::filesystem::is_regular_file(entry->symlink_status(error)))
+      return refused(fmt::format("{}: gmsh wrote {}, which is no file", job.step_file.string(), entry->path().filename().string()),
+                     "gmsh writes its results to files", "check the program gmsh: `gmsh --version`");
+  }
+  return {};
+}
+
 /// The limit of the job, or the user's. Nothing if the user's is no number of seconds.
 std::optional<double> time_limit(const GmshJob& job) {
   const char* given = std::getenv(gmsh_time_limit);
@@ -130,7 +143,7 @@ foundation::Expected<void> run_gmsh(const GmshJob& job, const foundation::Progre
                     complaints(outcome.output)),
         "gmsh must be able to read and mesh the solids of the file",
         "take smaller elements if it was meshing; else heal the solid in the CAD program and export it again");
-  return {};
+  return check_results(job);
 }
 
 }  // namespace trivet::solids
