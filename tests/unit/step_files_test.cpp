@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -43,6 +44,8 @@ TEST_F(StepFile, ThatIsNoneIsRefusedWithoutTraces) {
   EXPECT_THAT(message_of(folder_.path() / "empty.step"), HasSubstr("is not a STEP file"));
   EXPECT_THAT(message_of(folder_.path() / "missing.step"), HasSubstr("missing.step: cannot be read"));
   EXPECT_THAT(message_of(folder_.path()), HasSubstr("cannot be read"));
+  ASSERT_EQ(mkfifo((folder_.path() / "pipe.step").c_str(), 0600), 0);
+  EXPECT_THAT(message_of(folder_.path() / "pipe.step"), HasSubstr("cannot be read"));
 }
 
 TEST_F(StepFile, ThatWasCutOffIsRefusedInGmshsWords) {

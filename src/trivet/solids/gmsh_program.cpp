@@ -31,10 +31,10 @@ tl::unexpected<Problems> refused(const std::string& finding, const std::string& 
 }
 
 foundation::Expected<void> check_step(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
   std::error_code not_a_file;
-  const bool readable = stream && std::filesystem::is_regular_file(file, not_a_file);
-  if (!readable)
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, not_a_file)) stream.open(file, std::ios::binary);  // a pipe would block
+  if (!stream.is_open())
     return refused(fmt::format("{}: cannot be read", file.string()), "a STEP file is wanted",
                    "check its name and its rights");
   std::string begin(step_header_bytes, '\0');

@@ -145,9 +145,10 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
 }  // namespace
 
 foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file, const foundation::Progress& progress) {
-  std::ifstream stream(file, std::ios::binary);
   std::error_code not_a_file;
-  if (!stream || !std::filesystem::is_regular_file(file, not_a_file)) return refused(file, "cannot be read");
+  if (!std::filesystem::is_regular_file(file, not_a_file)) return refused(file, "cannot be read");  // a pipe would block
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return refused(file, "cannot be read");
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
 
   std::uint32_t count = 0;
