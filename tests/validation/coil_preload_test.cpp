@@ -65,6 +65,19 @@ TEST(CompressedCoil, BucklesWhereTheStandardSays) {
   }
 }
 
+TEST(CompressedCoil, TheFormulaOfTheStandardIsGivenBesideAndIsEarlyForASmallIndex) {
+  const CoilSpring slender = spring_of_length(0.08);
+  EXPECT_THAT(elements::standard_buckling(slender).value(), RelativelyNear(standard_buckling(slender, 0.5), 1e-12));
+  CoilSpring thick = literature_spring();  // index 5, 8 coils, L/D = 6: 4.3 % in docs/elements/coil_spring.md
+  thick.mean_diameter = 5e-3;
+  thick.active_coils = 8;
+  thick.active_length = 30e-3;
+  const double early = buckling(thick, elements::SeatsHeld::both)->compression / elements::standard_buckling(thick).value() - 1;
+  EXPECT_GT(early, 0.03);
+  EXPECT_LT(early, 0.051);
+  EXPECT_FALSE(elements::standard_buckling(literature_spring()));
+}
+
 TEST(CompressedCoil, AStubbySpringDoesNotBuckle) { EXPECT_FALSE(buckling(literature_spring(), elements::SeatsHeld::both)); }
 
 TEST(CompressedCoil, ForceOfTheStandardsExample) {

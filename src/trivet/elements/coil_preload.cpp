@@ -2,6 +2,7 @@
 #include "trivet/elements/coil_preload.h"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "trivet/foundation/invalid_input.h"
@@ -157,6 +158,17 @@ std::optional<Buckling> buckling(const CoilSpring& spring, SeatsHeld held) {
     return Buckling{high, at_compression(spring, high).axial_force};
   }
   return std::nullopt;
+}
+
+std::optional<double> standard_buckling(const CoilSpring& spring) {
+  constexpr double parallel_seats = 0.5;
+  require_sound(spring, false);
+  const double ratio = spring.shear_modulus / spring.youngs_modulus;
+  const double slenderness = std::numbers::pi * spring.mean_diameter / (parallel_seats * spring.active_length);
+  const double root = 1 - (1 - ratio) / (0.5 + ratio) * slenderness * slenderness;
+  if (root < 0) return std::nullopt;
+  const double compression = spring.active_length * 0.5 / (1 - ratio) * (1 - std::sqrt(root));
+  return compression <= solid_compression(spring) ? std::optional(compression) : std::nullopt;
 }
 
 foundation::Problems check_compression(const CoilSpring& spring, double compression) {

@@ -35,6 +35,10 @@ struct Buckling {
 };
 [[nodiscard]] std::optional<Buckling> buckling(const CoilSpring& spring, SeatsHeld held);
 
+/// The same compression by the formula of EN 13906-1 for parallel seats (ν = 0.5), a column of smeared coils; none if it never buckles by it. It holds for an
+/// index around 10 and many coils, and is early otherwise: docs/elements/coil_spring.md.
+[[nodiscard]] std::optional<double> standard_buckling(const CoilSpring& spring);
+
 /// A compression at which coils touch or the spring has buckled is an error; close to buckling, or of fewer than 4 coils, a warning.
 [[nodiscard]] foundation::Problems check_compression(const CoilSpring& spring, double compression);
 

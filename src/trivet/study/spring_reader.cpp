@@ -140,6 +140,8 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
   element.facts.push_back({"preload", fmt::format("{:.6g} N, compressed by {:.6g} m", state.axial_force, state.compression)});
   const auto limit = elements::buckling(spring, elements::SeatsHeld::both);
   element.facts.push_back({"buckles between parallel seats", limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression) : "not before its coils touch"});
+  const auto standard = elements::standard_buckling(spring);
+  element.facts.push_back({"the same by EN 13906-1, which smears the coils out", standard ? fmt::format("at {:.6g} m", *standard) : "not before its coils touch"});
   const bool round = std::holds_alternative<elements::RoundWire>(spring.wire);
   const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force) : elements::nominal_shear_stress(spring, state.axial_force);
   element.facts.push_back({round ? "shear stress of the wire, Wahl's factor included" : "nominal shear stress of the wire", fmt::format("{:.6g} MPa", 1e-6 * stress)});
