@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/plausibility/body_picture.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::plausibility {
+namespace {
+
+constexpr double standard_gravity = 9.80665;
+/// Share of the largest stiffness or ω² below which a direction counts as not held.
+constexpr double unheld = 1e-9;
+
+/// Stiffnesses of these types are numbers with a unit in the project or its files; all others follow from dimensions
+/// or come from a
+/// catalogue, unless their scale makes them something else.
+bool is_typed(const model::Element& element) {
+  constexpr double another = 30;
+  static constexpr const char* types[] = {"matrix", "bushing", "three_springs", "link", "stay", "imported", "measured",
+      "table", "air_spring", "wire_rope"};
+  return std::find(std::begin(types), std::end(types), element.type) != std::end(types) || element.law.scale > another
+      || element.law.scale * another < 1;
+}
+
+Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& a) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(0.5 * (a + a.transpose())));
+  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::Vector3d inverse = solver.eigenvalues().unaryExpr([&](double x) { return std::abs(x) > unheld * largest
+      ? 1 / x : 0.0; });
+  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+Attachment attachment(const model::Element& element, std::size_t index, bool at_k) {
+  const model::End& end = at_k ? element.k : element.n;
+  const int first = at_k ? 6 : 0;
+  const elements::Matrix12 stiffness = elements::stiffness(element.law);
+  const auto block = [&](const elements::Matrix12& m, int i, int j) -> Eigen::Matrix3d {
+    return end.axes * m.block<3, 3>(first + 3 * i, first + 3 * j) * end.axes.transpose();
+  };
+  Attachment result;
+  result.element = index;
+  result.at = end.at;
+  result.translation = block(stiffness, 0, 0);
+  result.coupling = block(stiffness, 0, 1);
+  result.own_rotation = block(stiffness, 1,
+      1) - result.coupling.transpose() * pseudo_inverse(result.translation) * result.coupling;
+  result.typed = is_typed(element);
+  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping))
+    result.proportional = proportional->factor * (proportional->of_nominal ? 1 / element.law.scale : 1);
+  else
+    result.viscous = elements::viscous_damping(element.law).block<3, 3>(first, first).trace();
+  return result;
+}
+
+bool is_whole(const model::Body& body) {
+  return body.has_inertia && body.mass.mass > 0 && std::all_of(body.free.begin(), body.free.end(),
+      [](bool f) { return f; });
+}
+
+spatial::MassProperties undone_mass(const BodyPicture& picture, const Slip& undone) {
+  const Eigen::Vector3d centre = undone.centre * picture.mass.centre;
+  if (picture.inertia_about_pole)
+    return spatial::from_inertia_about_pole(undone.mass * picture.mass.mass, centre,
+        undone.inertia * spatial::inertia_about_pole(picture.mass));
+  return {undone.mass * picture.mass.mass, centre, undone.inertia * picture.mass.inertia_about_centre};
+}
+
+/// Of all attachments at the centre of mass.
+spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d& centre, const Slip& undone) {
+  spatial::Matrix6 sum = spatial::Matrix6::Zero();
+  for (const Attachment& a : picture.attachments) {
+    if (!a.elastic()) continue;
+    const double k = a.typed ? undone.stiffness : 1, s = undone.places;
+         // arms inside an element were typed like its place
+    spatial::Matrix6 own;
+    own.topLeftCorner<3, 3>() = k * a.translation;
+    own.topRightCorner<3, 3>() = k * s * a.coupling;
+    own.bottomLeftCorner<3, 3>() = own.topRightCorner<3, 3>().transpose();
+    own.bottomRightCorner<3, 3>() = (a.typed ? undone.rotation : 1) * a.own_rotation;
+    if (!a.coupling.isZero(0)) own.bottomRightCorner<3,
+        3>() += k * s * s * a.coupling.transpose() * pseudo_inverse(a.translation) * a.coupling;
+    const spatial::Matrix6 lever = spatial::rigid_motion(s * a.at - centre);
+    sum += lever.transpose() * own * lever;
+  }
+  return sum;
+}
+
+/// Positive eigenvalues of K φ = λ M φ, held directions only.
+std::vector<double> held_eigenvalues(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(0.5 * (k + k.transpose())), m,
+      Eigen::EigenvaluesOnly);
+  std::vector<double> held;
+  for (const double lambda : solver.eigenvalues())
+    if (lambda > unheld * solver.eigenvalues().maxCoeff()) held.push_back(lambda);
+  return held;
+}
+
+double hertz(double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); }
+
+}  // namespace
+
+double mass_radius(const spatial::MassProperties& mass) {
+  return std::sqrt(std::abs(mass.inertia_about_centre.trace()) / (2 * mass.mass));
+}
+
+std::vector<BodyPicture> pictures(const model::System& system, const std::vector<bool>& inertia_about_pole,
+    const std::vector<bool>& from_solids) {
+  std::vector<BodyPicture> result;
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const model::Body& body = system.bodies()[b];
+    if (!is_whole(body)) continue;
+    BodyPicture& picture = result.emplace_back();
+    picture.body = b;
+    picture.mass = body.mass;
+    picture.inertia_about_pole = b < inertia_about_pole.size() && inertia_about_pole[b];
+    picture.from_solids = b < from_solids.size() && from_solids[b];
+    picture.allowed = !spatial::broken_bounds(body.mass).empty();
+    for (const model::Point& point : body.points) picture.places.push_back(point.at);
+  }
+  const auto picture_of = [&](const std::optional<std::size_t>& body) -> BodyPicture* {
+    if (!body) return nullptr;
+    const auto found = std::lower_bound(result.begin(), result.end(), *body, [](const BodyPicture& p,
+        std::size_t b) { return p.body < b; });
+    return found != result.end() && found->body == *body ? &*found : nullptr;
+  };
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    if (element.is_foundation) continue;
+    if (BodyPicture* picture = picture_of(element.k.body)) picture->attachments.push_back(attachment(element, e, true));
+    if (BodyPicture* picture = picture_of(element.n.body)) picture->attachments.push_back(attachment(element, e,
+        false));
+  }
+  for (const model::Excitation& excitation : system.description().excitations)
+    if (BodyPicture* picture = picture_of(excitation.action.body)) picture->places.push_back(excitation.action.at);
+  for (const model::ConstantForce& force : system.description().constant_forces)
+    if (BodyPicture* picture = picture_of(force.body)) picture->places.push_back(force.at);
+  return result;
+}
+
+Features features(const BodyPicture& picture, const Slip& undone) {
+  Features found;
+  const spatial::MassProperties mass = undone_mass(picture, undone);
+  if (!picture.allowed && !spatial::broken_bounds(mass).empty()) {
+    found.possible = false;
+    return found;
+  }
+  const double radius = mass_radius(mass);
+  if (!(radius > 0) || !std::isfinite(radius)) return found;
+  found.density = mass.mass / std::pow(2 * radius, 3);
+
+  double squares = 0, typed_damping = 0, stiffness_damping = 0;
+  int attached = 0;
+  for (const Attachment& a : picture.attachments) {
+    typed_damping += a.viscous;
+    stiffness_damping += a.proportional * (a.typed ? undone.stiffness : 1) * a.translation.trace();
+    squares += (undone.places * a.at - mass.centre).squaredNorm();
+    ++attached;
+  }
+  if (attached > 0) found.spread = std::sqrt(squares / attached) / radius;
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& place : picture.places) distances.push_back((place - mass.centre).norm());
+  if (!distances.empty()) {
+    std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
+        distances.end());
+    found.reach = distances[distances.size() / 2] / radius;
+  }
+
+  const spatial::Matrix6 k = stiffness_at(picture, mass.centre, undone);
+  const double held = k.topLeftCorner<3, 3>().trace();
+  if (!(held > 0) || !k.allFinite()) return found;
+  const std::vector<double> translations = held_eigenvalues(k.topLeftCorner<3, 3>() / mass.mass,
+      Eigen::Matrix3d::Identity());
+  if (translations.empty()) return found;
+  double logarithms = 0;
+  for (const double lambda : translations) logarithms += std::log(lambda);
+  const double square = std::exp(logarithms / static_cast<double>(translations.size()));
+  found.frequency = hertz(square);
+  found.sag = standard_gravity / square / (2 * radius);
+  const double directions = static_cast<double>(translations.size());
+  const double damping = typed_damping + stiffness_damping;
+  if (damping > 0) found.damping_ratio = damping / (2 * directions * mass.mass * std::sqrt(square));
+  found.lever = std::sqrt(k.bottomRightCorner<3, 3>().trace() / 2 / (held / directions)) / radius;
+  found.lowest = hertz(translations.front());
+  found.highest = hertz(translations.back());
+  if (!spatial::broken_bounds(mass).empty()) return found;
+  spatial::Matrix6 m = spatial::Matrix6::Zero();
+  m.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
+  m.bottomRightCorner<3, 3>() = mass.inertia_about_centre;
+  const std::vector<double> all = held_eigenvalues(k, m);
+  if (!all.empty()) {
+    found.lowest = hertz(*std::min_element(all.begin(), all.end()));
+    found.highest = hertz(*std::max_element(all.begin(), all.end()));
+  }
+  return found;
+}
+
+}  // namespace trivet::plausibility

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/plausibility/rules.h"
+#include "trivet/response/load_sharing.h"
+#include "trivet/response/mounts.h"
+
+namespace trivet::plausibility {
+namespace {
+
+constexpr double standard_gravity = 9.80665;
+/// Usual lengths of a gravity vector [m/s²], from a small moon to a centrifuge.
+constexpr double least_gravity = 0.3, most_gravity = 150;
+/// Share of its length that points along an axis from which gravity points along it.
+constexpr double along_axis = 0.7;
+/// Above this share of its rated load a mount is reported; without gravity in the file its load is an estimate.
+constexpr double overload = 1.25, overload_without_gravity = 2;
+/// Beyond the polygon of mounts, as a share of its size.
+constexpr double outside_by = 0.02;
+/// Pull of a mount that counts, as a share of the mean load.
+constexpr double lifted = 0.02;
+/// Larger systems are not solved for this.
+constexpr std::size_t most_bodies = 40;
+
+Eigen::Vector3d in_ground(const model::Body& body, const Eigen::Vector3d& at) {
+  return body.pose.position + body.pose.rotation * at;
+}
+
+struct GravityUnit {
+  double length;
+  double within;
+  double factor;
+  const char* words;
+};
+constexpr GravityUnit gravity_units[] = {
+    {1, 0.05, standard_gravity, "typed in g"},
+    {9806.65, 0.03, 1e-3, "typed in mm/s²"},
+    {980.665, 0.03, 1e-2, "typed in cm/s²"},
+    {32.174, 0.01, 0.3048, "typed in ft/s²"},
+};
+
+/// How far below its centre of mass, along `down`, a body is held on average, in sizes of the body; none if fewer than
+/// two mounts say so.
+std::optional<double> depth_of_mounts(const model::System& system, const BodyPicture& picture,
+    const Eigen::Vector3d& down) {
+  const model::Body& body = system.bodies()[picture.body];
+  double sum = 0;
+  int mounts = 0;
+  for (const Attachment& a : picture.attachments)
+    if (a.elastic()) sum += (body.pose.rotation * (a.at - body.mass.centre)).dot(down), ++mounts;
+  if (mounts < 2) return std::nullopt;
+  return sum / mounts / mass_radius(body.mass);
+}
+
+/// Corners of the convex hull of points in a plane, counter-clockwise.
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  const auto turn = [](const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+  };
+  std::vector<Eigen::Vector2d> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::size_t start = hull.size();
+    for (const Eigen::Vector2d& p : points) {
+      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+/// Largest distance of a point outside of an edge of a hull, over the size of the hull; ≤ 0 inside, none if the hull
+/// is but a line.
+std::optional<double> outside_of(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& p) {
+  constexpr double flat = 0.02;
+  const std::vector<Eigen::Vector2d> hull = convex_hull(points);
+  if (hull.size() < 3) return std::nullopt;
+  double size = 0, worst = -1e300, width = 1e300;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d a = hull[i], edge = hull[(i + 1) % hull.size()] - a;
+    const Eigen::Vector2d out = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
+    double across = 0;
+    for (const Eigen::Vector2d& q : hull) {
+      across = std::max(across, -(q - a).dot(out));
+      size = std::max(size, (q - a).norm());
+    }
+    width = std::min(width, across);
+    worst = std::max(worst, (p - a).dot(out));
+  }
+  if (!(width > flat * size)) return std::nullopt;
+  return worst / size;
+}
+
+bool bears(const model::Element& element) {
+  return element.type != "link" && element.type != "stay" && element.type != "beam" && element.type != "damper";
+}
+
+/// Mounts on the ground of a machine that stands on them: all lie below the common centre of mass.
+std::vector<std::size_t> standing_on(const model::System& system, const Eigen::Vector3d& down,
+    Eigen::Vector3d& centre) {
+  double mass = 0;
+  centre.setZero();
+  for (const model::Body& body : system.bodies()) {
+    mass += body.mass.mass;
+    centre += body.mass.mass * in_ground(body, body.mass.centre);
+  }
+  centre /= mass;
+  std::vector<std::size_t> mounts;
+  for (const std::size_t e : response::mounts(system)) {
+    const model::Element& element = system.elements()[e];
+    if (!bears(element) || !(elements::stiffness(element.law).block<3, 3>(6, 6).trace() > 0)) continue;
+    const Eigen::Vector3d at = in_ground(system.bodies()[*element.k.body], element.k.at);
+    if (!((at - centre).dot(down) > 0)) return {};
+    mounts.push_back(e);
+  }
+  return mounts;
+}
+
+/// What each mount bears; none if the weight does not come to the ground, or the system is too large.
+std::optional<response::LoadSharing> sharing_of(const model::System& system) {
+  const auto& gravity = system.description().gravity;
+  if (!gravity || gravity->isZero(0) || system.bodies().size() > most_bodies) return std::nullopt;
+  try {
+    return response::load_sharing(system, assembly::assemble(system));
+  } catch (const foundation::NotComputable&) {  // free in some direction, or hung on bodies alone: no load is judged
+    return std::nullopt;
+  }
+}
+
+void find_tipping(const model::System& system, Suspicions& found) {
+  const Eigen::Vector3d down = system.description().gravity->normalized();
+  Eigen::Vector3d centre;
+  const std::vector<std::size_t> mounts = standing_on(system, down, centre);
+  if (mounts.empty()) return;
+  const Eigen::Vector3d e1 = down.unitOrthogonal(), e2 = down.cross(e1);
+  const auto flat = [&](const Eigen::Vector3d& p) { return Eigen::Vector2d(e1.dot(p), e2.dot(p)); };
+  std::vector<Eigen::Vector2d> places;
+  for (const std::size_t e : mounts) {
+    const model::Element& element = system.elements()[e];
+    places.push_back(flat(in_ground(system.bodies()[*element.k.body], element.k.at)));
+  }
+  const model::Body& heaviest = *std::max_element(system.bodies().begin(), system.bodies().end(),
+      [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
+  if (const auto outside = outside_of(places, flat(centre)); outside && *outside > outside_by) {
+    found.push_back({"tipping", "bodies." + heaviest.name + ".center_of_mass",
+        fmt::format("the centre of mass is {:.3g} % of their size outside of the mounts", 100 * *outside),
+                     "a machine that stands on mounts has its weight between them",
+                         "check the centre of mass and the places of the mounts, their signs and pole"});
+    return;
+  }
+  const auto sharing = sharing_of(system);
+  if (!sharing || sharing->mounts.empty()) return;
+  const double mean = sharing->bearing_in_total / static_cast<double>(sharing->mounts.size());
+  const response::MountLoad* worst = nullptr;
+  for (const response::MountLoad& mount : sharing->mounts) {
+    const bool counts = std::any_of(mounts.begin(), mounts.end(),
+        [&](std::size_t e) { return system.elements()[e].name == mount.element; });
+    if (counts && mount.bearing < -lifted * mean && (!worst || mount.bearing < worst->bearing)) worst = &mount;
+  }
+  if (worst)
+    found.push_back({"lift-off", "elements." + worst->element,
+        fmt::format("under the static load it pulls down with {:.4g} N", -worst->bearing),
+                     fmt::format("a mount below a machine is pressed, by {:.4g} N on average", mean),
+                         "check the centre of mass, constant forces and moments, and the stiffnesses"});
+}
+
+/// Static force on a rated mount [N]. Its rating is one of compression; pull and shear as large are no better.
+double static_force(const model::System& system, const std::vector<BodyPicture>& pictures, const Rating& rating,
+    const std::optional<response::LoadSharing>& sharing, bool& load_known) {
+  const model::Element& element = system.elements()[rating.element];
+  load_known = false;
+  if (sharing)
+    for (const response::MountLoad& mount : sharing->mounts)
+      if (mount.element == element.name) {
+        load_known = true;
+        return mount.force.norm();
+      }
+  for (const BodyPicture& picture : pictures) {
+    double all = 0, own = 0;
+    for (const Attachment& a : picture.attachments) {
+      all += a.translation.trace();
+      if (a.element == rating.element && element.k.body == picture.body) own = a.translation.trace();
+    }
+    if (own > 0) return picture.mass.mass * standard_gravity * own / all;
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  const auto& given = system.description().gravity;
+  if (!given || given->isZero(0)) return false;
+  const double length = given->norm();
+  const std::string finding = fmt::format("({:.6g}, {:.6g}, {:.6g}) m/s²", given->x(), given->y(), given->z());
+  for (const GravityUnit& unit : gravity_units)
+    if (std::abs(length / unit.length - 1) < unit.within) {
+      found.push_back({"gravity", "gravity", finding, "gravity is 9.81 m/s²",
+          fmt::format("it would be {:.4g} m/s² if {}", unit.factor * length, unit.words)});
+      return true;
+    }
+  if (length < least_gravity || length > most_gravity) {
+    found.push_back({"gravity", "gravity", finding,
+        fmt::format("gravity is 9.81 m/s² on earth, {:.3g} … {:.3g} m/s² anywhere", least_gravity, most_gravity),
+            "check its unit"});
+    return true;
+  }
+  const Eigen::Vector3d down = *given / length;
+  if (!(down.y() > along_axis || down.z() > along_axis)) return false;
+  // Upwards in the usual frames. In a frame whose z points down a machine that stands has its mounts where gravity
+  // points.
+  double deepest = -1;
+  for (const BodyPicture& picture : pictures)
+    deepest = std::max(deepest, depth_of_mounts(system, picture, down).value_or(-1));
+  constexpr double clearly = 0.1;
+  if (deepest > clearly) return false;
+  found.push_back({"gravity", "gravity", finding, "gravity points down, and z (or y) mostly up",
+      "it would point down with the other sign"});
+  return true;
+}
+
+void judge_balance(const model::System& system, Suspicions& found) {
+  const auto& gravity = system.description().gravity;
+  const bool guided = std::any_of(system.bodies().begin(), system.bodies().end(), [](const model::Body& body) {
+    return std::find(body.free.begin(), body.free.end(), false) != body.free.end();  // guides hold it too
+  });
+  if (gravity && !gravity->isZero(0) && !guided && system.bodies().size() <= most_bodies) find_tipping(system, found);
+}
+
+void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
+    const std::vector<Rating>& ratings, Suspicions& found) {
+  if (ratings.empty()) return;
+  const auto sharing = sharing_of(system);
+  const Rating* worst = nullptr;
+  double worst_ratio = 0;
+  for (const Rating& rating : ratings) {
+    bool known = false;
+    const double ratio = static_force(system, pictures, rating, sharing, known) / rating.highest_load;
+    if (ratio <= (known ? overload : overload_without_gravity) || ratio <= worst_ratio) continue;
+    worst_ratio = ratio;
+    worst = &rating;
+  }
+  if (worst)
+    found.push_back({"rated load", "elements." + system.elements()[worst->element].name + ".type",
+        fmt::format("{:.4g} N on \"{}\"", worst_ratio * worst->highest_load, worst->mount),
+                     fmt::format("it is rated for {:.4g} N, and bears {:.3g} times as much", worst->highest_load,
+                         worst_ratio), "take a larger mount, or more of them"});
+}
+
+void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found) {
+  /// Rms size of the body that a free body moves from side to side under its unbalance: shakers have 0.01.
+  constexpr double largest_throw = 0.03;
+  for (const Rotor& rotor : rotors) {
+    const model::Body& body = system.bodies()[rotor.body];
+    const std::string subject = "excitations." + rotor.excitation;
+    if (rotor.mass && *rotor.mass > body.mass.mass)
+      found.push_back({"rotor", subject + ".rotor_mass", fmt::format("{:.6g} kg", *rotor.mass),
+          fmt::format("a rotor weighs less than its machine, \"{}\" of {:.6g} kg", body.name, body.mass.mass),
+              "check the unit of both"});
+    if (!rotor.mass_eccentricity || !body.has_inertia || !(body.mass.inertia_about_centre.trace() > 0)) continue;
+    const double thrown = *rotor.mass_eccentricity / body.mass.mass;
+    if (thrown > largest_throw * mass_radius(body.mass))
+      found.push_back({"rotor", subject + ".mass_eccentricity", fmt::format("{:.6g} kg m", *rotor.mass_eccentricity),
+                       fmt::format("\"{}\" of {:.6g} kg would be thrown about by {:.3g} m", body.name, body.mass.mass,
+                           thrown), "kg mm and g mm are smaller by 1e3 and 1e6: write the unit"});
+  }
+}
+
+}  // namespace trivet::plausibility

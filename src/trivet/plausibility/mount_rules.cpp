@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "trivet/plausibility/rules.h"
+#include "trivet/plausibility/unit_slips.h"
+
+namespace trivet::plausibility {
+namespace {
+
+/// Of the radius of the mass and of the distances of the mounts: nearer to each other, two mounts are at one place.
+constexpr double same_place = 1e-3;
+/// Stiffness over the median of its group from which one mount stands out.
+constexpr double unequal = 50;
+/// … from which, and up to which, N/m and N/mm were confused.
+constexpr double thousand_from = 300, thousand_to = 3000;
+constexpr double degree = 180 / std::numbers::pi;
+/// Ratio of rotational stiffnesses within which a confusion of degree and radian explains it.
+constexpr double near_degree = 1.2;
+/// A mount is not a point: √(rotational / translational stiffness) is some part of its radius. Below all three it is
+/// too little.
+constexpr double least_radius = 5e-3;               ///< [m]
+constexpr double least_share_of_spread = 4e-3;      ///< of the distance of the mounts from the centre
+constexpr double least_share_of_load_radius = 0.1;  ///< of the radius that bears the load at the pressure below
+constexpr double pressure = 5e5;                    ///< of rubber under static load [Pa]
+constexpr double standard_gravity = 9.80665;
+
+std::string family(const std::string& type) { return type.starts_with("catalogue:") ? "catalogue" : type; }
+
+/// Elements between the same two bodies that stand for each other.
+using Group = std::tuple<std::size_t, std::optional<std::size_t>, std::string>;
+
+struct Member {
+  std::size_t element = 0;
+  const Attachment* attachment = nullptr;
+  double translation = 0, rotation = 0;
+};
+
+std::map<Group, std::vector<Member>> groups(const model::System& system, const std::vector<BodyPicture>& pictures) {
+  std::map<Group, std::vector<Member>> result;
+  for (const BodyPicture& picture : pictures)
+    for (const Attachment& a : picture.attachments) {
+      const model::Element& element = system.elements()[a.element];
+      if (element.k.body != picture.body || !a.elastic()) continue;
+      result[{picture.body, element.n.body, family(element.type)}].push_back({a.element, &a, a.translation.trace(),
+          a.own_rotation.trace()});
+    }
+  return result;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+std::string key(const std::string& type, bool rotation) {
+  if (type == "bushing" || type == "three_springs") return rotation ? ".rotation" : ".translation";
+  return type == "matrix" || type == "link" || type == "stay" ? ".stiffness" : "";
+}
+
+/// Nested coil springs share their place; anything else of one type hardly does.
+bool may_share_place(const model::System& system, const Member& a, const Member& b) {
+  return system.elements()[a.element].type == "coil_spring"
+      && std::abs(a.translation - b.translation) > 1e-6 * a.translation;
+}
+
+/// Mounts whose own length hardly matters: one end tells their place.
+bool is_compact(const std::string& type) {
+  return type == "bushing" || type == "three_springs" || type.starts_with("rubber_") || type.starts_with("catalogue:");
+}
+
+void find_same_places(const model::System& system, const std::vector<BodyPicture>& pictures,
+    std::vector<Member> members, Suspicions& found) {
+  const std::size_t body = *system.elements()[members.front().element].k.body;
+  const auto picture = std::find_if(pictures.begin(), pictures.end(),
+      [&](const BodyPicture& p) { return p.body == body; });
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Member& m : members) middle += m.attachment->at / static_cast<double>(members.size());
+  double squares = 0;
+  for (const Member& m : members) squares += (m.attachment->at - middle).squaredNorm() / static_cast<double>(members.size());
+  const double near = same_place * std::min(mass_radius(picture->mass), std::sqrt(squares));  // either may be a slip
+  std::stable_sort(members.begin(), members.end(), [](const Member& a,
+      const Member& b) { return a.attachment->at.x() < b.attachment->at.x(); });
+  for (std::size_t i = 0; i < members.size(); ++i)
+    for (std::size_t j = i + 1; j < members.size()
+        && members[j].attachment->at.x() - members[i].attachment->at.x() <= near; ++j) {
+      const Member &first = members[i].element < members[j].element ? members[i] : members[j], &second =
+          &first == &members[i] ? members[j] : members[i];
+      const model::Element &a = system.elements()[first.element], &b = system.elements()[second.element];
+      if ((first.attachment->at - second.attachment->at).norm() > near || (!is_compact(a.type)
+          && (a.n.at - b.n.at).norm() > near) || may_share_place(system, first, second)) continue;
+      found.push_back({"same place", "elements." + b.name + ".at",
+          fmt::format("\"{}\" and \"{}\" are both at ({:.4g}, {:.4g}, {:.4g}) m", a.name, b.name, b.k.at.x(),
+              b.k.at.y(), b.k.at.z()),
+                       "two mounts of a kind are at two places",
+                           "probably copied and not changed, or a sign is missing"});
+    }
+}
+
+/// One member far from the median of the others.
+void find_unequal(const model::System& system, const std::vector<Member>& members, Suspicions& found,
+    std::vector<std::size_t>& blamed) {
+  if (members.size() < 2 || !members.front().attachment->typed) return;
+  for (const Member& m : members) {
+    std::vector<double> others, rotations;
+    for (const Member& o : members)
+      if (o.element != m.element) others.push_back(o.translation), rotations.push_back(o.rotation);
+    const auto [low, high] = std::minmax_element(others.begin(), others.end());
+    const double usual = median(others), ratio = m.translation / usual;
+    const model::Element& element = system.elements()[m.element];
+    const bool stands_out = (ratio > unequal || ratio < 1 / unequal) && *high < unequal * *low;
+    if (stands_out && (members.size() > 2 || m.element < members[0].element + members[1].element - m.element)) {
+      const double factor = std::max(ratio, 1 / ratio);
+      const bool thousand = factor > thousand_from && factor < thousand_to;
+      found.push_back({thousand ? "stiffness" : "unequal mounts", "elements." + element.name + key(element.type, false),
+                       fmt::format("{:.6g} N/m in the mean of three directions", m.translation / 3),
+                       fmt::format("the others of its kind have {:.6g} N/m, {:.3g} times {}", usual / 3, factor,
+                           ratio < 1 ? "more" : "less"),
+                       thousand ? fmt::format("it would be {:.6g} N/m if N/m and N/mm were confused",
+                           m.translation / 3 * (ratio < 1 ? 1e3 : 1e-3)) : "check its digits and its unit"});
+      blamed.push_back(m.element);
+      continue;
+    }
+    const double usual_rotation = median(rotations);
+    const auto [least, most] = std::minmax_element(rotations.begin(), rotations.end());
+    constexpr double alike = 2;
+    if (!(*least > 0) || !(m.rotation > 0) || members.size() < 3 || *most > alike * *least) continue;
+    const double turn = usual_rotation / m.rotation / std::max(1e-300, usual / m.translation);
+    if (turn > degree / near_degree && turn < degree * near_degree)
+      found.push_back({"stiffness per degree", "elements." + element.name + key(element.type, true),
+          fmt::format("{:.6g} N m/rad in the mean of three directions", m.rotation / 3),
+                       fmt::format("the others of its kind have {:.6g} N m/rad", usual_rotation / 3),
+                           fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * m.rotation / 3)});
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
+    Suspicions& found) {
+  std::vector<std::size_t> blamed;
+  for (const auto& [group, members] : groups(system, pictures)) {
+    find_same_places(system, pictures, members, found);
+    find_unequal(system, members, found, blamed);
+  }
+  return blamed;
+}
+
+void judge_rotation(const model::System& system, const BodyPicture& picture, Suspicions& found) {
+  double translation = 0, rotation = 0, squares = 0;
+  int mounts = 0;
+  const Attachment* first = nullptr;
+  for (const Attachment& a : picture.attachments) {
+    if (!a.typed || !a.elastic()) continue;
+    if (!first && a.own_rotation.trace() > 0) first = &a;
+    translation += a.translation.trace();
+    rotation += a.own_rotation.trace();
+    squares += (a.at - picture.mass.centre).squaredNorm();
+    ++mounts;
+  }
+  if (!first || mounts < 2 || !(rotation > 0)) return;
+  const model::Element& element = system.elements()[first->element];
+  if (element.type != "bushing") return;  // of a matrix, what is left about the elastic centre may be rounding
+  const double radius = std::sqrt(rotation / translation), spread = std::sqrt(squares / mounts);
+  const double load_radius = std::sqrt(picture.mass.mass * standard_gravity / (mounts * std::numbers::pi * pressure));
+  if (radius >= least_radius || radius >= least_share_of_spread * spread
+      || radius >= least_share_of_load_radius * load_radius) return;
+  const std::string small = fmt::format("√(rotational over translational stiffness) is {:.2g} mm, and some part of the "
+                                        "radius of a mount, {:.2g} mm for this load", 1e3 * radius, 1e3 * load_radius);
+  // Too much translational stiffness shows the same.
+  if (oddness(features(picture, {.stiffness = 1e-3})) < oddness(features(picture, {}))) {
+    const double mean = first->translation.trace() / 3;
+    found.push_back({"stiffness", "elements." + element.name + ".translation",
+        fmt::format("{:.6g} N/m in the mean of three directions", mean),
+                     small,
+                     fmt::format("it would be {:.6g} N/m if given in N/m and typed as N/mm", 1e-3 * mean)});
+    return;
+  }
+  found.push_back({"stiffness per degree", "elements." + element.name + ".rotation",
+      fmt::format("{:.6g} N m/rad in the mean of three directions", first->own_rotation.trace() / 3),
+                   small,
+                   fmt::format("it would be {:.6g} N m/rad if given in N m/deg",
+                       degree * first->own_rotation.trace() / 3)});
+}
+
+}  // namespace trivet::plausibility

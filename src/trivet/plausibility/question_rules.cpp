@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/assembly/assembled.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/massless.h"
+#include "trivet/plausibility/rules.h"
+
+namespace trivet::plausibility {
+namespace {
+
+/// A resonance this far outside of a band is still seen by its flank.
+constexpr double margin = 1.1;
+/// Natural frequencies of a usual machine [Hz].
+constexpr double usual_from = 0.5, usual_to = 200;
+/// Larger systems are not solved for this.
+constexpr Eigen::Index most_coordinates = 300;
+/// A pulse has at most so many pieces; a longer history is a record, which may be cut behind its largest value.
+constexpr std::size_t most_pieces_of_pulse = 8;
+
+/// Natural frequencies above 0, ascending [rad/s]; empty if the system is too large or has no such modes.
+std::vector<double> natural_frequencies(const model::System& system) {
+  std::vector<double> result;
+  if (6 * static_cast<Eigen::Index>(system.bodies().size()) > most_coordinates) return result;
+  try {
+    const assembly::Assembled assembled = assembly::assemble(system);
+    if (assembled.layout.size() > most_coordinates) return result;
+    const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
+    for (const double lambda : numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric).lambda)
+      if (lambda > 0) result.push_back(std::sqrt(lambda));
+  } catch (const foundation::NotComputable&) {  // a coordinate without mass and stiffness: the answers say so themselves
+    result.clear();
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+double hertz(double omega) { return omega / (2 * std::numbers::pi); }
+
+bool holds_any(const Window& window, const std::vector<double>& natural, double factor) {
+  return std::any_of(natural.begin(), natural.end(), [&](double w) { return factor * w * margin >= window.from
+      && factor * w <= window.to * margin; });
+}
+
+void judge_window(const Window& window, const std::vector<double>& natural, Suspicions& found) {
+  if (holds_any(window, natural, 1)) return;
+  const double thousand = std::sqrt(1000.0);
+  const auto explains = [&](double factor) {
+    return holds_any(window, natural, factor) && hertz(factor * natural.front()) > usual_from && hertz(factor * natural.back()) < usual_to;
+  };
+  const char* typed = explains(thousand) ? "N/mm typed as N/m" : explains(1 / thousand) ? "N/m typed as N/mm" : nullptr;
+  const std::string stiffness = typed ? fmt::format("; or suspicion \"stiffness\": with stiffnesses in {} some would lie in it", typed) : "";
+  found.push_back({window.spectrum ? "spectrum" : "band", window.subject, fmt::format("{:.4g} … {:.4g} Hz",
+      hertz(window.from), hertz(window.to)),
+                   fmt::format("no natural frequency lies in it: the machine has {:.4g} … {:.4g} Hz",
+                       hertz(natural.front()), hertz(natural.back())),
+                   "a number without a unit is in rad/s; change the band, "
+                   "or look at masses and stiffnesses if you know where the resonances are" + stiffness});
+}
+
+/// When a history has done its work: the end of a pulse, the largest value of a record. [s]
+double end_of(const excitation::Signal& signal) {
+  if (signal.pieces.size() <= most_pieces_of_pulse) return signal.pieces.back().start;
+       // the last piece is its rest, 0 or held
+  double largest = 0, at = signal.pieces.front().start;
+  for (const excitation::Piece& piece : signal.pieces)
+    if (std::abs(piece.value) > largest) largest = std::abs(piece.value), at = piece.start;
+  return at;
+}
+
+void judge_transient(const model::System& system, const TimeQuestion& question, const std::vector<double>& natural,
+    Suspicions& found) {
+  double latest = 0;
+  std::string name;
+  for (const model::Excitation& excitation : system.description().excitations) {
+    const auto* history = std::get_if<model::History>(&excitation.course);
+    const bool asked = question.excitations.empty() || std::find(question.excitations.begin(),
+        question.excitations.end(), excitation.name) != question.excitations.end();
+    if (!history || !asked || history->signal.pieces.empty()) continue;
+    const double end = end_of(history->signal) + excitation.action.delay;
+    if (name.empty() || end > latest) latest = end, name = excitation.name;
+  }
+  const std::string finding = fmt::format("it ends at {:.6g} s", question.to);
+  if (question.to < latest) {
+    found.push_back({"transient", "analyses.transient.to", finding, fmt::format("\"{}\" lasts to {:.6g} s", name,
+        latest), "let it end some periods later"});
+    return;
+  }
+  if (natural.empty()) return;
+  const double half_period = std::numbers::pi / natural.front();
+  if (question.to - latest < half_period)
+    found.push_back({"transient", "analyses.transient.to", finding,
+                     fmt::format("half a period of the lowest mode ({:.4g} Hz) is {:.4g} s{}", hertz(natural.front()),
+                         half_period, name.empty() ? "" : fmt::format(", after \"{}\" at {:.4g} s", name, latest)),
+                     "let it end some periods later: the largest answer comes in this time"});
+}
+
+}  // namespace
+
+void judge_questions(const model::System& system, const Stated& stated, Suspicions& found) {
+  if (stated.windows.empty() && !stated.transient) return;
+  const std::vector<double> natural = natural_frequencies(system);
+  if (!natural.empty())
+    for (const Window& window : stated.windows) judge_window(window, natural, found);
+  if (stated.transient) judge_transient(system, *stated.transient, natural, found);
+}
+
+}  // namespace trivet::plausibility

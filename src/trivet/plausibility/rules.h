@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/plausibility/body_picture.h"
+#include "trivet/plausibility/suspicion.h"
+
+/// Single rules with single numbers; each function adds what it finds.
+namespace trivet::plausibility {
+
+using Suspicions = std::vector<Suspicion>;
+
+/// Two mounts at one place; one mount of a group far stiffer or softer than the others. Returns the elements blamed
+/// for that.
+std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
+    Suspicions& found);
+
+/// Rotational stiffnesses that mounts of this translational stiffness under this load cannot have. Call it for a body
+/// that is usual otherwise.
+void judge_rotation(const model::System& system, const BodyPicture& picture, Suspicions& found);
+
+/// Gravity in another unit or upwards. Returns whether it is doubtful.
+bool judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+
+/// Centre of mass outside of the mounts, mounts that are lifted. Call it for a machine and a gravity that are beyond
+/// suspicion.
+void judge_balance(const model::System& system, Suspicions& found);
+
+/// Mounts above their rated load. Call it where masses and gravity are beyond suspicion.
+void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
+    const std::vector<Rating>& ratings, Suspicions& found);
+
+/// Modal ratios and loss factors in percent, Rayleigh's numbers exchanged, factors of proportional damping.
+void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+
+/// Rotors that weigh more than their machine, unbalances that would throw it about.
+void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found);
+
+/// Bands and spectra without a resonance, transients that end too early.
+void judge_questions(const model::System& system, const Stated& stated, Suspicions& found);
+
+}  // namespace trivet::plausibility

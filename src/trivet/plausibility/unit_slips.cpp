@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/plausibility/unit_slips.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trivet::plausibility {
+namespace {
+
+/// What is usual for a machine on mounts, 20 g … 200 t. Oddness is ½ (ln(distance to the range) / width)², in the
+/// natural logarithm of
+/// likelihood: the same currency for all features.
+struct Range {
+  const char* words;
+  const char* unit;
+  double from, to, width;
+  const char* kind_below;
+  const char* kind_above;
+
+  [[nodiscard]] constexpr bool has_both_ends() const { return from > 0 && to < open; }
+  static constexpr double open = 1e9;
+};
+constexpr Range density_range{"mass over the cube of its size", "kg/m³", 3, 15000, 0.8, "density", "density"};
+constexpr Range spread_range{"distance of the mounts over that of the mass from the centre", "", 0.15, 8, 0.6,
+    "spread of mounts", "spread of mounts"};
+constexpr Range lever_range{"lever of the stiffness over that of the mass", "", 0.1, 8, 0.6, "spread of mounts",
+    "spread of mounts"};
+constexpr Range reach_range{"distance of points and forces over that of the mass from the centre", "", 0, 10, 0.6,
+    "density", "density"};
+constexpr Range frequency_range{"natural frequency of translation", "Hz", 0.8, 120, 0.45, "natural frequency",
+    "natural frequency"};
+constexpr Range lowest_range{"lowest natural frequency", "Hz", 0.2, Range::open, 0.45, "natural frequency", "natural frequency"};
+constexpr Range highest_range{"highest natural frequency", "Hz", 0, 2000, 0.45, "natural frequency", "natural frequency"};
+constexpr Range sag_range{"sag under its weight over its size", "", 1e-4, 0.3, 1.1, "natural frequency", "sag"};
+constexpr Range damping_range{"damping ratio", "", 5e-4, 1.5, 0.9, "", ""};
+
+/// A slip is a rare thing: undone, it must explain so much oddness [nats].
+constexpr double price_of_slip = 5;
+/// Oddness that is reported although no slip explains it [nats].
+constexpr double odd_alone = 7;
+/// What it costs that an analysis looks where no resonance is [nats].
+constexpr double price_of_missed_window = 4.8;
+/// Frequencies this far outside of a window still count as in it.
+constexpr double window_margin = 1.3;
+/// Prefers the middle of a range where several slips lead into it [nats].
+constexpr double tilt = 0.02;
+
+constexpr Slip slips[] = {
+    {.kind = "mass", .words = "typed in grams", .mass = 1e-3},
+    {.kind = "mass", .words = "typed in tonnes", .mass = 1e3},
+    {.kind = "inertia", .words = "typed in kg cm²", .inertia = 1e-4},
+    {.kind = "inertia", .words = "typed in kg mm²", .inertia = 1e-6},
+    {.kind = "inertia", .words = "typed in g cm²", .inertia = 1e-7},
+    {.kind = "inertia", .words = "typed in g mm²", .inertia = 1e-9},
+    {.kind = "inertia", .words = "typed in t m²", .inertia = 1e3},
+    {.kind = "center of mass", .words = "typed in millimetres", .centre = 1e-3},
+    {.kind = "center of mass", .words = "typed in centimetres", .centre = 1e-2},
+    {.kind = "places", .words = "typed in millimetres", .places = 1e-3},
+    {.kind = "places", .words = "typed in centimetres", .places = 1e-2},
+    {.kind = "stiffness", .words = "typed in N/mm", .stiffness = 1e3},
+    {.kind = "stiffness", .words = "given in N/m and typed as N/mm", .stiffness = 1e-3},
+    {.kind = "stiffness per degree", .words = "given in N m/deg", .rotation = 180 / std::numbers::pi},
+};
+
+double outside(const std::optional<double>& value, const Range& range) {
+  if (!value) return 0;
+  if (!(*value > 0)) return 0;
+  if (*value < range.from) return std::log(range.from / *value);
+  return *value > range.to ? std::log(*value / range.to) : 0;
+}
+
+double oddness_of(const std::optional<double>& value, const Range& range) {
+  const double distance = outside(value, range) / range.width;
+  return 0.5 * distance * distance;
+}
+
+struct Judged {
+  const std::optional<double> Features::*value;
+  const Range* range;
+};
+constexpr Judged judged[] = {
+    {&Features::density, &density_range}, {&Features::spread, &spread_range},       {&Features::lever, &lever_range},
+        {&Features::reach, &reach_range},
+    {&Features::sag, &sag_range},         {&Features::frequency, &frequency_range}, {&Features::damping_ratio,
+        &damping_range},
+};
+
+double missed_windows(const Features& found, const std::vector<Window>& windows) {
+  if (windows.empty() || !found.lowest || !found.highest) return 0;
+  const auto missed = std::count_if(windows.begin(), windows.end(), [&](const Window& w) {
+    const double from = w.from / (2 * std::numbers::pi) / window_margin, to =
+        w.to / (2 * std::numbers::pi) * window_margin;
+    return *found.highest < from || *found.lowest > to;
+  });
+  return price_of_missed_window * static_cast<double>(missed) / static_cast<double>(windows.size());
+}
+
+double tilted(const Features& found) {
+  double sum = 0;
+  for (const Judged& j : judged) {
+    const auto& value = found.*(j.value);
+    if (!value || !(*value > 0) || !j.range->has_both_ends()) continue;
+    const double off =
+        std::log(*value / std::sqrt(j.range->from * j.range->to)) / std::log(j.range->to / j.range->from);
+    sum += tilt * off * off;
+  }
+  return sum;
+}
+
+bool applies(const Slip& slip, const BodyPicture& picture) {
+  const bool any_typed = std::any_of(picture.attachments.begin(), picture.attachments.end(),
+      [](const Attachment& a) { return a.typed && a.elastic(); });
+  const bool any_place = std::any_of(picture.attachments.begin(), picture.attachments.end(),
+      [](const Attachment& a) { return !a.at.isZero(0); });
+  if (slip.mass != 1 || slip.inertia != 1) return !picture.from_solids;
+  if (slip.centre != 1) return !picture.from_solids && !picture.mass.centre.isZero(0);
+  if (slip.stiffness != 1 || slip.rotation != 1) return any_typed;
+  return any_place;
+}
+
+/// "the natural frequency of translation is 0.31 Hz (usual: 0.8 … 120 Hz)", the oddest first.
+std::string odd_words(const Features& found, const std::vector<Window>& windows) {
+  std::vector<std::pair<double, std::string>> odd;
+  for (const Judged& j : judged) {
+    const auto& value = found.*(j.value);
+    if (outside(value, *j.range) <= 0) continue;
+    const std::string unit = *j.range->unit ? std::string(" ") + j.range->unit : "";
+    const std::string usual = j.range->has_both_ends() ? fmt::format("usual {:.6g} … {:.6g}", j.range->from, j.range->to)
+                              : j.range->from > 0 ? fmt::format("usual from {:.6g}", j.range->from) : fmt::format("usual up to {:.6g}", j.range->to);
+    odd.emplace_back(oddness_of(value, *j.range), fmt::format("{} {:.3g}{} ({})", j.range->words, *value, unit, usual));
+  }
+  std::sort(odd.begin(), odd.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < odd.size() && i < most; ++i) text += (i > 0 ? ", " : "") + odd[i].second;
+  if (missed_windows(found, windows) > 0)
+    text += fmt::format("{}natural frequencies {:.3g} … {:.3g} Hz outside of what is asked for", text.empty() ? ""
+        : ", ", *found.lowest, *found.highest);
+  return text;
+}
+
+const Attachment* first_typed(const BodyPicture& picture) {
+  for (const Attachment& a : picture.attachments)
+    if (a.typed && a.elastic()) return &a;
+  return nullptr;
+}
+
+/// The farthest one: a single wrong place is that.
+const Attachment* farthest(const BodyPicture& picture) {
+  const Attachment* best = nullptr;
+  for (const Attachment& a : picture.attachments)
+    if (!best || (a.at - picture.mass.centre).norm() > (best->at - picture.mass.centre).norm() * (1 + 1e-9)) best = &a;
+  return best;
+}
+
+const char* key_of_stiffness(const std::string& type) {
+  if (type == "bushing" || type == "three_springs") return ".translation";
+  return type == "matrix" || type == "link" || type == "stay" ? ".stiffness" : "";
+}
+
+std::string key_of_place(const model::System& system, const Attachment& a, std::size_t body) {
+  return system.elements()[a.element].k.body == body ? ".at" : ".from_at";
+}
+
+Suspicion of_slip(const model::System& system, const BodyPicture& picture, const Slip& slip) {
+  const model::Body& body = system.bodies()[picture.body];
+  Suspicion s;
+  s.kind = slip.kind;
+  s.subject = "bodies." + body.name;
+  if (slip.mass != 1) {
+    s.subject += ".mass";
+    s.finding = fmt::format("{:.6g} kg", body.mass.mass);
+    s.probable = fmt::format("it would be {:.6g} kg if {}", slip.mass * body.mass.mass, slip.words);
+  } else if (slip.inertia != 1) {
+    const double xx = picture.inertia_about_pole ? spatial::inertia_about_pole(body.mass)(0, 0)
+        : body.mass.inertia_about_centre(0, 0);
+    s.subject += ".inertia";
+    s.finding = fmt::format("xx = {:.6g} kg m²", xx);
+    s.probable = fmt::format("xx would be {:.6g} kg m² if {}", slip.inertia * xx, slip.words);
+  } else if (slip.centre != 1) {
+    s.subject += ".center_of_mass";
+    s.finding = fmt::format("{:.6g} m from the pole", body.mass.centre.norm());
+    s.probable = fmt::format("it would be {:.6g} m if {}", slip.centre * body.mass.centre.norm(), slip.words);
+  } else if (slip.rotation != 1) {
+    const Attachment& a = *first_typed(picture);
+    const model::Element& element = system.elements()[a.element];
+    const double mean = a.own_rotation.trace() / 3;
+    s.subject = "elements." + element.name + (key_of_stiffness(element.type) == std::string(".translation")
+        ? ".rotation" : key_of_stiffness(element.type));
+    s.finding = fmt::format("{:.6g} N m/rad in the mean of three directions", mean);
+    s.probable = fmt::format("it would be {:.6g} N m/rad if {}", slip.rotation * mean, slip.words);
+  } else if (slip.stiffness != 1) {
+    const Attachment& a = *first_typed(picture);
+    const model::Element& element = system.elements()[a.element];
+    s.subject = "elements." + element.name + key_of_stiffness(element.type);
+    const double mean = a.translation.trace() / 3;
+    s.finding = fmt::format("{:.6g} N/m in the mean of three directions", mean);
+    s.probable = fmt::format("it would be {:.6g} N/m if {}; look at the other elements of \"{}\" too",
+        slip.stiffness * mean, slip.words, body.name);
+  } else {
+    const Attachment& a = *farthest(picture);
+    s.subject = "elements." + system.elements()[a.element].name + key_of_place(system, a, picture.body);
+    s.finding = fmt::format("{:.6g} m from the centre of mass", (a.at - picture.mass.centre).norm());
+    s.probable = fmt::format("it would be {:.6g} m if {}; look at the other elements of \"{}\" too",
+        (slip.places * a.at - picture.mass.centre).norm(), slip.words, body.name);
+  }
+  return s;
+}
+
+Suspicion of_feature(const model::System& system, const BodyPicture& picture, const Features& found) {
+  const Judged* worst = &judged[0];
+  for (const Judged& j : judged)
+    if (*j.range->kind_above && oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value),
+        *worst->range)) worst = &j;
+  const double value = *(found.*(worst->value));
+  Suspicion s;
+  s.kind = value < worst->range->from ? worst->range->kind_below : worst->range->kind_above;
+  s.subject = "bodies." + system.bodies()[picture.body].name;
+  s.finding = fmt::format("{} {:.3g}{}{}", worst->range->words, value, *worst->range->unit ? " " : "",
+      worst->range->unit);
+  s.probable = "no single slip of a unit explains it: look at its mass, inertia, places and stiffnesses";
+  return s;
+}
+
+}  // namespace
+
+double oddness(const Features& found) {
+  double sum = 0;
+  for (const Judged& j : judged) sum += oddness_of(found.*(j.value), *j.range);
+  return sum;
+}
+
+std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture& picture,
+    const std::vector<Window>& windows) {
+  const Features as_typed = features(picture, {});
+  const double now = oddness(as_typed) + missed_windows(as_typed, windows);
+  const double alone = oddness(as_typed) - oddness_of(as_typed.damping_ratio, damping_range);
+       // damping alone says little of the machine
+  if (now <= price_of_slip && alone <= odd_alone) return std::nullopt;
+  const Slip* best = nullptr;
+  double best_oddness = now - price_of_slip;
+  for (const Slip& slip : slips) {
+    if (!applies(slip, picture)) continue;
+    const Features undone = features(picture, slip);
+    if (!undone.possible) continue;
+    const double then = oddness(undone) + missed_windows(undone, windows) + tilted(undone);
+    if (then < best_oddness) {
+      best_oddness = then;
+      best = &slip;
+    }
+  }
+  if (!best && alone <= odd_alone) return std::nullopt;
+  BodyVerdict verdict{picture.body, best ? of_slip(system, picture, *best) : of_feature(system, picture, as_typed),
+      std::nullopt};
+  if (best) verdict.slip = *best;
+  verdict.suspicion.rule = odd_words(as_typed, windows);
+  return verdict;
+}
+
+}  // namespace trivet::plausibility
