@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "trivet/study/acceptances.h"
 #include "trivet/study/changes.h"
 #include "trivet/study/design_parameter.h"
 #include "trivet/study/document.h"
@@ -15,6 +16,7 @@
 #include "trivet/study/part_readers.h"
 #include "trivet/study/questions.h"
 #include "trivet/study/source_file.h"
+#include "trivet/study/suspicions.h"
 #include "trivet/study/toml_text.h"
 
 namespace trivet::study {
@@ -126,13 +128,15 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   read_system_damping(root, description);
   read_excitations(root, description, mentioned);
   Analyses analyses = read_analyses(root, mentioned);
-  static_cast<void>(root.node("cases"));
+  root.also_known({"cases", "accept"});
   root.finish();
 
   const bool every_body_was_read = !mentioned.bodies_unknown && description.bodies.size() == mentioned.bodies.size();
+  const std::vector<model::Body> bodies = description.bodies;
   auto system = model::System::checked(std::move(description));
   foundation::Problems all = reading;
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
+  if (!system) name_slips(bodies, document, physical);
   locate(physical, document);
   all.add(physical);
   all = without_unwanted(all, questions, name, analyses);
@@ -145,6 +149,15 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   problems.add(all);
   if (!good || !system) return std::nullopt;
   return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), document};
+}
+
+/// Adds the suspicions of a case to its warnings, except those accepted.
+void judge(Case& variant, AcceptanceBook& book, foundation::Problems& problems) {
+  const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
+  const foundation::Problems warnings = book.warnings(suspicions(variant), accepted, variant.document);
+  problems.add(warnings);
+  variant.warnings.add(warnings);
+  variant.warnings.sort_by_origin();
 }
 
 /// Adds what a case brings beyond the base model, under the name of the case.
@@ -281,7 +294,9 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   project.source = source;
   project.sha256 = sha256(hashed);
   foundation::Problems of_base;
+  AcceptanceBook book;
   auto base = read_case(document, "", project.title, of_base, questions);
+  if (base) judge(*base, book, of_base);
   problems.add(of_base);
   if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));
@@ -308,6 +323,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       std::string title;
       auto variant_case =
           read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());
+      if (variant_case) judge(*variant_case, book, of_case);
       add_of_case(of_case, known, name, problems);
       if (!variant_case || project.cases.empty()) continue;
       variant_case->changes = change_lines(&change, settings, variant);
@@ -315,6 +331,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
     }
   }
   if (!questions.wanted && !problems.has_errors()) {
+    problems.add(book.unneeded(!settings.changes.empty()));
     const foundation::Problems unused = unused_parts(project.cases);
     problems.add(unused);
     project.cases.front().warnings.add(unused);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/acceptances.h"
 #include "trivet/study/outside_features.h"
 
 namespace trivet::study {
@@ -280,7 +281,7 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
 void TableReader::finish() {
   for (std::size_t i = 0; i < table_.keys.size(); ++i) {
     const std::string& key = table_.keys[i];
-    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    if (std::find(known_.begin(), known_.end(), key) != known_.end() || (key == "accept" && may_accept(path_))) continue;
     const std::string guess = foundation::nearest_name(key, known_);
     const std::string short_key = key.substr(0, 60);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/suspicions.h"
+
+#include <algorithm>
+
+#include "trivet/plausibility/inertia_slips.h"
+#include "trivet/study/catalogue.h"
+#include "trivet/study/element_parts.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::string_view catalogue_prefix = "catalogue:";
+
+const Node* find(const Node& document, const std::string& group, const std::string& name) {
+  const Node* things = document.find(group);
+  return things ? things->find(name) : nullptr;
+}
+
+bool is_about_pole(const Node& document, const std::string& body) {
+  const Node* table = find(document, "bodies", body);
+  const Node* inertia = table ? table->find("inertia") : nullptr;
+  const Node* about = inertia ? inertia->find("about") : nullptr;
+  return about && about->text == "pole";
+}
+
+void add_bodies(const Case& variant, plausibility::Stated& stated) {
+  for (const model::Body& body : variant.system.bodies()) {
+    const Node* table = find(variant.document, "bodies", body.name);
+    stated.inertia_about_pole.push_back(is_about_pole(variant.document, body.name));
+    stated.from_solids.push_back(table && table->find("solids"));
+  }
+}
+
+/// What catalogues say of their mounts; files that passed once are read again.
+void add_ratings(const Case& variant, plausibility::Stated& stated) {
+  const auto& elements = variant.system.elements();
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (!elements[e].type.starts_with(catalogue_prefix)) continue;
+    const Node* table = find(variant.document, "elements", elements[e].name);
+    if (!table) continue;
+    foundation::Problems ignored;
+    TableReader reader(*table, "elements." + elements[e].name, ignored);
+    std::vector<Catalogue> catalogues;
+    if (reader.has("catalogue"))
+      if (const auto file = read_file_name(reader, "catalogue"))
+        if (auto given = read_catalogue(*file)) catalogues.push_back(std::move(*given));
+    catalogues.push_back(generic_catalogue());
+    const auto mount = mount_named(elements[e].type.substr(catalogue_prefix.size()), catalogues);
+    if (mount && mount->static_load && mount->static_load->y() > 0) stated.ratings.push_back({e,
+        mount->static_load->y(), mount->name});
+  }
+}
+
+void add_rotors(const Case& variant, plausibility::Stated& stated) {
+  for (const model::Excitation& excitation : variant.system.description().excitations) {
+    const Node* table = find(variant.document, "excitations", excitation.name);
+    if (!table || !excitation.action.body) continue;
+    const Node* type = table->find("type");
+    if (!type || type->text != "unbalance") continue;
+    foundation::Problems ignored;
+    TableReader reader(*table, "excitations." + excitation.name, ignored);
+    stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
+        reader.number("mass_eccentricity", Quantity::mass_length)});
+  }
+}
+
+void add_questions(const Case& variant, plausibility::Stated& stated) {
+  const Analyses& asked = variant.analyses;
+  const auto add = [&](const char* subject, const std::optional<response::Band>& band) {
+    if (band) stated.windows.push_back({subject, band->from, band->to});
+  };
+  if (asked.response) add("analyses.response.band", asked.response->band);
+  if (asked.transmissibility) add("analyses.transmissibility.band", asked.transmissibility->band);
+  if (asked.power) add("analyses.power.band", asked.power->band);
+  for (const model::Excitation& excitation : variant.system.description().excitations)
+    if (const auto* random = std::get_if<model::Random>(&excitation.course))
+      stated.windows.push_back({"excitations." + excitation.name + ".psd", random->spectrum.from(),
+          random->spectrum.to(), true});
+  if (asked.transient && asked.transient->to) stated.transient = plausibility::TimeQuestion{*asked.transient->to,
+      asked.transient->wanted.excitations};
+}
+
+}  // namespace
+
+std::vector<plausibility::Suspicion> suspicions(const Case& variant) {
+  plausibility::Stated stated;
+  add_bodies(variant, stated);
+  add_ratings(variant, stated);
+  add_rotors(variant, stated);
+  add_questions(variant, stated);
+  return plausibility::suspicions(variant.system, stated);
+}
+
+void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {
+  for (const model::Body& body : bodies)
+    for (foundation::Problem& problem : problems.list()) {
+      if (problem.severity != foundation::Severity::error
+          || problem.subject != "bodies." + body.name + ".inertia") continue;
+      if (const auto slip = plausibility::slip_behind(body.mass, is_about_pole(document, body.name))) problem.remedy =
+          slip->words + "; " + problem.remedy;
+      break;  // one cause is named once
+    }
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Features of bodies against closed forms, slips that are undone, and single rules at their bounds.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/projects.h"
+#include "trivet/plausibility/unit_slips.h"
+#include "trivet/study/suspicions.h"
+
+namespace {
+
+using namespace trivet;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double round_off = 1e-12;   // a few operations on numbers of one size
+constexpr double pi = std::numbers::pi;
+
+/// A steel cube of 1 m on four equal springs at the corners of its lower face.
+struct Cube {
+  double mass = 7850, inertia = 7850.0 / 6, places = 1, stiffness = 2e6, centre = 0.5;
+  std::string about = "center_of_mass", gravity = "gravity = [0, 0, -9.80665]", more, of_body, of_mount, damping = "damping = {loss_factor = 0.1}";
+
+  [[nodiscard]] std::string text() const {
+    std::string result = fmt::format("trivet = 1\n{}\n[bodies.cube]\nmass = {}\ncenter_of_mass = [0, 0, {}]\ninertia = {{about = \"{}\", xx = {}, yy = {}, zz = {}}}\n{}\n",
+                                     gravity, mass, centre, about, inertia, inertia, inertia, of_body);
+    int number = 0;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        result += fmt::format("[elements.mount{}]\ntype = \"bushing\"\non = \"cube\"\nat = [{}, {}, 0]\ntranslation = [{}, {}, {}]\n{}\n{}\n", ++number, x * places, y * places, stiffness,
+                              stiffness, stiffness, damping, of_mount);
+    return result + more;
+  }
+};
+
+std::vector<std::string> kinds(const std::string& text) {
+  std::vector<std::string> found;
+  const study::Project project = test::project(text);
+  for (const auto& suspicion : study::suspicions(project.base())) found.push_back(suspicion.kind);
+  return found;
+}
+
+plausibility::BodyPicture picture(const study::Project& project) { return plausibility::pictures(project.base().system, {false}, {false}).front(); }
+
+TEST(Plausibility, FeaturesOfACubeAreThoseOfItsClosedForms) {
+  const study::Project project = test::project(Cube{}.text());
+  const plausibility::Features found = plausibility::features(picture(project), {});
+  const double omega = std::sqrt(4 * 2e6 / 7850);
+  EXPECT_NEAR(*found.density, 7850, 7850 * round_off);
+  EXPECT_NEAR(*found.spread, std::sqrt(0.75) / 0.5, round_off);  // half the space diagonal over half an edge
+  EXPECT_NEAR(*found.frequency, omega / (2 * pi), round_off * omega);
+  EXPECT_NEAR(*found.sag, 9.80665 / (omega * omega), round_off);
+  // Σ k r² about three axes: 4 k (y² + z²), 4 k (x² + z²), 4 k (x² + y²)
+  EXPECT_NEAR(*found.lever, std::sqrt(4 * 1.5 / 2 / 4) / 0.5, round_off);
+  EXPECT_FALSE(found.damping_ratio.has_value());
+}
+
+TEST(Plausibility, ASlipThatIsUndoneGivesTheFeaturesOfTheMachineThatWasMeant) {
+  const study::Project meant = test::project(Cube{}.text());
+  const plausibility::Features sound = plausibility::features(picture(meant), {});
+  const auto expect_same = [&](const Cube& slipped, const plausibility::Slip& undone) {
+    const study::Project project = test::project(slipped.text());
+    const plausibility::Features found = plausibility::features(picture(project), undone);
+    for (const auto feature : {&plausibility::Features::density, &plausibility::Features::spread, &plausibility::Features::lever, &plausibility::Features::frequency, &plausibility::Features::sag})
+      EXPECT_NEAR(*(found.*feature), *(sound.*feature), 1e-9 * *(sound.*feature)) << undone.kind;
+    EXPECT_NEAR(*found.lowest, *sound.lowest, 1e-9 * *sound.lowest);
+    EXPECT_NEAR(*found.highest, *sound.highest, 1e-9 * *sound.highest);
+  };
+  expect_same({.mass = 7.85}, {.kind = "mass", .mass = 1e3});
+  expect_same({.inertia = 7850.0 / 6 * 1e4}, {.kind = "inertia", .inertia = 1e-4});
+  expect_same({.places = 1000}, {.kind = "places", .places = 1e-3});
+  expect_same({.stiffness = 2e3}, {.kind = "stiffness", .stiffness = 1e3});
+  expect_same({.centre = 500}, {.kind = "center of mass", .centre = 1e-3});
+}
+
+TEST(Plausibility, NamesOneKindForOneSlip) {
+  EXPECT_THAT(kinds(Cube{}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.mass = 7850e3}.text()), ElementsAre("mass"));
+  EXPECT_THAT(kinds(Cube{.mass = 7.85}.text()), ElementsAre("mass"));
+  EXPECT_THAT(kinds(Cube{.inertia = 7850.0 / 6 * 1e4}.text()), ElementsAre("inertia"));
+  EXPECT_THAT(kinds(Cube{.inertia = 7850.0 / 6 * 1e9}.text()), ElementsAre("inertia"));
+  EXPECT_THAT(kinds(Cube{.inertia = 7850.0 / 6 / 1e3}.text()), ElementsAre("inertia"));
+  EXPECT_THAT(kinds(Cube{.places = 1000}.text()), ElementsAre("places"));
+  EXPECT_THAT(kinds(Cube{.places = 100}.text()), ElementsAre("places"));
+  EXPECT_THAT(kinds(Cube{.stiffness = 2e3}.text()), ElementsAre("stiffness"));
+  EXPECT_THAT(kinds(Cube{.stiffness = 2e10}.text()), ElementsAre("stiffness"));
+  EXPECT_THAT(kinds(Cube{.centre = 500}.text()), ElementsAre("center of mass"));
+}
+
+TEST(Plausibility, KnowsGravityInOtherUnitsAndUpwards) {
+  for (const char* gravity : {"[0, 0, -1]", "[0, 0, -9806.65]", "[0, 0, -980.665]", "[0, 0, -32.174]", "[0, 0, 9.80665]", "[0, 0, -1e4]"})
+    EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), ElementsAre("gravity")) << gravity;
+  for (const char* gravity : {"[0, 0, -9.81]", "[0, 0, -1.62]", "[-9.80665, 0, 0]", "[0, 0, -29.4]"})
+    EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), IsEmpty()) << gravity;
+  // z down: the cube lies above its mounts, at negative z
+  EXPECT_THAT(kinds(Cube{.centre = -0.5, .gravity = "gravity = [0, 0, 9.80665]"}.text()), IsEmpty());
+}
+
+TEST(Plausibility, KnowsDampingInPercentAndExchanged) {
+  EXPECT_THAT(kinds(Cube{.damping = "damping = {loss_factor = 0.59}"}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.damping = "damping = {loss_factor = 0.6}"}.text()), ElementsAre("loss factor"));
+  EXPECT_THAT(kinds(Cube{.damping = "damping = {proportional = 1.2}"}.text()), ElementsAre("proportional damping"));
+  EXPECT_THAT(kinds(Cube{.more = "[damping]\nmodal = 0.3\n", .damping = ""}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = "[damping]\nmodal = 2\n", .damping = ""}.text()), ElementsAre("modal damping"));
+  EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 2, stiffness = 4e-4}\n", .damping = ""}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 4e-4, stiffness = 2}\n", .damping = ""}.text()), ElementsAre("rayleigh"));
+}
+
+TEST(Plausibility, KnowsAMountThatIsNotLikeTheOthers) {
+  const std::string fifth = "[elements.fifth]\ntype = \"bushing\"\non = \"cube\"\n";
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e3, 2e3, 2e3]\n"}.text()), ElementsAre("stiffness"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e8, 2e8, 2e8]\n"}.text()), ElementsAre("unequal mounts"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0.5, 0.5, 0]\ntranslation = [2e6, 2e6, 2e6]\n"}.text()), ElementsAre("same place"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [500, 0.5, 0]\ntranslation = [2e6, 2e6, 2e6]\n"}.text()), ElementsAre("places"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e6, 2e6, 2e6]\nrotation = [35, 35, 35]\n", .of_mount = "rotation = [2000, 2000, 2000]"}.text()),
+              ElementsAre("stiffness per degree"));
+}
+
+TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
+  const auto moved = [](double x) { return fmt::format("position = [0, 0, 0]\npoints.p = [0, 0, 1]\n[bodies.block]\nmass = 20000\nposition = [{}, 0, 1]\ninertia = {{about = \"center_of_mass\", xx = 4000, yy = 4000, zz = 4000}}\n[elements.upper]\ntype = \"bushing\"\non = \"block\"\nat = [0, 0, 0]\nfrom = \"cube\"\ntranslation = [2e7, 2e7, 2e7]\nrotation = [2e7, 2e7, 2e7]\n", x); };
+  EXPECT_THAT(kinds(Cube{.of_body = moved(0.3)}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.of_body = moved(1)}.text()), ElementsAre("tipping"));
+  const std::string moment = "[excitations.torque]\ntype = \"constant\"\non = \"cube\"\nat = [0, 0, 0.5]\nmoment = [0, {}, 0]\n";
+  EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 3e4)}.text()), IsEmpty());   // m g a/2 = 38.5 kN m lifts a side
+  EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 5e4)}.text()), ElementsAre("lift-off"));
+}
+
+TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
+  const std::string push = "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
+  EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"900 Hz\", \"2000 Hz\"]}\n"}.text()), ElementsAre("band"));
+  const std::string shock = "[excitations.shock]\ntype = \"time\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = \"1 N\", duration = \"20 ms\", start = \"10 ms\"}}\n[analyses]\n";
+  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"29 ms\"}\n"}.text()), ElementsAre("transient"));
+  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"50 ms\"}\n"}.text()), ElementsAre("transient"));  // half a period of the lowest mode is 0.2 s
+  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"1 s\"}\n"}.text()), IsEmpty());
+}
+
+TEST(Plausibility, KnowsProductsOfInertiaAboutThePoleWithTheOtherSign) {
+  // m = 100 kg at (0.2, 0.2, 0), a cube of 0.6 m: Jxy about the pole is m x y = 4 kg m²
+  const auto body = [](double xy) {
+    return fmt::format("trivet = 1\n[bodies.b]\nmass = 100\ncenter_of_mass = [0.2, 0.2, 0]\ninertia = {{about = \"pole\", xx = 10, yy = 10, zz = 14, xy = {}}}\n"
+                       "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nrotation = [1e4, 1e4, 1e4]\n", xy);
+  };
+  EXPECT_THAT(kinds(body(4)), IsEmpty());
+  const auto refused = study::project_from_text(body(-4), "p.toml");  // 8 kg m² are left, more than Jxx = 6
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(foundation::message(refused.error().list().front()), HasSubstr("suspicion \"products of inertia\""));
+  std::string far = body(-4);
+  far.replace(far.find("xx = 10, yy = 10, zz = 14"), 25, "xx = 20, yy = 20, zz = 24");
+  EXPECT_THAT(kinds(far), ElementsAre("products of inertia"));
+}
+
+}  // namespace
