@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "trivet/model/checks.h"
 
@@ -10,9 +9,6 @@
 
 namespace trivet::model {
 namespace {
-
-/// Distance of the centre of mass from the pole, in radii of gyration, beyond which a slip of units is likely.
-constexpr double farthest_centre = 100;
 
 /// Has the mass matrix of the free coordinates an inverse? Without it there is no equation of motion at all.
 bool has_regular_mass(const Body& body) {
@@ -47,10 +43,6 @@ void check_body(const Body& body, foundation::Problems& problems) {
   } else if (!(body.mass.mass > 0)) {
     broken.push_back({fmt::format("mass = {:.6g} kg", body.mass.mass), "a mass must be > 0"});
   }
-  const double radius = body.has_inertia ? std::sqrt(std::max(spatial::principal_inertia(body.mass).moments(2), 0.0) / std::max(body.mass.mass, 1e-300)) : 0;
-  if (radius > 0 && body.mass.centre.norm() > farthest_centre * radius)
-    problems.warning(subject + ".center_of_mass", fmt::format("{:.6g} m from the pole, with a radius of gyration of {:.3g} m", body.mass.centre.norm(), radius),
-                     "a pole so far away costs digits, and mostly a unit is missing", "write millimetres as \"180 mm\"");
   const bool regular = has_regular_mass(body);
   for (const auto& bound : broken) {
     const bool of_mass = bound.finding.starts_with("mass =");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/model/checks.h"
@@ -22,6 +23,40 @@ std::string end_coordinate(int i) {
 std::string motion_words(int j) {
   const char* letters[] = {"x", "y", "z"};
   return fmt::format("{} {} of the whole element", j < 3 ? "translation along" : "rotation about K's", letters[j % 3]);
+}
+
+/// The single slip of a unit without which a given matrix would be sound, for the message that rejects it: "" if there is none.
+std::string slip_behind(const Description& description, const Element& element, const Matrix12& matrix) {
+  constexpr double degree = 180 / std::numbers::pi;
+  struct Slip {
+    const char* words;
+    double n, k, translation, rotation;  ///< factors that undo it: on the places of the ends, on the blocks of the matrix
+  };
+  static constexpr Slip slips[] = {
+      {"suspicion \"stiffness per degree\": with its rotational stiffnesses in N m/deg the matrix is sound; ", 1, 1, 1, degree},
+      {"suspicion \"stiffness\": with its translational stiffnesses in N/mm the matrix is sound; ", 1, 1, 1e3, 1},
+      {"suspicion \"stiffness\": with its translational stiffnesses in N/m, typed as N/mm, the matrix is sound; ", 1, 1, 1e-3, 1},
+      {"suspicion \"stiffness\": with its rotational stiffnesses in N mm/rad the matrix is sound; ", 1, 1, 1, 1e-3},
+      {"suspicion \"stiffness\": with its rotational stiffnesses in kN m/rad the matrix is sound; ", 1, 1, 1, 1e3},
+      {"suspicion \"places\": with its ends in millimetres the matrix is sound; ", 1e-3, 1e-3, 1, 1},
+      {"suspicion \"places\": with its ends in centimetres the matrix is sound; ", 1e-2, 1e-2, 1, 1},
+      {"suspicion \"places\": with its end K in millimetres the matrix is sound; ", 1, 1e-3, 1, 1},
+      {"suspicion \"places\": with its end K in centimetres the matrix is sound; ", 1, 1e-2, 1, 1},
+  };
+  for (const Slip& slip : slips) {
+    Matrix12 meant = matrix;
+    for (int i = 0; i < 12; ++i)
+      for (int j = 0; j < 12; ++j)
+        if ((i % 6 < 3) == (j % 6 < 3)) meant(i, j) *= i % 6 < 3 ? slip.translation : slip.rotation;
+    End n = element.n, k = element.k;
+    n.at *= slip.n;
+    k.at *= slip.k;
+    const Span ends = span(description.bodies, n, k);
+    const MatrixVerdict verdict = elements::examine(meant, elements::rigid_motions(ends.arm, ends.n_from_k));
+    constexpr double rounding_of_factor = 1e-4;  // of 57.3 written with few digits
+    if (verdict.rigid_residual < rounding_of_factor && verdict.lowest_eigenvalue > -rounding_of_factor) return slip.words;
+  }
+  return "";
 }
 
 struct Subject {
@@ -44,7 +79,7 @@ void check_symmetry(const Subject& subject, const Matrix12& matrix, const Matrix
                  "mend the entry, or set symmetric = false if it is meant (follower forces, gyroscopic terms)");
 }
 
-void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bool allowed, foundation::Problems& problems) {
+void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bool allowed, const std::string& slip, foundation::Problems& problems) {
   const double entry = verdict.residual(verdict.residual_row, verdict.residual_motion);
   const std::string finding =
       fmt::format("a unit {} asks for {:.6g} at {} ({:.3g} % of the scaled stiffness)", motion_words(verdict.residual_motion), entry,
@@ -52,22 +87,23 @@ void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bo
   const std::string rule = fmt::format("the {} of a stress-free element does not resist a rigid motion", subject.quantity);
   if (verdict.rigid_residual > elements::refused_residual && !allowed)
     problems.error(subject.path, finding, rule,
-                   "mend the matrix, its order (N, then K), its signs or its end points; allow_residual = true if it is preload");
+                   slip + "mend the matrix, its order (N, then K), its signs or its end points; allow_residual = true if it is preload");
   else
     problems.warning(subject.path, finding, rule, "the residual may be rounding of the data, a wrong end point or preload");
 }
 
-void check_matrix(const Subject& subject, const Element& element, const Matrix12& matrix, const Span& span,
-                  foundation::Problems& problems) {
+void check_matrix(const Subject& subject, const Description& description, const Element& element, const Matrix12& matrix, foundation::Problems& problems) {
   if (!matrix.allFinite()) {
     problems.error(subject.path, "an entry is not finite", "every entry must be a number", "look for overflow or a missing value");
     return;
   }
+  const Span ends = span(description.bodies, element.n, element.k);
   const bool preloaded = element.law.preload && subject.quantity == "stiffness";
-  const MatrixVerdict verdict = elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
-                                                  preloaded ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
+  const bool given = element.type == "matrix" && subject.quantity == "stiffness";
+  const MatrixVerdict verdict = elements::examine(matrix, elements::rigid_motions(ends.arm, ends.n_from_k),
+                                                  preloaded ? elements::turned_preload(*element.law.preload, ends.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
   if (element.symmetric && verdict.asymmetry > elements::rounding_of_data) check_symmetry(subject, matrix, verdict, problems);
-  if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, problems);
+  if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, given ? slip_behind(description, element, matrix) : "", problems);
   const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
   // Turned as a whole, a preloaded element does work: only what it does with N held tells of its soundness.
   const double lowest = preloaded ? elements::lowest_of_held_end(matrix) : verdict.lowest_eigenvalue;
@@ -80,17 +116,7 @@ void check_matrix(const Subject& subject, const Element& element, const Matrix12
   else if (symmetric_stiffness_or_damping && negative)
     problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
                    fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),
-                   "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
-}
-
-/// Values that are possible, but mostly a slip of units.
-void warn_of_slips(const Element& element, const std::string& subject, foundation::Problems& problems) {
-  if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && loss->value > 1)
-    problems.warning(subject + ".loss_factor", fmt::format("{:.6g}", loss->value), "loss factors of rubber and metal lie below 1",
-                     fmt::format("write \"{:.6g} %\" if percent are meant", loss->value));
-  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && proportional->factor > 1)
-    problems.warning(subject + ".proportional", fmt::format("{:.6g} s", proportional->factor), "B = δK with δ above 1 s damps out every vibration",
-                     "check the unit, or the ratio of B to K that is meant");
+                   (given ? slip_behind(description, element, matrix) : "") + "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
 }
 
 /// What the law itself must keep, wherever the element stands.
@@ -103,18 +129,16 @@ void check_laws(const Description& description, const Element& element, const st
   if (element.law.preload && element.law.scale != 1)
     problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale), "its stiffness and its preload belong together", "change the element itself");
 
-  const Span ends = span(description.bodies, element.n, element.k);
   const std::string path = element.type == "matrix" ? subject + ".stiffness" : subject;
-  check_matrix({path, "stiffness", "it would give energy when deformed"}, element, element.law.nominal_stiffness, ends, problems);
+  check_matrix({path, "stiffness", "it would give energy when deformed"}, description, element, element.law.nominal_stiffness, problems);
   if (const auto* given = std::get_if<elements::DampingMatrix>(&element.law.damping))
-    check_matrix({subject + ".damping", "damping", "it would feed energy into the motion"}, element, given->matrix, ends, problems);
+    check_matrix({subject + ".damping", "damping", "it would feed energy into the motion"}, description, element, given->matrix, problems);
   if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && !(proportional->factor >= 0))
     problems.error(subject + ".damping.proportional", fmt::format("{:.6g} s", proportional->factor), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && !(loss->value >= 0))
     problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
-  warn_of_slips(element, subject + ".damping", problems);
 }
 
 }  // namespace
