@@ -26,7 +26,7 @@ constexpr double near_degree = 1.2;
 /// too little.
 constexpr double least_radius = 5e-3;               ///< [m]
 constexpr double least_share_of_spread = 4e-3;      ///< of the distance of the mounts from the centre
-constexpr double least_share_of_load_radius = 0.1;  ///< of the radius that bears the load at the pressure below
+constexpr double least_share_of_load_radius = 0.08; ///< of the radius that bears the load at the pressure below
 constexpr double pressure = 5e5;                    ///< of rubber under static load [Pa]
 constexpr double standard_gravity = 9.80665;
 
