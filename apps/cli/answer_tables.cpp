@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cli/text_table.h"
+#include "trivet/foundation/message_list.h"
 
 namespace trivet::cli {
 namespace {
@@ -28,8 +29,7 @@ std::string strain_words(const study::Case& variant, const modal::Mode& mode) {
 }  // namespace
 
 std::string warnings_text(const study::Answers& answers) {
-  std::string text;
-  for (const auto& problem : answers.warnings.list()) text += foundation::message(problem) + "\n";
+  std::string text = foundation::message_list(answers.warnings);
   for (const std::string& motion : answers.free_motions) text += "note: " + motion + "\n";
   return text.empty() ? text : text + "\n";
 }

@@ -8,8 +8,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
+
+#include "trivet/foundation/message_list.h"
+#include "trivet/foundation/plain_text.h"
 
 namespace trivet::cli {
 namespace {
@@ -41,7 +47,18 @@ void write_error(std::string_view text) {
 }
 
 void write_problems(const foundation::Problems& problems) {
-  for (const auto& problem : problems.list()) write_error(foundation::message(problem) + "\n");
+  write_error(foundation::message_list(problems));
+}
+
+void write_failure(const std::exception& failure) {
+  std::string words = failure.what();
+  if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&failure))
+    words = of_file->path1().string() + (of_file->path1().empty() ? "" : ": ") + of_file->code().message();
+  else if (const auto* of_system = dynamic_cast<const std::system_error*>(&failure))
+    words = of_system->code().message();
+  else if (dynamic_cast<const std::bad_alloc*>(&failure) || dynamic_cast<const std::length_error*>(&failure))
+    words = "this question needs more memory than there is; ask for fewer points, answers or cases at once";
+  write_error("error: " + foundation::on_one_line(words) + "\n");
 }
 
 foundation::Progress progress() {

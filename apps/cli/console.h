@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -28,8 +29,11 @@ void write_output(const std::string& text);
 /// To standard error. If nobody reads that either, there is nothing left to do.
 void write_error(std::string_view text);
 
-/// Every problem on a line of its own, on standard error.
+/// Every problem on a line of its own, on standard error; at most 100, then the number of the others.
 void write_problems(const foundation::Problems& problems);
+
+/// What stopped the work, as one line in the program's own words, on standard error.
+void write_failure(const std::exception& failure);
 
 /// Shows progress on a terminal.
 [[nodiscard]] foundation::Progress progress();

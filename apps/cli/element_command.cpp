@@ -58,7 +58,7 @@ int element_command(const Options& options) {
     if (picture) picture->publish(report::element_picture(variant, element));
     return done;
   } catch (const BadArgument& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
     return wrong_input;
   }
 }

@@ -117,9 +117,9 @@ int explain_command(const Options& options) {
                                : explain_text(variant, explanation));
     return done;
   } catch (const BadArgument& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
   } catch (const foundation::InvalidInput& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
   }
   return wrong_input;
 }

@@ -4,10 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <filesystem>
+#include <sstream>
+#include <string>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/signals.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/embedded_text.h"
 #include "trivet/study/version.h"
 
@@ -45,6 +48,15 @@ void add_picture(CLI::App& command, const std::string& drawn, Options& options) 
     return std::filesystem::path(path).extension() == ".svg" ? std::string() : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
   };
   command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
+}
+
+/// Help and version as they are; of a wrong command line, what the user typed as printable text.
+int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  std::stringstream text;
+  static_cast<void>(app.exit(error, text, text));
+  for (std::string line; std::getline(text, line);) trivet::cli::write_error(trivet::foundation::on_one_line(line) + "\n");
+  return trivet::cli::wrong_input;
 }
 
 int dispatch(const CLI::App& app, const Options& options) {
@@ -108,15 +120,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? trivet::cli::done : trivet::cli::wrong_input;
+    return said_by_parser(app, error);
   }
   try {
     return trivet::cli::exit_code(dispatch(app, options));
-  } catch (const std::filesystem::filesystem_error& error) {  // what() would speak of the library
-    trivet::cli::write_error(fmt::format("error: {}: {}\n", error.path1().string(), error.code().message()));
-    return trivet::cli::not_computed;
   } catch (const std::exception& error) {
-    trivet::cli::write_error(fmt::format("error: {}\n", error.what()));
+    trivet::cli::write_failure(error);
     return trivet::cli::not_computed;
   }
 }

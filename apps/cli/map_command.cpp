@@ -67,7 +67,7 @@ int map_command(const Options& options) {
     strictness.add(warnings);
     return strictness.exit_code(options.strict, done);
   } catch (const BadArgument& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
     return wrong_input;
   }
 }

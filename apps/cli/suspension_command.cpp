@@ -142,9 +142,9 @@ int suspension_command(const Options& options) {
                                : suspension_text(variant, answer));
     return done;
   } catch (const BadArgument& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
   } catch (const foundation::InvalidInput& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
   }
   return wrong_input;
 }

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "trivet/foundation/plain_text.h"
+
 namespace trivet::foundation {
 namespace {
 
@@ -24,19 +26,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row[b.size()];
-}
-
-/// Control characters of quoted input as escapes, so that one problem is one line.
-std::string on_one_line(const std::string& text) {
-  constexpr char digits[] = "0123456789abcdef";
-  std::string line;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '\n') line += "\\n";
-    else if (code < 0x20 || code == 0x7f) line += {'\\', 'x', digits[code >> 4], digits[code & 15]};
-    else line += c;
-  }
-  return line;
 }
 
 }  // namespace
@@ -85,6 +74,8 @@ void Problems::sort_by_origin() {
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest_compared = 64;  // a longer key is not a typing error
+  constexpr std::size_t most_compared = 2000;   // of a model with more names a guess would cost seconds for every slip
+  if (candidates.size() > most_compared) return {};
   if (name.size() > longest_compared) return {};
   std::string best;
   std::size_t best_distance = 1 + std::max<std::size_t>(1, name.size() / 3);

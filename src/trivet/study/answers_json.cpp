@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/message_list.h"
 #include "trivet/study/json_parts.h"
 
 namespace trivet::study {
@@ -81,8 +82,12 @@ Json solution_checks(const ResponseAnswer& answer) {
 
 Json warnings(const foundation::Problems& problems) {
   Json result = Json::array();
+  foundation::Problems warnings;
   for (const auto& problem : problems.list())
-    if (problem.severity == foundation::Severity::warning) result.push_back(foundation::message(problem));
+    if (problem.severity == foundation::Severity::warning) warnings.add(problem);
+  const foundation::Problems first = foundation::listed(warnings);
+  for (const auto& problem : first.list()) result.push_back(foundation::message(problem));
+  if (const std::string rest = foundation::rest_of_list(warnings); !rest.empty()) result.push_back(rest);
   return result;
 }
 

@@ -39,6 +39,9 @@ Json rows(const Matrix& matrix) {
   return result;
 }
 
+/// The value written out; bytes that are no UTF-8, as a path may hold, become U+FFFD.
+[[nodiscard]] inline std::string text(const Json& value, int indent = -1) { return value.dump(indent, ' ', false, Json::error_handler_t::replace); }
+
 [[nodiscard]] Json warnings(const foundation::Problems& problems);
 /// Where an end of an element sits: "on", "at", "in_ground", "axes_in_ground".
 [[nodiscard]] Json end(const Case& variant, const model::End& end);

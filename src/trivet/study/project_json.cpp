@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/foundation/message_list.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/study/element_summary.h"
 #include "trivet/study/json_parts.h"
@@ -182,11 +183,13 @@ std::string page_json(const Project& project, const std::vector<Answers>& answer
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
                           const std::vector<CaseDeepCheck>& deep) {
   Json list = Json::array();
-  for (const auto& p : problems.list())
+  const foundation::Problems first = foundation::listed(problems);
+  for (const auto& p : first.list())
     list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"}, {"file", p.origin.source}, {"line", p.origin.line},
                     {"subject", p.subject}, {"finding", p.finding}, {"rule", p.rule}, {"remedy", p.remedy}, {"message", foundation::message(p)}});
   Json result{{"ok", !problems.has_errors()},
               {"problems", std::move(list)},
+              {"not_listed", problems.list().size() - first.list().size()},
               {"free_motions", free_motions},
               {"warnings", json::warnings(problems)}};
   for (const auto& [name, check] : deep)

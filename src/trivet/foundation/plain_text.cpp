@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/plain_text.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace trivet::foundation {
+namespace {
+
+/// One character, or one byte that begins none.
+struct Character {
+  std::uint32_t code = 0;
+  std::size_t bytes = 1;
+  bool sound = true;  ///< of UTF-8
+  bool cut = false;   ///< begins a character whose rest is missing
+};
+
+std::uint32_t byte(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
+
+Character character_at(std::string_view text, std::size_t at) {
+  const std::uint32_t lead = byte(text, at);
+  if (lead < 0x80) return {lead};
+  const std::size_t bytes = lead >= 0xC2 && lead < 0xE0   ? 2
+                            : lead >= 0xE0 && lead < 0xF0 ? 3
+                            : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                          : 0;
+  if (bytes == 0) return {lead, 1, false};
+  std::uint32_t code = lead & (0x7Fu >> bytes);
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if (at + i >= text.size() || (byte(text, at + i) & 0xC0) != 0x80) return {lead, i, false, true};
+    code = code << 6 | (byte(text, at + i) & 0x3F);
+  }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  if (code < least[bytes] || surrogate || code > 0x10FFFF) return {lead, 1, false};
+  return {code, bytes};
+}
+
+/// Control characters of both sets, separators of lines, marks that turn the direction of writing, and what XML does
+/// not admit.
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F ||
+         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF || code == 0xFFFE ||
+         code == 0xFFFF;
+}
+
+}  // namespace
+
+std::string on_one_line(std::string_view text) {
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const Character c = character_at(text, at);
+    if (c.cut)
+      line += "…";
+    else if (!c.sound)
+      line += fmt::format("\\x{:02x}", c.code);
+    else if (c.code == '\n')
+      line += "\\n";
+    else if (is_control(c.code))
+      line += c.code < 0x100 ? fmt::format("\\x{:02x}", c.code) : fmt::format("\\u{:04x}", c.code);
+    else
+      line += text.substr(at, c.bytes);
+    at += c.bytes;
+  }
+  return line;
+}
+
+std::optional<std::string> unprintable(std::string_view text, bool one_line) {
+  for (std::size_t at = 0; at < text.size();) {
+    const Character c = character_at(text, at);
+    if (!c.sound) return fmt::format("the byte {:02X}, which is no UTF-8", byte(text, at));
+    const bool of_lines = c.code == '\n' || c.code == '\r' || c.code == '\t';
+    if (is_control(c.code) && (one_line || !of_lines)) return fmt::format("the control character U+{:04X}", c.code);
+    at += c.bytes;
+  }
+  return std::nullopt;
+}
+
+}  // namespace trivet::foundation
