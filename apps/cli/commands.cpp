@@ -14,6 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/study/admissible_range.h"
 #include "trivet/study/answers_json.h"
 #include "trivet/study/further_json.h"
 #include "trivet/study/tables_csv.h"
@@ -21,13 +22,39 @@
 
 namespace trivet::cli {
 
+namespace {
+
+/// "1,5 Hz" may be one number with a decimal comma, 1 rad/s and 5 Hz, or 1 Hz and 5 Hz: all values have a unit, or none has. The 0 of a band is 0 in every unit.
+void refuse_mixed_units(const std::string& option, const std::string& text, const std::vector<std::string>& items) {
+  const bool band = option == "--band";
+  std::size_t bare = 0, with_unit = 0;
+  for (const std::string& item : items) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
+    const bool plain = error == std::errc() && end == item.data() + item.size();
+    if (!plain) ++with_unit;
+    else if (!(band && value == 0)) ++bare;
+  }
+  if (bare == 0 || with_unit == 0) return;
+  throw BadArgument(fmt::format("{} \"{}\": some values have a unit and some have none; give each its unit as in {} \"1 Hz,5 Hz\", or none for rad/s; a decimal number has a point: \"1.5 Hz\"", option, text,
+                                option));
+}
+
+}  // namespace
+
 std::vector<double> frequencies(const std::string& option, const std::string& text) {
   std::vector<double> result;
+  std::vector<std::string> items;
   std::size_t from = 0;
   while (from <= text.size()) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
     std::string item = text.substr(from, comma - from);
     item.erase(0, item.find_first_not_of(' '));
+    items.push_back(item.substr(0, item.find_last_not_of(' ') + 1));
+    from = comma + 1;
+  }
+  refuse_mixed_units(option, text, items);
+  for (const std::string& item : items) {
     double value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc() || end != item.data() + item.size()) {
@@ -35,9 +62,9 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
       if (!converted) throw BadArgument(fmt::format("{}: \"{}\": {}; give rad/s, or a unit as in \"5 Hz\"", option, item, converted.error()));
       value = *converted;
     }
-    if (!(value >= 0) || value > 1e30) throw BadArgument(fmt::format("{}: {} rad/s; an angular frequency is ≥ 0 and finite", option, value));
+    if (const auto broken = study::outside_range(value, study::Quantity::angular_frequency)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; {}", option, value, *broken));
+    if (!(value >= 0)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; an angular frequency is ≥ 0", option, value));
     result.push_back(value);
-    from = comma + 1;
   }
   return result;
 }
@@ -59,6 +86,7 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
     if (!options.band.empty()) {
       const std::vector<double> band = frequencies("--band", options.band);
       if (band.size() != 2 || !(band[1] > band[0])) throw BadArgument(fmt::format("--band {}: a band is FROM,TO with FROM < TO", options.band));
+      if (const auto broken = study::wrong_band(band[0], band[1])) throw BadArgument(fmt::format("--band {}: {}", options.band, *broken));
       analyses.response->band = response::Band{band[0], band[1]};
       analyses.response->at.clear();
       analyses.limit_lines = file.limit_lines;
@@ -206,7 +234,7 @@ int answer_command(const std::string& which, const Options& options) {
     strictness.add(answers);
     return strictness.exit_code(options.strict, answers.failures.empty() ? done : not_computed);
   } catch (const BadArgument& bad) {
-    write_error(fmt::format("error: {}\n", bad.what()));
+    write_failure(bad);
     return wrong_input;
   }
 }

@@ -98,7 +98,7 @@ class Contract(InTemporaryFolder):
         self.assertFalse((self.folder / "out").exists())
 
     def test_response_at_frequencies_with_units(self):
-        found = answer("response", PAPER, "--at", "0,1 rad/s,2.5 Hz")
+        found = answer("response", PAPER, "--at", "0 Hz,1 rad/s,2.5 Hz")
         self.assertEqual(found["angular_frequency"][:2], [0, 1])
         self.assertAlmostEqual(found["angular_frequency"][2], 15.70796326794897, places=12)
         self.assertEqual(found["results"][0]["name"], "aggregate.x")

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "trivet/study/admissible_range.h"
 #include "trivet/study/design_parameter.h"
 #include "trivet/study/idle_key.h"
 
@@ -65,7 +66,7 @@ std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string
     return std::nullopt;
   }
   const auto number = written_number(*node);
-  const bool good = number && std::isfinite(number->value) && std::abs(number->value) <= largest_number;
+  const bool good = number && std::isfinite(number->value) && !outside_range(number->value, Quantity::pure);
   if (!good) reader.error(key, shown(*node), "an end of the range is a finite number up to 1e30, or a text of a number and a unit", "for instance from = 0.5, or from = \"5 mm\"");
   return good ? number : std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/acceptances.h"
 #include "trivet/study/outside_features.h"
+#include "trivet/study/admissible_range.h"
 
 namespace trivet::study {
 namespace {
@@ -117,8 +118,8 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
     error_at(value, where, fmt::format("{}", number), "every number must be finite", remedy);
     return std::nullopt;
   }
-  if (std::abs(number) > largest_number) {
-    error_at(value, where, fmt::format("{:.6g} {}", number, unit), "no number of a machine is above 1e30 in SI units", "check digits and unit");
+  if (const auto broken = outside_range(number, quantity)) {
+    error_at(value, where, fmt::format("{:.6g}{}{}", number, unit.empty() ? "" : " ", unit), *broken, "check digits and unit");
     return std::nullopt;
   }
   return number;

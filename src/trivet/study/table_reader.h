@@ -14,9 +14,6 @@
 
 namespace trivet::study {
 
-/// Largest magnitude of a number in SI that is believed.
-inline constexpr double largest_number = 1e30;
-
 /// Reads one table of a project file key by key; every problem goes to the list, and reading goes on. What no call asked
 /// for is an unknown key, reported by `finish`.
 class TableReader {

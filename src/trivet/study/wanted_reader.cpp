@@ -8,8 +8,14 @@
 #include <utility>
 
 #include "trivet/study/idle_key.h"
+#include "trivet/study/admissible_range.h"
 
 namespace trivet::study {
+namespace {
+
+constexpr std::size_t most_words = 2000;  // of `of`: as many curves as are computed for one question
+
+}  // namespace
 
 ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
   forces_.push_back("ground");
@@ -33,14 +39,17 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
   static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
   if (is_guided(name)) return std::nullopt;
+  const auto after = [&](const std::string& group) -> std::string_view {
+    return name.size() > group.size() && name[group.size()] == '.' && name.starts_with(group) ? std::string_view(name).substr(group.size() + 1) : std::string_view();
+  };
   for (const std::string& group : motions_)
     for (std::size_t j = 0; j < 6; ++j)
-      if (name == group + "." + model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
-  for (const std::string& group : forces_)
-    for (const char* letter : {"x", "y", "z"}) {
-      if (name == group + ".force." + letter) return Quantity::force;
-      if (name == group + ".moment." + letter) return Quantity::moment;
-    }
+      if (after(group) == model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
+  for (const std::string& group : forces_) {
+    const std::string_view rest = after(group);
+    if (rest == "force.x" || rest == "force.y" || rest == "force.z") return Quantity::force;
+    if (rest == "moment.x" || rest == "moment.y" || rest == "moment.z") return Quantity::moment;
+  }
   return std::nullopt;
 }
 
@@ -72,6 +81,10 @@ std::string ResultNames::remedy(const std::string& name) const {
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
   const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
+  if (words->size() > most_words) {
+    reader.error("of", fmt::format("{} answers", words->size()), fmt::format("at most {} are named for one question", most_words), "name fewer");
+    return;
+  }
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
     reader.error("of", "\"" + word.substr(0, 60) + "\"",
@@ -178,9 +191,12 @@ void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_
 std::optional<response::Band> read_band(TableReader& reader, const std::string& key) {
   const auto band = reader.numbers(key, Quantity::angular_frequency);
   if (!band) return std::nullopt;
-  if (band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0]) return response::Band{(*band)[0], (*band)[1]};
-  reader.error(key, fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.6g} to {:.6g} rad/s", (*band)[0], (*band)[1]) : ""),
-               "a " + std::string(key == "band" ? "band" : "range") + " is [from, to] with 0 ≤ from < to", key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
+  const std::string thing = key == "band" ? "band" : "range";
+  const auto broken = band->size() == 2 ? wrong_band((*band)[0], (*band)[1]) : std::optional<std::string>("[from, to] with 0 ≤ from < to");
+  if (!broken) return response::Band{(*band)[0], (*band)[1]};
+  const bool near = band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0];
+  reader.error(key, fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.{}g} to {:.{}g} rad/s", (*band)[0], near ? 17 : 6, (*band)[1], near ? 17 : 6) : ""),
+               "a " + thing + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""), key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
   return std::nullopt;
 }
 
