@@ -84,7 +84,7 @@ TEST(RigidSolid, TellsEveryProblemOfEveryPartAtOnce) {
 TEST(RigidSolid, RefusesWhatHasNoVolume) {
   EXPECT_THAT(messages(rigid_solid({{"cone", Cone{0, 0, 0.1}, 1000}})), HasSubstr("both diameters are 0 m"));
   EXPECT_THAT(messages(rigid_solid({{"tube", Tube{0.1, 0.1, 0.1}, 1000}})), HasSubstr("wall 0 m"));
-  EXPECT_THAT(messages(rigid_solid({{"grain", Sphere{1e-120}, 1000}})), HasSubstr("check the units"));
+  EXPECT_THAT(messages(rigid_solid({{"grain", Sphere{1e-120}, 1000}})), HasSubstr("between 1 nm and 10 km"));
   EXPECT_THAT(messages(rigid_solid({{"box", Box{INFINITY, 1, 1}, 1000}})), HasSubstr("length_x: inf m"));
   EXPECT_THAT(messages(rigid_solid({})), HasSubstr("at least one part"));
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "trivet/elements/coil_spring.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/part_size.h"
 
 namespace trivet::elements {
 namespace {
@@ -26,6 +28,14 @@ bool positive(Problems& problems, const char* subject, double value, const char*
   return false;
 }
 
+/// A length of a part [m].
+bool size(Problems& problems, const char* subject, double value) {
+  if (!positive(problems, subject, value, "m")) return false;
+  if (foundation::is_part_size(value)) return true;
+  problems.error(subject, amount(value, "m"), foundation::part_size_rule, "check the unit and the power of ten");
+  return false;
+}
+
 void not_negative(Problems& problems, const char* subject, double value, const char* unit) {
   if (!(std::isfinite(value) && value >= 0)) problems.error(subject, amount(value, unit), "must be finite and ≥ 0", "correct the value");
 }
@@ -33,15 +43,18 @@ void not_negative(Problems& problems, const char* subject, double value, const c
 bool check_sizes(Problems& problems, const CoilSpring& spring) {
   bool sound = true;
   if (const auto* round = std::get_if<RoundWire>(&spring.wire)) {
-    sound = positive(problems, "wire_diameter", round->diameter, "m");
+    sound = size(problems, "wire_diameter", round->diameter);
   } else {
     const auto& wire = std::get<RectangularWire>(spring.wire);
-    sound = positive(problems, "wire_width", wire.radial_width, "m");
-    sound = positive(problems, "wire_height", wire.axial_height, "m") && sound;
+    sound = size(problems, "wire_width", wire.radial_width);
+    sound = size(problems, "wire_height", wire.axial_height) && sound;
   }
-  sound = positive(problems, "mean_diameter", spring.mean_diameter, "m") && sound;
+  sound = size(problems, "mean_diameter", spring.mean_diameter) && sound;
   sound = positive(problems, "active_coils", spring.active_coils, "") && sound;
-  sound = positive(problems, "active_length", spring.active_length, "m") && sound;
+  sound = size(problems, "active_length", spring.active_length) && sound;
+  constexpr double most_dead_coils = 1000;
+  for (const auto& [subject, coils] : {std::pair{"dead_coils_n", spring.dead_coils_n}, {"dead_coils_k", spring.dead_coils_k}})
+    if (coils > most_dead_coils) problems.error(subject, amount(coils), "at most 1000, as of active coils", "check the number");
   not_negative(problems, "dead_coils_n", spring.dead_coils_n, "");
   not_negative(problems, "dead_coils_k", spring.dead_coils_k, "");
   if (!std::isfinite(spring.start_angle)) problems.error("start_angle", amount(spring.start_angle, "rad"), "must be finite", "correct the value");

@@ -3,15 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/part_size.h"
 
 namespace trivet::elements {
 
 bool check_length(foundation::Problems& problems, const std::string& key, double value) {
-  if (value > 0 && std::isfinite(value)) return true;
-  problems.error(key, fmt::format("{} = {:.6g} m", key, value), "it must be > 0", "give a length in metres");
+  if (foundation::is_part_size(value)) return true;
+  const bool positive = value > 0 && std::isfinite(value);
+  problems.error(key, fmt::format("{} = {:.6g} m", key, value), positive ? foundation::part_size_rule : "it must be > 0", positive ? "check the unit and the power of ten" : "give a length in metres");
   return false;
 }
 
@@ -19,6 +22,13 @@ bool check_lengths(foundation::Problems& problems, std::initializer_list<std::pa
   bool sound = true;
   for (const auto& [key, value] : lengths) sound = check_length(problems, key, value) && sound;
   return sound;
+}
+
+void check_slenderness(foundation::Problems& problems, const std::string& key, double width, double thickness) {
+  const double ratio = std::max(width, thickness) / std::min(width, thickness);
+  if (ratio > foundation::most_slender)
+    problems.error(key, fmt::format("{:.6g} m beside {:.6g} m: a ratio of {:.3g}", thickness, width, ratio), fmt::format("two lengths of one part differ by a factor of {:.0f} at most", foundation::most_slender),
+                   "check the unit and the power of ten");
 }
 
 void check_factor(foundation::Problems& problems, double dynamic_factor) {

@@ -95,6 +95,8 @@ foundation::Problems check(const RubberBush& b) {
                    fmt::format("it must exceed the inner radius {:.6g} m", b.inner_radius), "exchange the radii if they were swapped");
     return problems;
   }
+  check_slenderness(problems, "outer_radius", b.outer_radius, wall);
+  check_slenderness(problems, "length", wall, b.length);
   if (ratio < thinnest || ratio > thickest)
     problems.warning("outer_radius", fmt::format("outer over inner radius = {:.4g}", ratio),
                      "the formulas were measured for ratios from 1.1 to 5", "use a finite-element mount");

@@ -179,6 +179,7 @@ foundation::Problems check(const RubberDisc& d) {
   foundation::Problems problems = check(d.rubber);
   const bool sized = check_lengths(problems, {{"radius", d.radius}, {"thickness", d.thickness}});
   check_factor(problems, d.dynamic_factor);
+  if (sized) check_slenderness(problems, "thickness", d.radius, d.thickness);
   if (!(d.radius > 0)) return problems;  // a hole has nothing to be compared with
   if (!(d.hole_radius >= 0 && d.hole_radius < d.radius))
     problems.error("hole_radius", fmt::format("a radius of {:.6g} m", d.hole_radius),
@@ -198,6 +199,8 @@ foundation::Problems check(const RubberBlock& b) {
   foundation::Problems problems = check(b.rubber);
   const bool sized = check_lengths(problems, {{"width_1", b.width_1}, {"width_2", b.width_2}, {"thickness", b.thickness}});
   check_factor(problems, b.dynamic_factor);
+  if (sized) check_slenderness(problems, "thickness", b.width_1, b.thickness);
+  if (sized && !problems.has_errors()) check_slenderness(problems, "thickness", b.width_2, b.thickness);
   if (sized) check_shape_factor(problems, block_shape_factor(b.width_1, b.width_2, b.thickness));
   return problems;
 }

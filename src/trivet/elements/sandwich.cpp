@@ -62,7 +62,8 @@ foundation::Problems check(const Sandwich& s) {
   if (s.layers < 1 || s.layers > most_layers)
     problems.error("layers", fmt::format("layers = {}", s.layers), fmt::format("a sandwich has 1 … {} rubber layers", most_layers),
                    "give the number of rubber layers");
-  if (!(s.plate_thickness >= 0) || !std::isfinite(s.plate_thickness))
+  if (s.plate_thickness > 0) static_cast<void>(check_length(problems, "plate_thickness", s.plate_thickness));
+  else if (s.plate_thickness != 0)
     problems.error("plate_thickness", fmt::format("plate_thickness = {:.6g} m", s.plate_thickness), "it must be ≥ 0",
                    "give a length in metres");
   return problems;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace trivet::elements {
@@ -32,11 +33,17 @@ class Check {
   void time(const std::string& key, double value) {
     if (!(value > 0) || !std::isfinite(value))
       problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time must be > 0", "give the time in seconds");
+    constexpr double shortest = 1e-12, longest = 1e9;  // atoms vibrate as fast; a machine stands 30 years
+    if (value > 0 && std::isfinite(value) && (value < shortest || value > longest))
+      problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time lies between 1e-12 and 1e9 s", "check the unit; a spring without relaxation needs no such law");
   }
   void ratio(const std::string& key, double value) {
     if (!(value >= 0) || !std::isfinite(value))
       problems_.error(key, fmt::format("{} = {:.6g}", key, value), "a stiffness ratio must be ≥ 0, or the element would create energy",
                       "give branch stiffness over long-term stiffness");
+    constexpr double largest = 1e6;  // glassy over rubbery stiffness of polymers is about 1e3
+    if (std::isfinite(value) && value > largest)
+      problems_.error(key, fmt::format("{} = {:.6g}", key, value), "a stiffness ratio is at most 1e6; polymers have up to 1e3", "check the number");
   }
   void order(double value) {
     if (!(value > 0 && value <= 1))
@@ -44,6 +51,11 @@ class Check {
                       "filled rubber lies near 0.3 … 0.7");
   }
   void branches(const GeneralizedMaxwell& law) {
+    constexpr std::size_t most = 100;  // a branch for each tenth of a decade over ten decades
+    if (law.ratios.size() > most || law.times.size() > most) {
+      problems_.error("ratios", fmt::format("{} branches", std::max(law.ratios.size(), law.times.size())), "a generalized Maxwell law has at most 100", "one or two for each decade of time are usual");
+      return;
+    }
     if (law.ratios.empty())
       problems_.error("ratios", "no ratios", "a generalized Maxwell law has at least one branch", "give ratios and times");
     if (law.ratios.size() != law.times.size())

@@ -12,7 +12,7 @@
 namespace trivet::excitation {
 namespace {
 
-constexpr double most_parabolas = 2e7;
+constexpr double most_parabolas = 6e6;  // 240 MB of pieces, and as many steps in time
 
 /// Two parabolas of length g through values and rates at both ends miss a function by at most (2/81) |u‴| g³ between them.
 constexpr double two_parabolas_error = 2.0 / 81;

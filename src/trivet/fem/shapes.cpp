@@ -10,6 +10,7 @@
 #include "trivet/fem/reference_element.h"
 #include "trivet/fem/sections.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/part_size.h"
 
 namespace trivet::fem {
 namespace {
@@ -18,11 +19,15 @@ namespace {
 /// the error of the singular edge falls at least as fast as that of the inside.
 constexpr double rim_fraction = 0.3;
 
+/// Hexahedra of one shape: some million unknowns, minutes of work and a few gigabytes.
+constexpr double most_hexahedra = 40'000;
+
 double rim_size(int level) { return rim_fraction / (level * level); }
 
 
 void require_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) throw foundation::InvalidInput(fmt::format("{} = {} m; it must be > 0", name, value));
+  if (!foundation::is_part_size(value)) throw foundation::InvalidInput(fmt::format("{} = {:.6g} m; {}", name, value, foundation::part_size_rule));
 }
 
 double thinnest_rubber(const std::vector<Layer>& layers) {
@@ -33,6 +38,13 @@ double thinnest_rubber(const std::vector<Layer>& layers) {
   }
   if (thinnest == 1e300) throw foundation::InvalidInput("layers: no rubber layer; a mount needs at least one");
   return thinnest;
+}
+
+/// Counted before the mesh is made.
+void require_room(double quads, double intervals) {
+  if (quads * intervals > most_hexahedra)
+    throw foundation::InvalidInput(fmt::format("{:.3g} finite elements ({} over the section, {} over the height); at most {:.0f} are computed: lower mesh_level, take fewer layers, or use the closed formulas",
+                                               quads * intervals, quads, intervals, most_hexahedra));
 }
 
 /// Elements from the middle to a free edge `distance` away: more where the rubber is thin, so that sizes grow by at most about 2.
@@ -64,6 +76,7 @@ Levels along_axis(const std::vector<Layer>& layers, int level, double half_width
 
 Mesh extruded(const Section& section, const Levels& levels) {
   const int points = static_cast<int>(section.points.cols()), count = static_cast<int>(levels.material.size());
+  require_room(static_cast<double>(section.quads.size()), count);
   Mesh mesh;
   mesh.nodes.resize(3, static_cast<Eigen::Index>(points) * (2 * count + 1));
   for (int l = 0; l <= 2 * count; ++l) {

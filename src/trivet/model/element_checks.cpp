@@ -125,6 +125,9 @@ void check_laws(const Description& description, const Element& element, const st
     problems.error(subject + ".damping", "a viscoelastic law on an unsymmetric stiffness", "its strains follow from a symmetric stiffness", "use proportional damping or a loss factor");
   if (!(element.law.scale > 0))
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0", "remove the element to switch it off");
+  constexpr double weakest = 1e-12, strongest = 1e12;  // beyond, an element is absent or a guide, and digits of the others are lost
+  if (element.law.scale > 0 && (element.law.scale < weakest || element.law.scale > strongest))
+    problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it lies between 1e-12 and 1e12", "remove the element to switch it off, or guide the body by `free`");
 
   if (element.law.preload && element.law.scale != 1)
     problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale), "its stiffness and its preload belong together", "change the element itself");
@@ -139,6 +142,11 @@ void check_laws(const Description& description, const Element& element, const st
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && !(loss->value >= 0))
     problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
+  constexpr double largest_loss = 100, longest_factor = 1e6;  // rubber has up to 1; B = δK with a second damps out all
+  if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && loss->value > largest_loss)
+    problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it is at most 100; rubber has up to 1", "check the number");
+  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && proportional->factor > longest_factor)
+    problems.error(subject + ".damping.proportional", fmt::format("{:.6g} s", proportional->factor), "it is at most 1e6 s; above 1 s every vibration is damped out", "check the unit");
 }
 
 }  // namespace

@@ -46,6 +46,12 @@ void check_damping(const Description& description, foundation::Problems& problem
     if (!(rayleigh->mass >= 0)) problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it must be ≥ 0", "negative damping would feed energy");
     if (!(rayleigh->stiffness >= 0)) problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it must be ≥ 0", "negative damping would feed energy");
   }
+  constexpr double most_mass = 1e9, most_stiffness = 1e6, most_ratio = 1000;  // far beyond critical damping of any vibration
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&description.damping)) {
+    if (rayleigh->mass > most_mass) problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it is at most 1e9 1/s", "check the number; it is 2ζω of slow vibrations");
+    if (rayleigh->stiffness > most_stiffness)
+      problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it is at most 1e6 s", "check the number; it is 2ζ/ω of fast vibrations");
+  }
   if (const auto* modal = std::get_if<ModalDamping>(&description.damping)) {
     std::size_t coordinates = 0;
     for (const auto& body : description.bodies)
@@ -58,6 +64,8 @@ void check_damping(const Description& description, foundation::Problems& problem
                      fmt::format("one for all modes, or one for each of the {} modes", coordinates), "complete or shorten the list");
     for (const double ratio : modal->ratios)
       if (!(ratio >= 0)) problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio), "a damping ratio must be ≥ 0", "negative damping would feed energy");
+    for (const double ratio : modal->ratios)
+      if (ratio > most_ratio) problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio), "a damping ratio is at most 1000; 1 is critical", "check the number");
     for (const auto& body : description.bodies)
       if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/part_size.h"
 
 namespace trivet::solids {
 namespace {
@@ -17,8 +18,11 @@ using std::numbers::pi;
 enum class Zero { refused, allowed };
 
 void check_length(Problems& problems, const char* name, double length, Zero zero = Zero::refused) {
-  const bool good = std::isfinite(length) && (zero == Zero::allowed ? length >= 0 : length > 0);
-  if (good) return;
+  if (foundation::is_part_size(length) || (zero == Zero::allowed && length == 0)) return;
+  if (length > 0 && std::isfinite(length)) {
+    problems.error(name, fmt::format("{:.6g} m", length), foundation::part_size_rule, "check the unit and the power of ten");
+    return;
+  }
   problems.error(name, std::isnan(length) ? "not given" : fmt::format("{:.6g} m", length),
                  zero == Zero::allowed ? "a diameter of a cone must be ≥ 0" : "a length of a solid must be > 0", "give it as a length with its unit");
 }

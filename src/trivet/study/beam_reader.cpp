@@ -5,6 +5,7 @@
 
 #include "trivet/elements/beam.h"
 #include "trivet/elements/dimension_checks.h"
+#include "trivet/foundation/part_size.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/material_reader.h"
 
@@ -33,7 +34,8 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   };
   const auto positive = [&](const char* key, double value) {
     if (!(value > 0)) section.error(key, fmt::format("{:.6g} m", value), "a length of the section must be > 0", "mend the value or its unit");
-    return value > 0;
+    else if (!foundation::is_part_size(value)) section.error(key, fmt::format("{:.6g} m", value), foundation::part_size_rule, "check the unit and the power of ten");
+    return foundation::is_part_size(value);
   };
   std::string shapes;
   for (const char* key : {"round", "tube", "rectangle", "area"})
@@ -48,7 +50,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   if (section.has("round")) {
     if (const auto diameter = section.number("round", Quantity::length); diameter && positive("round", *diameter)) result = elements::round_section(*diameter, metal);
   } else if (section.has("tube")) {
-    if (const auto d = sides("tube"); d && positive("tube", (*d)[1])) {
+    if (const auto d = sides("tube"); d && positive("tube", (*d)[0]) && positive("tube", (*d)[1])) {
       if ((*d)[0] > (*d)[1]) result = elements::tube_section((*d)[0], (*d)[1], metal);
       else section.error("tube", fmt::format("outer {:.6g} m, inner {:.6g} m", (*d)[0], (*d)[1]), "the outer diameter exceeds the inner", "order: [outer, inner]");
     }

@@ -14,6 +14,7 @@ namespace trivet::study {
 namespace {
 
 constexpr double perpendicular_within = 1e-6;
+constexpr std::size_t most_orders = 200;  // an engine has some tens; each is a response over the whole run-up
 
 /// Columns: crank axis x, y and up z of the engine in body axes.
 std::optional<Eigen::Matrix3d> read_engine_axes(TableReader& engine) {
@@ -168,6 +169,8 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
     if (auto list = read_engine(*engine, reader.path() + ".engine", reader.problems())) orders.list = std::move(*list);
   if (table && table->kind != Node::Kind::array) {
     reader.error("table", words(table->kind), "a list of orders is wanted", "table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
+  } else if (table && table->items.size() > most_orders) {
+    reader.error("table", fmt::format("{} orders", table->items.size()), fmt::format("at most {} orders are computed", most_orders), "keep the strong ones");
   } else if (table) {
     std::vector<excitation::Order> rows;
     for (std::size_t i = 0; i < table->items.size(); ++i) {
