@@ -8,6 +8,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "trivet/study/written_names.h"
+
 namespace trivet::study {
 namespace {
 
@@ -148,6 +150,8 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     const toml::table table = toml::parse(text, std::string_view(source));
     Node root = converted(table, source);
     root.origin = {source, 0, 0};
+    foundation::Problems unprintable = check_names_and_texts(root);
+    if (unprintable.has_errors()) return tl::make_unexpected(std::move(unprintable));
     return root;
   } catch (const toml::parse_error& error) {
     const std::string finding = finding_of(error, text);
