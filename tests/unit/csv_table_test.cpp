@@ -91,4 +91,30 @@ TEST(CsvTable, RefusesWhatIsNoTextFile) {
   EXPECT_THAT(foundation::message(study::read_csv_table(testing::TempDir()).error().list().front()), HasSubstr("no file"));
 }
 
+TEST(CsvTable, OfTwoColumnsCalledNameIsRefused) {
+  EXPECT_FALSE(study::csv_table("name,name\na,b\n", "t.csv").has_value());
+}
+
+TEST(CsvTable, HasAtMostTwoThousandColumns) {
+  std::string header = "c0";
+  for (int i = 1; i < 2001; ++i) header += ",c" + std::to_string(i);
+  const auto refused = study::csv_table(header + "\n", "t.csv");
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().list().front().finding, "2001 columns");
+}
+
+TEST(CsvTable, HasAtMostTheRowsOfItsKind) {
+  EXPECT_TRUE(study::csv_table("a\n1\n2\n", "t.csv", 2).has_value());
+  const auto refused = study::csv_table("a\n1\n2\n3\n", "t.csv", 2);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().list().front().finding, "more than 2 rows");
+}
+
+TEST(CsvTable, HasNamesThatCanBePrinted) {
+  const auto refused = study::csv_table("name,a\nM\xFCller,1\n", "t.csv");
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().list().front().finding, "a name holds the byte FC, which is no UTF-8");
+  EXPECT_FALSE(study::csv_table("a\x1b\n1\n", "t.csv").has_value());
+}
+
 }  // namespace

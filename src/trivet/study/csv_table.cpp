@@ -10,7 +10,10 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <optional>
+
+#include "trivet/foundation/plain_text.h"
 
 namespace trivet::study {
 namespace {
@@ -19,6 +22,8 @@ constexpr std::string_view rule = "a table is a header row and rows of numbers a
 constexpr std::string_view name_column = "name";
 /// Problems of one kind that are listed; a file with the wrong separator would fill the screen.
 constexpr int most_listed = 20;
+/// Numbers of one table: 160 MB of them.
+constexpr std::size_t most_cells = 20'000'000;
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -65,7 +70,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& source) { table_.source = source; }
+  Reader(const std::string& source, std::size_t most_rows) : most_rows_(most_rows) { table_.source = source; }
 
   foundation::Expected<CsvTable> read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -80,7 +85,7 @@ class Reader {
       if (content.empty() || content.front() == '#') continue;
       if (width_ == 0) read_header(written, line);
       else read_row(written, line);
-      if (width_ == 0) break;
+      if (width_ == 0 || too_long_) break;
     }
     if (table_.lines.empty() && !problems_.has_errors())
       problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(rule), "check the file");
@@ -101,13 +106,22 @@ class Reader {
     if (!names) return problem(number_of_line, "a quote is not closed", std::string(rule), "close it");
     if (std::all_of(names->begin(), names->end(), [](const std::string& name) { return number(name).has_value(); }))
       return problem(number_of_line, "the first row holds numbers", "the first row names the columns", "add a header row");
+    if (names->size() > most_columns)
+      return problem(number_of_line, fmt::format("{} columns", names->size()), fmt::format("a table has at most {} columns", most_columns), "is this the right file? keep the columns that are wanted");
     width_ = names->size();
+    most_rows_ = std::min(most_rows_, most_cells / width_);
+    header_ = *names;
+    std::map<std::string, int> count;
+    for (const std::string& name : *names) ++count[name];
     for (const std::string& name : *names) {
+      if (const auto found = foundation::unprintable(name))
+        problem(number_of_line, "a column name holds " + *found, "names are printable UTF-8 on one line", "rename the column, or save the file as UTF-8");
       if (name.empty()) problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1), "every column has a name",
                                 "name it");
-      if (std::count(names->begin(), names->end(), name) > 1 &&
-          std::find(table_.columns.begin(), table_.columns.end(), name) == table_.columns.end())
+      if (count[name] > 1) {
+        count[name] = 1;  // reported once
         problem(number_of_line, "the column " + name.substr(0, 60) + " stands twice", "every column has a name of its own", "rename one");
+      }
       if (name == name_column) texts_at_ = &name - names->data();
       else table_.columns.push_back(name);
     }
@@ -121,15 +135,21 @@ class Reader {
                 fmt::format("the header has {} columns", width_), "complete the row; numbers have a decimal point, not a comma");
       return;
     }
+    if (table_.lines.size() == most_rows_) {
+      too_long_ = true;
+      return problem(number_of_line, fmt::format("more than {} rows", most_rows_), fmt::format("a table of this kind has at most {} rows", most_rows_), "take every tenth row, or the part that is wanted");
+    }
     table_.lines.push_back(number_of_line);
     for (std::size_t i = 0; i < width_; ++i) {
       if (static_cast<std::ptrdiff_t>(i) == texts_at_) {
+        if (const auto found = foundation::unprintable((*row)[i]); found && wrong_cells_++ < most_listed)
+          problem(number_of_line, "a name holds " + *found, "names are printable UTF-8 on one line", "rename it, or save the file as UTF-8");
         table_.names.push_back((*row)[i]);
         continue;
       }
       const auto value = number((*row)[i]);
       if (!value && wrong_cells_++ < most_listed)
-        problem(number_of_line, fmt::format("{} = \"{}\"", table_.columns[values_.size() % table_.columns.size()].substr(0, 60),
+        problem(number_of_line, fmt::format("{} = \"{}\"", header_[i].substr(0, 60),
                                             (*row)[i].substr(0, 60)),
                 "a cell is a finite number with a decimal point, or empty where nothing was measured",
                 "mend the cell, or begin a comment line with #");
@@ -142,6 +162,9 @@ class Reader {
   std::vector<double> values_;  // row by row
   std::size_t width_ = 0;
   std::ptrdiff_t texts_at_ = -1;
+  std::vector<std::string> header_;
+  std::size_t most_rows_;
+  bool too_long_ = false;
   char separator_ = ',';
   int ragged_ = 0, wrong_cells_ = 0;
 };
@@ -154,9 +177,9 @@ tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, 
 
 }  // namespace
 
-foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source) { return Reader(source).read(text); }
+foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows) { return Reader(source, most_rows).read(text); }
 
-foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path) {
+foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return refused(path, error ? error.message() : "no such file", "check the path");
   if (!std::filesystem::is_regular_file(path, error)) return refused(path, "this is no file", "name the .csv file");
@@ -170,7 +193,7 @@ foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path)
   if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size) return refused(path, "reading failed", "check the disk");
   if (text.find('\0') != std::string::npos) return refused(path, "the file holds zero bytes",
                                                            "it is no text file, or in UTF-16: save it as UTF-8");
-  return csv_table(text, path.string());
+  return csv_table(text, path.string(), most_rows);
 }
 
 foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted) {

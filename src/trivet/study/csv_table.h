@@ -14,6 +14,13 @@ namespace trivet::study {
 /// Largest table that is read.
 inline constexpr std::uintmax_t largest_csv_file = 256u << 20;
 
+/// Rows of a table that each become a part of a law over frequency; real ones have a few hundred.
+inline constexpr std::size_t most_rows_over_frequency = 20'000;
+/// Rows of measured loads and time histories: a quarter of an hour at 1 kHz.
+inline constexpr std::size_t most_rows_over_time = 1'000'000;
+/// Columns of any table: a 12×12 of complex numbers has 289.
+inline constexpr std::size_t most_columns = 2'000;
+
 /// A table of numbers with named columns. An empty cell, "nan" or "-" is NaN: not measured.
 struct CsvTable {
   std::string source;                ///< file name, for messages
@@ -26,11 +33,11 @@ struct CsvTable {
 /// A header row, then numbers with a decimal point; comma, semicolon or tab between cells (the first of tab, semicolon, comma that the
 /// header holds); `#` begins a comment line; a byte order mark, CRLF and quoted cells are taken. A column called "name"
 /// holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated or empty column names, rows of
-/// another length, cells that are no number.
-[[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source);
+/// another length, cells that are no number, more columns or rows than are taken.
+[[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows = most_rows_over_time);
 
 /// The same from a file; refuses what cannot be read, is empty, binary or larger than `largest_csv_file`.
-[[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path);
+[[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows = most_rows_over_time);
 
 /// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there are.
 [[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted);

@@ -110,7 +110,7 @@ std::optional<excitation::Signal> read_samples(TableReader& history, Quantity me
     scale *= standard_gravity;
   }
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
-  const auto rows = history.has("rows") ? read_pairs(history, "rows") : read_pairs_of_file(history, "time", "value");
+  const auto rows = history.has("rows") ? read_pairs(history, "rows") : read_pairs_of_file(history, "time", "value", most_rows_over_time);
   return rows ? from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale, hold) : std::nullopt;
 }
 

@@ -119,7 +119,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   const std::size_t before = reader.errors();
   const auto file = read_file_name(reader, "file");
   if (!file) return std::nullopt;
-  const auto csv = read_csv_table(*file);
+  const auto csv = read_csv_table(*file, most_rows_over_frequency);
   if (!csv) return reader.add_of_file("file", csv.error()), std::nullopt;
   std::vector<std::pair<int, int>> entries;
   for (const std::string& column : csv->columns) {

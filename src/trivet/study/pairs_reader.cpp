@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/idle_key.h"
 
@@ -35,11 +34,11 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   return good ? std::optional(pairs) : std::nullopt;
 }
 
-std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y) {
+std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y, std::size_t most_rows) {
   const auto file = read_file_name(reader, "file");
   const std::string x_name = reader.text(x).value_or(x), y_name = reader.text(y).value_or(y);
   if (!file) return std::nullopt;
-  const auto csv = read_csv_table(*file);
+  const auto csv = read_csv_table(*file, most_rows);
   if (!csv) {
     reader.add_of_file("file", csv.error());
     return std::nullopt;

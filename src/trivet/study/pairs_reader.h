@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "trivet/study/csv_table.h"
 #include "trivet/study/table_reader.h"
 
 /// Two columns of numbers, in the project file or in a file that it names.
@@ -14,6 +15,6 @@ namespace trivet::study {
 [[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key);
 
 /// `file = "….csv"` with the columns `x` and `y`; other names by the keys `x` and `y` of the table. A cell that was not measured is a problem. n × 2.
-[[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y);
+[[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y, std::size_t most_rows = most_rows_over_frequency);
 
 }  // namespace trivet::study

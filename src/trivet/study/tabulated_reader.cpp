@@ -29,7 +29,7 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
   static_cast<void>(reader.node("damping"));
   if (!(centre >= 0 && centre <= 1)) reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
   if (!file) return;
-  const auto csv = read_csv_table(*file);
+  const auto csv = read_csv_table(*file, most_rows_over_frequency);
   if (!csv) {
     reader.add_of_file("file", csv.error());
     return;
