@@ -15,11 +15,10 @@
 #include "trivet/model/guides.h"
 #include "trivet/response/design_rules.h"
 #include "trivet/study/further_answers.h"
+#include "trivet/study/question_sizes.h"
 
 namespace trivet::study {
 namespace {
-
-constexpr int deep_check_frequencies = 64;
 
 bool is_driven(const model::System& system) {
   const auto& excitations = system.description().excitations;
@@ -285,9 +284,10 @@ class CaseStudy {
     result.continuous_phase = request.continuous_phase;
     result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase, progress_);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
+    const int checked = deep_check_frequencies(assembled_.matrices.A.rows());
     const std::vector<double> samples = request.at.empty()
-                                            ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, deep_check_frequencies)
-                                            : std::vector<double>(grid.begin(), grid.begin() + std::min<std::ptrdiff_t>(std::ssize(grid), deep_check_frequencies));
+                                            ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
+                                            : std::vector<double>(grid.begin(), grid.begin() + std::min<std::ptrdiff_t>(std::ssize(grid), checked));
     result.deep = response::deep_check(system_, assembled_, asked.load, samples, request.wanted.excitations);
     return result;
   }
@@ -343,6 +343,9 @@ class CaseStudy {
 }  // namespace
 
 Answers answers(const Case& variant, const Analyses& analyses, const foundation::Progress& progress) {
+  // A file's own questions were held to these sizes when it was read; those of a command line come here first.
+  const foundation::Problems sizes = too_large(variant.system.description(), analyses);
+  if (sizes.has_errors()) throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " + sizes.list().front().rule + "; " + sizes.list().front().remedy);
   return CaseStudy(variant, progress).answer(variant, analyses);
 }
 
@@ -359,7 +362,7 @@ response::DeepCheck deep_check(const Case& variant) {
     everywhere.head(bodies) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(bodies).cast<std::complex<double>>();
     load = assembly::Loading(everywhere);
   }
-  return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies));
+  return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies(assembled.matrices.A.rows())));
 }
 
 }  // namespace trivet::study

@@ -11,6 +11,8 @@ namespace {
 
 /// Larger systems need sparse methods that this version does not have.
 constexpr std::size_t most_bodies = 200;
+/// Each is six answers.
+constexpr std::size_t most_points = 5000;
 
 /// Fills mass, centre and inertia; returns whether an inertia was given.
 bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
@@ -46,6 +48,10 @@ void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
   const Node* table = reader.table("points");
   if (!table) return;
   TableReader points(*table, reader.path() + ".points", reader.problems());
+  if (table->keys.size() > most_points) {
+    reader.error("points", fmt::format("{} points", table->keys.size()), fmt::format("a body has at most {}", most_points), "keep those that are asked for");
+    return;
+  }
   for (const std::string& name : table->keys) {
     mentioned.points.push_back(body.name + "." + name);
     if (const auto at = points.vector(name, Quantity::length)) body.points.push_back({name, *at});

@@ -14,6 +14,7 @@
 #include "trivet/study/document.h"
 #include "trivet/study/foundation_reader.h"
 #include "trivet/study/part_readers.h"
+#include "trivet/study/question_sizes.h"
 #include "trivet/study/questions.h"
 #include "trivet/study/source_file.h"
 #include "trivet/study/suspicions.h"
@@ -137,6 +138,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   foundation::Problems all = reading;
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   if (!system) name_slips(bodies, document, physical);
+  if (system) physical.add(too_large(system->description(), analyses));
   locate(physical, document);
   all.add(physical);
   all = without_unwanted(all, questions, name, analyses);
@@ -170,6 +172,12 @@ void add_of_case(const foundation::Problems& found, const foundation::Problems& 
     problem.subject = "case \"" + name + "\": " + problem.subject;
     problems.add(problem);
   }
+}
+
+/// Bodies, elements and excitations, as often as there are cases with a model of their own.
+std::size_t things_of_cases(const Node& document) {
+  const auto count = [&](const char* table) { return document.find(table) ? document.find(table)->keys.size() : 0; };
+  return count("cases") * (count("bodies") + count("elements") + count("excitations"));
 }
 
 struct ChangedNumber {
@@ -301,7 +309,10 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));
   const Node* cases = document.find("cases");
-  if (cases && cases->kind != Node::Kind::table) {
+  if (const std::size_t things = things_of_cases(document); things > most_things_of_cases) {
+    problems.error("cases", fmt::format("{} bodies, elements and excitations in all cases together", things), fmt::format("at most {} are held at once", most_things_of_cases), "split the file").origin =
+        cases->origin;
+  } else if (cases && cases->kind != Node::Kind::table) {
     problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
   } else if (cases && cases->keys.size() > most_cases) {
     problems.error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases), "split the file").origin = cases->origin;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/model/system.h"
+#include "trivet/study/analyses.h"
+
+/// What questions cost, estimated before any work begins: curves, points, memory and time.
+namespace trivet::study {
+
+/// Free coordinates that a system may have: dense eigenproblems of more take minutes to hours. A hundred free bodies
+/// have as many.
+inline constexpr std::size_t most_coordinates = 600;
+
+/// Copies of bodies, elements and excitations that all cases of a file hold together: each costs some ten kilobytes.
+inline constexpr std::size_t most_things_of_cases = 50'000;
+
+/// Of bodies, elements with inner coordinates and foundations.
+[[nodiscard]] std::size_t coordinates(const model::Description& description);
+
+/// An error for each question that is too large for this program, with its size, the limit and what to do.
+[[nodiscard]] foundation::Problems too_large(const model::Description& description, const Analyses& asked);
+
+/// Frequencies at which a second solver in extended precision checks a system of so many coordinates: 64 for small
+/// ones, fewer where each takes seconds.
+[[nodiscard]] int deep_check_frequencies(Eigen::Index coordinates);
+
+}  // namespace trivet::study

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/question_sizes.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "support/projects.h"
+#include "trivet/study/admissible_range.h"
+
+namespace {
+
+using namespace trivet;
+using testing::HasSubstr;
+
+/// Free bodies one above the other, each on one mount.
+model::Description tower(std::size_t count) {
+  model::Description description;
+  for (std::size_t i = 0; i < count; ++i) description.bodies.emplace_back().name = fmt::format("body {}", i);
+  return description;
+}
+
+std::string told(const foundation::Problems& problems) {
+  std::string text;
+  for (const foundation::Problem& problem : problems.list()) text += foundation::message(problem) + "\n";
+  return text;
+}
+
+TEST(QuestionSizes, AHundredFreeBodiesAreAdmittedAndNoMore) {
+  study::Analyses modes;
+  modes.modes = true;
+  EXPECT_FALSE(study::too_large(tower(100), modes).has_errors());
+  EXPECT_THAT(told(study::too_large(tower(101), modes)), HasSubstr("606 free coordinates; at most 600 are computed"));
+}
+
+TEST(QuestionSizes, TwentyBodiesWithAllPeaksAreSearchedAndAHundredAreNot) {
+  study::Analyses peaks;
+  peaks.peaks.emplace();
+  EXPECT_FALSE(study::too_large(tower(20), peaks).has_errors());
+  EXPECT_THAT(told(study::too_large(tower(100), peaks)),
+              HasSubstr("resonance peaks of 600 curves of a system of 600 coordinates"));
+}
+
+TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {
+  study::Analyses asked;
+  asked.response.emplace().spacing = response::Spacing::linear;
+  asked.response->points = 500'000;
+  EXPECT_FALSE(study::too_large(tower(1), asked).has_errors());
+  asked.response->points = 500'001;
+  EXPECT_THAT(told(study::too_large(tower(1), asked)), HasSubstr("500001 points × 6 curves"));
+  asked.response->wanted.of = {"body 0.x"};
+  EXPECT_FALSE(study::too_large(tower(1), asked).has_errors());
+}
+
+TEST(QuestionSizes, TheSecondSolverChecksFewerFrequenciesOfLargeSystems) {
+  EXPECT_EQ(study::deep_check_frequencies(6), 64);
+  EXPECT_EQ(study::deep_check_frequencies(60), 64);
+  EXPECT_EQ(study::deep_check_frequencies(120), 8);
+  EXPECT_EQ(study::deep_check_frequencies(600), 4);
+}
+
+TEST(QuestionSizes, OfAFileAreToldWhereTheyAreAsked) {
+  const std::string text =
+      "trivet = 1\n[bodies.b]\nmass = 1\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n[elements.m]\ntype = "
+      "\"bushing\"\non = \"b\"\nat = [0, 0, 0]\n"
+      "translation = [1, 1, 1]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, "
+      "1]\n[analyses]\nresponse = {spacing = \"linear\", points = 2000000}\n";
+  const auto refused = study::project_from_text(text, "machine.toml");
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(told(refused.error()),
+              HasSubstr("machine.toml:16: error: analyses.response.points: 2000000 points × 6 curves"));
+}
+
+TEST(AdmissibleRange, HasAReasonForEveryQuantity) {
+  for (int i = 0; i <= static_cast<int>(study::Quantity::mass_length); ++i) {
+    const auto quantity = static_cast<study::Quantity>(i);
+    EXPECT_GT(std::string(study::largest(quantity).reason).size(), 5u) << i;
+    EXPECT_EQ(study::outside_range(study::largest(quantity).magnitude, quantity), std::nullopt) << i;
+    EXPECT_NE(study::outside_range(-1.001 * study::largest(quantity).magnitude, quantity), std::nullopt) << i;
+    EXPECT_EQ(study::outside_range(0, quantity), std::nullopt);
+    EXPECT_NE(study::outside_range(5e-324, quantity), std::nullopt);
+  }
+}
+
+TEST(AdmissibleRange, ABandHasTwoDifferentEnds) {
+  EXPECT_EQ(study::wrong_band(0, 1), std::nullopt);
+  EXPECT_EQ(study::wrong_band(1, 1.00000001), std::nullopt);
+  EXPECT_NE(study::wrong_band(1, 1.0000000000000002), std::nullopt);
+  EXPECT_NE(study::wrong_band(0, 1e-300), std::nullopt);
+  EXPECT_NE(study::wrong_band(2, 1), std::nullopt);
+}
+
+}  // namespace
