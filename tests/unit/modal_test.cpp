@@ -120,4 +120,17 @@ TEST(RayleighDamping, IsAlphaAPlusBetaK) {
   EXPECT_LE((m.B - 0.3 * m.A - 0.002 * m.K).norm(), 1e-15);
 }
 
+TEST(Modes, OfAFoundationThatMovesNoMountHaveNoSharesOfStrain) {
+  const auto project = test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, 60]\nrotation = [40, 40, 90]\nfoundation = \"deck\"\n"
+                                          "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 3, modal_mass = 5, shapes = {k = [0, 0, 0]}}, {frequency = 7, modal_mass = 5, shapes = {k = [0, 0, 1]}}]\n"));
+  const modal::Modes modes = modal::modes(project.base().system);
+  ASSERT_EQ(modes.list.size(), 8u);
+  int without = 0;
+  for (const modal::Mode& mode : modes.list) {
+    if (!mode.strain_energy_share) ++without;
+    else EXPECT_NEAR(mode.strain_energy_share->sum(), 1, 1e-12) << mode.number;
+  }
+  EXPECT_EQ(without, 1);
+}
+
 }  // namespace

@@ -63,7 +63,9 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
     const Eigen::VectorXd d = map.coordinates(phi);
     strain(e) = d.dot(map.matrices.stiffness * d);
   }
-  mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
+  // A mode of a foundation that moves no mount stores all its energy in the foundation: shares of what is round-off mean nothing.
+  constexpr double round_off = 1e-12;
+  if (std::abs(strain.sum()) > round_off * std::abs(mode.eigenvalue_squared * phi.dot(momentum))) mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
 }
 
 void mark_repeated(std::vector<Mode>& list) {

@@ -26,7 +26,7 @@ struct Mode {
   Eigen::VectorXd element_kinetic_energy_share;    ///< of each element's internal coordinates, likewise; with the bodies' shares it sums to 1
   double foundation_kinetic_energy_share = 0;      ///< of all coordinates of foundations together, likewise
   Eigen::VectorXd principal_kinetic_energy_share;  ///< of the bodies alone, along and about the central principal axes; all ≥ 0, sums to 1
-  std::optional<Eigen::VectorXd> strain_energy_share;  ///< per element, sums to 1; none where ω² = 0
+  std::optional<Eigen::VectorXd> strain_energy_share;  ///< per element, sums to 1; none where ω² = 0 or no element is strained
   std::vector<spatial::Screw> screws;        ///< per body
   std::string name;                          ///< in words
 };
