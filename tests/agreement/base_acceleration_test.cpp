@@ -81,6 +81,16 @@ TEST(BaseAcceleration, HasTheSamePeaksAsForces) {
   }
 }
 
+TEST(BaseAcceleration, LetsMapsAskForNoPeakAgainstTheGround) {
+  const std::string map = "map = {x = {parameter = \"elements.foot.scale\", from = 0.5, to = 2, points = 4}, y = {parameter = \"elements.foot.damping.proportional\", from = 0.02, to = 3, "
+                          "points = 4}, no_peak = [\"low";
+  const study::Project base = test::project(tower("{proportional = 0.2}", shaken, map + ".relative.z\"]}\n"));
+  const study::Project force = test::project(tower("{proportional = 0.2}", pushed, map + ".z\"]}\n"));
+  const study::DesignMap a = study::design_map(base, base.base(), *base.base().analyses.map), b = study::design_map(force, force.base(), *force.base().analyses.map);
+  constexpr double of_a_float = 2e-7;
+  for (std::size_t k = 0; k < a.outcomes.size(); ++k) EXPECT_NEAR(a.outcomes[k].margin, b.outcomes[k].margin, of_a_float * b.outcomes[k].margin) << "design " << k;
+}
+
 TEST(BaseAcceleration, GivesMarginsAtTheStartOfTheBandToAFloat) {
   const std::string map = "map = {x = {parameter = \"elements.foot.scale\", from = 0.5, to = 2, points = 4}, y = {parameter = \"elements.foot.damping.proportional\", from = 0.2, to = 0.3, "
                           "points = 2}, limits = {\"high";

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trivet/assembly/following.h"
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/elements/law.h"
@@ -44,7 +45,7 @@ GroundRows ground_rows(const model::Description& description, Ground& ground) {
     std::array<Eigen::Index, 2> first = {-1, -1};
     for (const auto& [end, row] : {std::pair{&element.n, &first[0]}, {&element.k, &first[1]}}) {
       if (!end->on_ground()) continue;
-      *row = ground.size();
+      *row = ground.followed_row();
       ground.ends.push_back({e, {end->at, end->axes}, *row});
     }
     if (element.is_foundation && element.k.foundation) rows.of_places[element.k.foundation->foundation] = first[0];
@@ -138,12 +139,12 @@ void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Grou
 }
 
 /// The damping of the system as a whole acts on the motion beyond that with which the massive coordinates follow the ground at rest.
-Eigen::MatrixXd system_damping_on_ground(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& ground_stiffness) {
+SystemDampingMatrices system_damping(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& ground_stiffness) {
   const Eigen::VectorXd d = numerics::unit_scale(m);
   const Eigen::MatrixXd scaled = d.asDiagonal() * m.K * d.asDiagonal();
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> stiffness(scaled);
   const Eigen::MatrixXd follow = d.asDiagonal() * stiffness.solve(d.asDiagonal() * ground_stiffness);  // −(motion of the coordinates)
-  return damping * follow;
+  return {damping, damping * follow, stiffness.rank() == m.size()};
 }
 
 void add_body(const Layout& layout, std::size_t index, const model::Body& body, Eigen::MatrixXd& mass) {
@@ -219,6 +220,7 @@ Assembled assemble(const model::System& system) {
   }
   Assembled result{Layout(system.description(), internal, last), {}, {}, {}, {}};
   const GroundRows rows = ground_rows(system.description(), result.ground);
+  move_together(system, result.ground);
   for (std::size_t e = 0; e < system.elements().size(); ++e) result.elements.push_back(map_of(result.layout, e, system.elements()[e], rows));
   numerics::DynamicMatrices& m = result.matrices;
   const auto every = [](const ElementMap&) { return true; };
@@ -228,18 +230,19 @@ Assembled assemble(const model::System& system) {
   add_system_damping(system.description().damping, m);
   if (m.symmetric) make_exactly_symmetric(m.B);
   const bool damped_as_a_whole = !std::holds_alternative<std::monostate>(system.description().damping);
-  Eigen::MatrixXd of_system;
+  SystemDampingMatrices of_system;
   if (damped_as_a_whole) {
     couple_ground(result.elements, m.size(), result.ground, every);
-    of_system = system_damping_on_ground(m, m.B - without, result.ground.K);
+    of_system = system_damping(m, m.B - without, result.ground.K);
   }
   couple_ground(result.elements, m.size(), result.ground, constant);
-  if (damped_as_a_whole) result.ground.B += of_system;
+  if (damped_as_a_whole) result.ground.B += of_system.on_ground;
   if (std::find(last.begin(), last.end(), true) != last.end()) {
     const Eigen::Index n = result.layout.before_last();
     result.constant = summed(system, result, n, constant);
     result.constant.B += (m.B - without).topLeftCorner(n, n);
   }
+  follow_ground(system, of_system, result);
   return result;
 }
 

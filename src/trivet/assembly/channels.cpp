@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "trivet/assembly/following.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -26,23 +27,27 @@ class Builder {
   std::vector<Channel> word(const std::string& of) const {
     std::vector<Channel> result;
     const auto append = [&](std::vector<Channel> more) { result.insert(result.end(), more.begin(), more.end()); };
+    const auto append_motions = [&](std::vector<Channel> more) {
+      for (Channel& channel : more) follow(channel);
+      append(std::move(more));
+    };
     if (of == "ground") append(ground());
-    if (of == "base") append(motions("base", [&](int j) { return base_motion(Matrix6::Identity(), j); }));
+    if (of == "base") append_motions(motions("base", [&](int j) { return base_motion(Matrix6::Identity(), j); }));
     for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
       const model::Body& body = system_.bodies()[b];
-      if (of == "coordinates" || of == body.name) append(coordinates(b));
-      if (of == body.name + ".relative") append(relative_motion(b, of, Eigen::Vector3d::Zero()));
+      if (of == "coordinates" || of == body.name) append_motions(coordinates(b));
+      if (of == body.name + ".relative") append_motions(relative_motion(b, of, Eigen::Vector3d::Zero()));
       for (const model::Point& point : body.points) {
-        if (of == body.name + "." + point.name) append(point_motion(b, point));
-        if (of == body.name + "." + point.name + ".relative") append(relative_motion(b, of, point.at));
+        if (of == body.name + "." + point.name) append_motions(point_motion(b, point));
+        if (of == body.name + "." + point.name + ".relative") append_motions(relative_motion(b, of, point.at));
       }
     }
     for (std::size_t e = 0; e < system_.elements().size(); ++e)
     {
       const std::string& name = system_.elements()[e].name;
       if (of == name) append(forces(name, wrench_on_n(e)));
-      if (of == name + ".deflection") append(end_motion(e, of, true));
-      if (of == name + ".foot") append(end_motion(e, of, false));
+      if (of == name + ".deflection") append_motions(end_motion(e, of, true));
+      if (of == name + ".foot") append_motions(end_motion(e, of, false));
     }
     return result;
   }
@@ -93,6 +98,14 @@ class Builder {
 
   void set_ground(Channel& channel, const Eigen::VectorXd& on_ground) const {
     if (!on_ground.isZero(0)) channel.ground = {on_ground.cast<std::complex<double>>(), Eigen::VectorXd::Zero(on_ground.size()), Eigen::VectorXd::Zero(on_ground.size())};
+  }
+
+  /// What is left of a motion on the ground coordinates that everything follows.
+  void follow(Channel& channel) const {
+    Eigen::VectorXd on_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
+    if (!channel.ground.empty()) on_ground = channel.ground.on_displacement.real();
+    on_ground.tail(assembled_.ground.followed()) = followed_row(assembled_.ground, channel.on_displacement.real().transpose(), on_ground.transpose()).transpose();
+    set_ground(channel, on_ground);
   }
 
   /// Component j of the rigid motion of the whole foundation, seen where and in the axes that `carry` says.
@@ -217,6 +230,12 @@ class Builder {
       rows.ground_displacement.col(row) += ground_stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
       rows.ground_velocity.col(row) += ground_damping.col(j);
       rows.ground_acceleration.col(row) += ground_mass.col(j);
+    }
+    if (!map.frequency_dependent()) {
+      const FollowedForces followed = followed_forces(map, assembled_.ground);
+      rows.ground_displacement.rightCols(assembled_.ground.followed()) = -(turn * followed.stiffness.topRows<6>()) * std::complex<double>(1, map.matrices.loss_factor);
+      rows.ground_velocity.rightCols(assembled_.ground.followed()) = -(turn * followed.damping.topRows<6>());
+      rows.ground_acceleration.rightCols(assembled_.ground.followed()) = -(turn * followed.mass.topRows<6>());
     }
     if (map.frequency_dependent()) {
       Eigen::Matrix<double, 6, 12> exact = Eigen::Matrix<double, 6, 12>::Zero();

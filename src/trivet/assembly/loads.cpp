@@ -107,7 +107,7 @@ void add_frequency_dependent(const Assembled& assembled, const Loading& loading,
   if (loading.motion.vanishes()) return;
   const Eigen::VectorXcd g = loading.motion.at(omega);
   for (const ElementMap& map : assembled.elements) {
-    if (!map.frequency_dependent() || map.ground_rows.empty()) continue;
+    if (!map.frequency_dependent() || (map.ground_rows.empty() && !map.resists_following)) continue;
     const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
     const Eigen::VectorXcd moved = map.moved_by_ground(g).head(12);
     const Eigen::VectorXcd force = map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/channel_terms.h"
 
+#include "trivet/assembly/answer_coordinates.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/response/steady_solution.h"
 
@@ -31,6 +32,25 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
   return result;
 }
 
+/// All channels in the coordinates of the loading.
+AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                         const assembly::Loading& loading, const std::vector<double>& omega) {
+  if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
+  const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
+  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
+  const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
+  const Eigen::MatrixXcd ground = given.given.at(omega);
+  const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
+  const Eigen::MatrixXd size = q.cwiseAbs(), ground_size = ground.cwiseAbs();
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const numerics::ObservedCurve& curve = given.curves[static_cast<std::size_t>(c)];
+    result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
+    result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& channels) {
@@ -43,16 +63,16 @@ std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& ch
 
 AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                              const assembly::Loading& loading, const std::vector<double>& omega) {
-  if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
-  const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
-  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
-  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response, ground = loading.motion.at(omega);
-  const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
-  const Eigen::MatrixXd size = q.cwiseAbs(), ground_size = ground.cwiseAbs();
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const numerics::ObservedCurve curve = channels[static_cast<std::size_t>(c)].curve();
-    result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
-    result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
+  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+  if (groups.size() == 1) return samples_in(assembled, channels, groups[0].loading, omega);
+  AnswerSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)), Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
+  for (const assembly::AnsweredTogether& group : groups) {
+    const AnswerSamples part = samples_in(assembled, group.channels, group.loading, omega);
+    for (Eigen::Index k = 0; k < std::ssize(group.which); ++k) {
+      const auto row = static_cast<Eigen::Index>(group.which[static_cast<std::size_t>(k)]);
+      result.value.row(row) = part.value.row(k);
+      result.possible.row(row) = part.possible.row(k);
+    }
   }
   return result;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/response/carried_motion.h"
+#include "trivet/assembly/answer_coordinates.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/response/steady_solution.h"
 
@@ -31,18 +31,15 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
   return values;
 }
 
-}  // namespace
-
-FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
-  const bool at_rest = std::find(angular_frequency.begin(), angular_frequency.end(), 0.0) != angular_frequency.end();
-  const auto beyond = at_rest ? std::nullopt : beyond_carried(assembled, channels, loading);  // at rest such a ground has no motion to go beyond
-  if (beyond) return frequency_response(beyond->assembled, beyond->channels, loading, angular_frequency);
+/// All channels in the coordinates of the loading.
+FrequencyResponse answered(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                           const std::vector<double>& angular_frequency) {
   const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);
   const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
   Eigen::MatrixXcd ground, exact;
+  const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
   if (assembled.frequency_dependent()) exact = exact_curves(assembled, channels, loading, solved.response, angular_frequency);
-  else ground = loading.motion.at(angular_frequency);
+  else ground = given.given.at(angular_frequency);
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
   result.solves = static_cast<int>(angular_frequency.size());
@@ -50,12 +47,40 @@ FrequencyResponse frequency_response(const assembly::Assembled& assembled, const
     const assembly::Channel& channel = channels[c];
     Eigen::VectorXcd values;
     if (assembled.frequency_dependent()) values = exact.row(static_cast<Eigen::Index>(c)).transpose();
-    else values = numerics::curve_values(channel.curve(), solved.response, ground, omega.cast<Complex>()).transpose();
+    else values = numerics::curve_values(given.curves[c], solved.response, ground, omega.cast<Complex>()).transpose();
     result.curves.push_back({channel.name, channel.unit, std::move(values)});
   }
   result.check.fallbacks = solved.fallbacks;
   for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
     note_error(solved.backward_error(i), angular_frequency[static_cast<std::size_t>(i)], result.check);
+  return result;
+}
+
+void add(const SolutionCheck& part, SolutionCheck& whole) {
+  whole.fallbacks += part.fallbacks;
+  if (part.worst_backward_error > whole.worst_backward_error) {
+    whole.worst_backward_error = part.worst_backward_error;
+    whole.at_angular_frequency = part.at_angular_frequency;
+  }
+  for (const double omega : part.undefined_at)
+    if (std::find(whole.undefined_at.begin(), whole.undefined_at.end(), omega) == whole.undefined_at.end()) whole.undefined_at.push_back(omega);
+}
+
+}  // namespace
+
+FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                     const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
+  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+  if (groups.size() == 1) return answered(assembled, channels, groups[0].loading, angular_frequency);
+  FrequencyResponse result;
+  result.angular_frequency = angular_frequency;
+  result.solves = static_cast<int>(angular_frequency.size());
+  result.curves.resize(channels.size());
+  for (const assembly::AnsweredTogether& group : groups) {
+    FrequencyResponse part = answered(assembled, group.channels, group.loading, angular_frequency);
+    for (std::size_t k = 0; k < group.which.size(); ++k) result.curves[group.which[k]] = std::move(part.curves[k]);
+    add(part.check, result.check);
+  }
   return result;
 }
 

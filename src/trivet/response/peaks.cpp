@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/assembly/answer_coordinates.h"
 #include "trivet/numerics/circle_search.h"
 #include "trivet/numerics/disc_search.h"
 #include "trivet/numerics/peak_count.h"
 #include "trivet/numerics/peak_refinement.h"
-#include "trivet/response/carried_motion.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/response/frequency_response.h"
 
@@ -65,23 +65,17 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
   }, curves, {from, end, std::move(seams), near_poles, progress});
 }
 
-}  // namespace
-
-double relative_prominence(const Peak& peak) {
-  const double minimum = peak.amplitude - peak.prominence;
-  return std::isinf(peak.amplitude) || !(minimum > 0) ? infinity : peak.prominence / minimum;
-}
-
-Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-            const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
-  if (const auto beyond = beyond_carried(assembled, channels, loading)) return peaks(beyond->assembled, beyond->channels, loading, modes, roots, options, progress);
+/// Of channels that are answered in the coordinates of the loading.
+Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+               const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
   const bool loaded = !loading.vanishes(), exact = assembled.frequency_dependent();
   const double end = search_end(assembled, modes, roots, options);
   const numerics::Load right_side = assembly::right_side(assembled, loading);
-  const numerics::DrivenSystem system{assembled.matrices, right_side, loading.motion};  // constant elements
+  const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
+  const numerics::DrivenSystem system{assembled.matrices, right_side, given.given};  // constant elements
   const foundation::Progress first_half = [&](std::string_view task, double fraction) { foundation::report_progress(progress, task, 0.5 * fraction); };
   numerics::AxisSearch found = exact ? search_exact(assembled, channels, loading, roots.poles, end, first_half)
-                                     : numerics::search_by_discs(system, assembly::curves(channels), roots.poles, {0, loading.longest_delay() > 0 ? end : infinity, first_half});
+                                     : numerics::search_by_discs(system, given.curves, roots.poles, {0, loading.longest_delay() > 0 ? end : infinity, first_half});
   Peaks result;
   result.searched_from = found.from;
   result.searched_to = found.to;
@@ -89,7 +83,8 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
   result.from_circles = exact;
   result.turnings.resize(channels.size());
 
-  const bool rigid = modal::has_rigid_motion(modes) || loading.lowest_power() < 0 || (!exact && found.from > 0);
+  const int lowest_power = exact ? loading.lowest_power() : std::min(right_side.lowest_power(), given.given.lowest_power());
+  const bool rigid = modal::has_rigid_motion(modes) || lowest_power < 0 || (!exact && found.from > 0);
   const bool rests = !rigid && defined_at_rest(assembled);
   if (exact && rests) {  // circles cannot reach ω = 0
     const FrequencyResponse still = frequency_response(assembled, channels, loading, {0.0});
@@ -114,7 +109,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       if (!(peak.prominence > options.min_prominence * heights.finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
         const numerics::RefinedPeak refined = exact ? numerics::RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, numerics::circle_accuracy * t.amplitude, true}
-                                              : options.refine ? numerics::refine_peak(system, channels[c].curve(), t.angular_frequency, t.reach)
+                                              : options.refine ? numerics::refine_peak(system, given.curves[c], t.angular_frequency, t.reach)
                                                                : numerics::RefinedPeak{};
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;
@@ -134,6 +129,39 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       result.list.push_back(peak);
     }
   }
+  return result;
+}
+
+}  // namespace
+
+double relative_prominence(const Peak& peak) {
+  const double minimum = peak.amplitude - peak.prominence;
+  return std::isinf(peak.amplitude) || !(minimum > 0) ? infinity : peak.prominence / minimum;
+}
+
+Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+            const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
+  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+  if (groups.size() == 1) return searched(assembled, channels, groups[0].loading, modes, roots, options, progress);
+  Peaks result;
+  result.curves.resize(channels.size());
+  result.turnings.resize(channels.size());
+  for (const assembly::AnsweredTogether& group : groups) {
+    Peaks part = searched(assembled, group.channels, group.loading, modes, roots, options, progress);
+    result.searched_from = std::max(result.searched_from, part.searched_from);
+    result.searched_to = std::min(result.searched_to, part.searched_to);
+    result.from_circles = part.from_circles;
+    result.panels += part.panels;
+    for (Peak& peak : part.list) {
+      peak.curve = group.which[peak.curve];
+      result.list.push_back(peak);
+    }
+    for (std::size_t k = 0; k < group.which.size(); ++k) {
+      result.curves[group.which[k]] = std::move(part.curves[k]);
+      result.turnings[group.which[k]] = std::move(part.turnings[k]);
+    }
+  }
+  std::stable_sort(result.list.begin(), result.list.end(), [](const Peak& a, const Peak& b) { return a.curve < b.curve; });
   return result;
 }
 

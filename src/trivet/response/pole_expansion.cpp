@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 
+#include "trivet/assembly/answer_coordinates.h"
 #include "trivet/response/channel_terms.h"
 
 namespace trivet::response {
@@ -63,8 +64,16 @@ void add_powers(const Laurent& p, int shift, Eigen::Index c, PoleExpansion& to) 
 /// A right side by columns of one matrix that all loads share.
 struct Column {
   std::size_t load;
+  std::size_t group;  ///< of channels that are answered in the same coordinates
   int power;
   double delay;
+};
+
+/// A load for the channels of one group of it, see assembly::by_coordinates.
+struct GroupedLoad {
+  std::size_t load;
+  std::size_t group;
+  assembly::Loading loading;
 };
 
 /// What the terms of a channel make of each column of a matrix of coordinates, for s⁰, s¹, s² apart.
@@ -122,16 +131,23 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
                                const std::vector<const assembly::Loading*>& loads) {
   std::vector<Column> columns;
   std::vector<Eigen::VectorXcd> sides;
+  std::vector<GroupedLoad> grouped;
+  std::vector<std::vector<std::size_t>> group_of(loads.size(), std::vector<std::size_t>(channels.size(), 0));  // load, channel
   PoleExpansions result;
   result.real = !assembled.matrices.lossy();
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const numerics::Load side = assembly::right_side(assembled, *loads[i]);
-    for (const numerics::LoadTerm& term : side.terms()) {
-      columns.push_back({i, term.power, term.delay});
-      sides.push_back(term.value);
-      result.real = result.real && term.value.imag().isZero(0);
+    const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, *loads[i]);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (const std::size_t c : groups[g].which) group_of[i][c] = g;
+      const numerics::Load side = assembly::right_side(assembled, groups[g].loading);
+      for (const numerics::LoadTerm& term : side.terms()) {
+        columns.push_back({i, g, term.power, term.delay});
+        sides.push_back(term.value);
+        result.real = result.real && term.value.imag().isZero(0);
+      }
+      for (const numerics::LoadTerm& term : groups[g].loading.motion.terms()) result.real = result.real && term.value.imag().isZero(0);
+      grouped.push_back({i, g, groups[g].loading});
     }
-    for (const numerics::LoadTerm& term : loads[i]->motion.terms()) result.real = result.real && term.value.imag().isZero(0);
   }
   Eigen::MatrixXcd right_sides(assembled.matrices.size(), static_cast<Eigen::Index>(sides.size()));
   for (std::size_t j = 0; j < sides.size(); ++j) right_sides.col(static_cast<Eigen::Index>(j)) = sides[j];
@@ -152,6 +168,7 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
     const Projection drifting = projected(channel.free, form.free_motion), statics = projected(channel.free, form.static_part);
     for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
       const Column& column = columns[static_cast<std::size_t>(j)];
+      if (column.group != group_of[column.load][static_cast<std::size_t>(c)]) continue;
       PoleExpansion& to = part(result.parts, column.load, column.delay, count, result.poles.size());
       const int power = channel.derivative + column.power;
       for (Eigen::Index k = 0, m = 0; k < form.poles.size(); ++k) {
@@ -162,10 +179,11 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
       add_powers(laurent(drifting, j, power, 1), -2, c, to);
       add_powers(laurent(statics, j, power, 1), 0, c, to);
     }
-    for (std::size_t i = 0; i < loads.size(); ++i)
-      for (const numerics::LoadTerm& term : loads[i]->motion.terms())
-        add_powers(laurent(projected(channel.ground, term.value), 0, channel.derivative + term.power, 1), 0, c,
-                   part(result.parts, i, term.delay, count, result.poles.size()));
+    for (const GroupedLoad& each : grouped)
+      for (const numerics::LoadTerm& term : each.loading.motion.terms())
+        if (each.group == group_of[each.load][static_cast<std::size_t>(c)])
+          add_powers(laurent(projected(channel.ground, term.value), 0, channel.derivative + term.power, 1), 0, c,
+                     part(result.parts, each.load, term.delay, count, result.poles.size()));
   }
   return result;
 }

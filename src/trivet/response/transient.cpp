@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/assembly/answer_coordinates.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/dynamic_matrices.h"
 #include "trivet/response/time_grid.h"
@@ -26,6 +27,11 @@ struct Inputs {
   std::vector<Drive> drives;
   std::vector<std::string> names;
 };
+
+/// A ground given by its velocity or acceleration may drift far away, while what stands on it hardly moves against it: such coordinates follow it.
+assembly::Loading in_coordinates_of_time(const assembly::Ground& ground, const assembly::Loading& loading) {
+  return !loading.motion.vanishes() && loading.motion.lowest_power() < 0 ? assembly::following(ground, loading) : loading;
+}
 
 void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inputs& all) {
   if (input.loading.force.size() != assembled.layout.size() ||
@@ -49,9 +55,10 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
     }
     (all.drives[c].*part).col(of_value + term.power) += term.value.real();
   };
-  const numerics::Load force = assembly::right_side(assembled, input.loading);
+  const assembly::Loading loading = in_coordinates_of_time(assembled.ground, input.loading);
+  const numerics::Load force = assembly::right_side(assembled, loading);
   for (const numerics::LoadTerm& term : force.terms()) add(term, &Drive::force);
-  for (const numerics::LoadTerm& term : input.loading.motion.terms()) add(term, &Drive::ground);
+  for (const numerics::LoadTerm& term : loading.motion.terms()) add(term, &Drive::ground);
 }
 
 WalkState first_state(const StateSpace& space, const Inputs& inputs, const TransientOptions& options) {
@@ -65,11 +72,22 @@ WalkState first_state(const StateSpace& space, const Inputs& inputs, const Trans
   return state;
 }
 
+/// Counts a state of given displacements and velocities in space from the motion R g that the coordinates follow.
+void subtract_followed(const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, double time, WalkState& state) {
+  for (std::size_t c = 0; c < inputs.courses.size(); ++c) {
+    const InputVector w = inputs.courses[c].at(state.places[c], time);
+    const InputMatrix followed = inputs.drives[c].ground.bottomRows(ground.followed());
+    state.x -= space.state(ground.R * (followed * w), ground.R * (followed * rate(w, inputs.courses[c].kappa(state.places[c]))));
+  }
+}
+
 /// The state at the first point of the grid.
-void go_to_first_point(TransientWalk& walk, const Inputs& inputs, const TimeGrid& grid, bool from_rest, WalkState& state) {
+void go_to_first_point(TransientWalk& walk, const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, const TimeGrid& grid, bool from_rest, WalkState& state) {
   state.time = grid.start;
-  if (!from_rest)
+  if (!from_rest) {
     for (std::size_t c = 0; c < inputs.courses.size(); ++c) state.places[c] = inputs.courses[c].place_at(grid.from, -grid.resolution);
+    subtract_followed(space, ground, inputs, grid.from, state);
+  }
   walk.take_corners(state);
   walk.advance(state, grid.from);
 }
@@ -119,7 +137,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   warn_of_impulses(rows, channels, inputs.courses, inputs.names, result.warnings);
 
   TransientWalk walk(space, inputs.courses, grid.step, grid.resolution);
-  go_to_first_point(walk, inputs, grid, !options.initial, state);
+  go_to_first_point(walk, space, assembled.ground, inputs, grid, !options.initial, state);
   TransientRecord record(walk, inputs.courses, rows, grid);
   record.run(state, progress);
   result.time = Eigen::VectorXd::LinSpaced(grid.points, 0, static_cast<double>(grid.points - 1)) * grid.step;

@@ -63,7 +63,8 @@ struct TransientResponse {
 
 /// A q̈ + B q̇ + K q = Q(t) − (K_fg g + B_fg ġ + A_fg g̈), exact at every point of time: the matrix exponential of the state equations
 /// together with the equations of the inputs, each piece of which obeys u‴ = −κ²u′. Corners and jumps act at their own times, and a jump
-/// of the ground acts through its dampers as the impulse that it is. Method and limits: docs/transient.md.
+/// of the ground acts through its dampers as the impulse that it is. A rigid foundation given by its velocity or acceleration is followed by the coordinates,
+/// so that answers against it keep their digits however far it drifts. Method and limits: docs/transient.md.
 /// @throws foundation::NotComputable with the reason: loss factors, frequency-dependent elements, a motion that outgrows all numbers
 /// @throws foundation::InvalidInput for signals, times or loads out of range
 [[nodiscard]] TransientResponse transient_response(const model::System& system, const assembly::Assembled& assembled,

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "trivet/assembly/following.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/numerics/massless.h"
@@ -103,7 +104,17 @@ assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {
     couple(map.matrices.stiffness, result.ground.K);
     couple(map.matrices.damping, result.ground.B);
     couple(map.matrices.mass, result.ground.A);
+    const assembly::FollowedForces followed = assembly::followed_forces(map, assembled.ground);
+    const auto couple_followed = [&](const Eigen::MatrixXd& force, Eigen::MatrixXd& ground) {
+      const Eigen::MatrixXd local = map.ends.transpose() * force;
+      for (Eigen::Index i = 0; i < local.rows(); ++i) ground.rightCols(assembled.ground.followed()).row(map.rows[static_cast<std::size_t>(i)]) += local.row(i);
+    };
+    couple_followed(followed.stiffness, result.ground.K);
+    couple_followed(followed.damping, result.ground.B);
   }
+  for (Eigen::Index j = 0; j < assembled.ground.followed(); ++j)
+    if (!assembled.ground.rigid(j)) result.ground.K.col(assembled.ground.followed_row() + j).setZero();  // by the choice of R
+  result.ground.A.rightCols(assembled.ground.followed()) = assembled.matrices.A * assembled.ground.R + result.ground.gathered(result.ground.A);
   return result;
 }
 
@@ -119,7 +130,7 @@ assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly:
       channel.on_velocity(row) += b.dot(map.ends.col(j));
       channel.on_acceleration(row) += a.dot(map.ends.col(j));
     }
-    if (!map.ground_rows.empty() && channel.ground.empty())
+    if (channel.ground.empty())
       channel.ground = {Eigen::VectorXcd::Zero(ground), Eigen::VectorXd::Zero(ground), Eigen::VectorXd::Zero(ground)};
     for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j) {
       const Eigen::Index row = map.ground_rows[static_cast<std::size_t>(j)];
@@ -127,6 +138,10 @@ assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly:
       channel.ground.on_velocity(row) += b.dot(map.ground_ends.col(j));
       channel.ground.on_acceleration(row) += a.dot(map.ground_ends.col(j));
     }
+    const assembly::FollowedForces followed = assembly::followed_forces(map, assembled.ground);
+    channel.ground.on_displacement.tail(assembled.ground.followed()) += (force.row * followed.stiffness.topRows(12)).transpose().cast<std::complex<double>>();
+    channel.ground.on_velocity.tail(assembled.ground.followed()) += (force.row * followed.damping.topRows(12)).transpose();
+    channel.ground.on_acceleration.tail(assembled.ground.followed()) += (force.row * followed.mass.topRows(12)).transpose();
   }
   channel.dynamic_forces.clear();
   return channel;

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 
+#include "trivet/assembly/answer_coordinates.h"
 #include "trivet/numerics/dynamic_matrices.h"
 #include "trivet/numerics/extremum.h"
 #include "trivet/numerics/pivoted_solution.h"
 #include "trivet/response/exact_response.h"
 
 namespace trivet::response {
+namespace {
 
-Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading, double omega) {
+/// Of channels that are answered in the coordinates of the loading.
+Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                           double omega) {
   const Eigen::MatrixXcd stiffness = assembled.dynamic_stiffness(omega, omega);
   const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(stiffness.rows());
   const Eigen::VectorXcd load = unit.asDiagonal() * assembly::exact_right_side(assembled, loading, omega, omega);
@@ -25,6 +29,17 @@ Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const s
     if (amplitudes(c) <= numerics::vanishing_share * possible) amplitudes(c) = 0;
   }
   return amplitudes;
+}
+
+}  // namespace
+
+Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading, double omega) {
+  Eigen::VectorXd result(std::ssize(channels));
+  for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
+    const Eigen::VectorXd part = visible_in(assembled, group.channels, group.loading, omega);
+    for (Eigen::Index k = 0; k < part.size(); ++k) result(static_cast<Eigen::Index>(group.which[static_cast<std::size_t>(k)])) = part(k);
+  }
+  return result;
 }
 
 }  // namespace trivet::response

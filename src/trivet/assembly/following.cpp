@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/assembly/following.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::assembly {
+namespace {
+
+using spatial::Matrix6;
+
+constexpr double of_geometry = 1e-12;  // products of rotations and levers
+
+/// a x, zero where the sum is below a share of its terms.
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
+  Eigen::MatrixXd sum = a * x;
+  const Eigen::MatrixXd terms = a.cwiseAbs() * x.cwiseAbs();
+  for (Eigen::Index j = 0; j < sum.cols(); ++j)
+    for (Eigen::Index i = 0; i < sum.rows(); ++i)
+      if (std::abs(sum(i, j)) <= share(j) * terms(i, j)) sum(i, j) = 0;
+  return sum;
+}
+
+/// How strict the rule of a stress-free element is.
+Eigen::ArrayXd stress_free(const Ground& ground) { return ground.rigid.select(Eigen::ArrayXd::Constant(ground.followed(), elements::silent_residual), ground.round_off); }
+
+void follow_with_bodies(const model::System& system, const Layout& layout, Eigen::MatrixXd& R) {
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const spatial::Pose& pose = system.bodies()[b].pose;
+    const Matrix6 rigid = spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position);
+    for (int j = 0; j < 6; ++j)
+      if (layout.row(b, j) >= 0) R.row(layout.row(b, j)).head<6>() = rigid.row(j);
+  }
+}
+
+/// Coordinates of a foundation so that its ends move rigidly with the ground, as far as they can.
+void follow_with_foundations(const model::System& system, const Assembled& assembled, Eigen::MatrixXd& R) {
+  for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
+    const Eigen::Index first = assembled.layout.foundation_row(f), count = system.description().foundations[f].mass.rows();
+    Eigen::MatrixXd shapes(0, count), wanted(0, 6);
+    Eigen::Array<double, 6, 1> reach = Eigen::Array<double, 6, 1>::Zero();
+    for (const model::Element& element : system.elements())
+      for (const model::End* end : {&element.n, &element.k})
+        if (end->foundation && end->foundation->foundation == f) {
+          shapes.conservativeResize(shapes.rows() + 6, Eigen::NoChange);
+          wanted.conservativeResize(wanted.rows() + 6, Eigen::NoChange);
+          shapes.bottomRows<6>() = end->foundation->shape;
+          wanted.bottomRows<6>() = (Matrix6::Identity() - end->foundation->fixed_directions) * spatial::rigid_motion(end->at);  // the rest moves with the ground by itself
+          reach = reach.max(spatial::rigid_motion(end->at).cwiseAbs().colwise().maxCoeff().transpose().array());
+        }
+    if (shapes.rows() == 0 || count == 0) continue;
+    Eigen::MatrixXd follow = shapes.completeOrthogonalDecomposition().solve(wanted);
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = 0; j < 6; ++j)
+        if (std::abs(follow(i, j)) * shapes.col(i).cwiseAbs().maxCoeff() <= of_geometry * reach(j)) follow(i, j) = 0;
+    R.block(first, 0, count, 6) = follow;
+  }
+}
+
+/// How the ends move, and the internal coordinates with R.
+Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
+  Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(map.ends.rows(), ground.followed());
+  for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j)
+    for (std::size_t t = 0; t < ground.together.size(); ++t)
+      for (const Eigen::Index first : ground.together[t])
+        if (const Eigen::Index part = map.ground_rows[static_cast<std::size_t>(j)] - first; part >= 0 && part < 6) ends.col(6 * static_cast<Eigen::Index>(t) + part) += map.ground_ends.col(j);
+  for (Eigen::Index j = 0; j < map.ends.cols(); ++j) ends += map.ends.col(j) * ground.R.row(map.rows[static_cast<std::size_t>(j)]);
+  return ends;
+}
+
+/// Internal coordinates as the ends leave them at rest; those that are strains of an element which moves rigidly are zero.
+void follow_inside(Assembled& assembled) {
+  Eigen::MatrixXd& R = assembled.ground.R;
+  for (ElementMap& map : assembled.elements) {
+    map.followed_ends = followed_ends(map, assembled.ground);
+    const Eigen::Index inner = map.ends.rows() - 12;
+    if (inner == 0) continue;
+    const Eigen::MatrixXd& K = map.matrices.stiffness;
+    map.followed_ends.bottomRows(inner) = -K.bottomRightCorner(inner, inner).completeOrthogonalDecomposition().solve(product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
+    for (Eigen::Index i = 0; i < inner; ++i) R.row(map.rows[static_cast<std::size_t>(map.end_columns + i)]) = map.followed_ends.row(12 + i);
+  }
+}
+
+struct Columns {
+  Eigen::MatrixXd K, B, K_loss;
+};
+
+/// What the elements that `wanted` admits, the weights and the foundations bring into the free rows when R g is followed.
+template <typename Wanted>
+Columns coupled(const model::System& system, const Assembled& assembled, const Wanted& wanted) {
+  const Eigen::Index n = assembled.layout.size();
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, assembled.ground.followed());
+  Columns c{none, none, none};
+  for (const ElementMap& map : assembled.elements) {
+    if (!wanted(map)) continue;
+    const FollowedForces forces = followed_forces(map, assembled.ground);
+    if (forces.stiffness.isZero(0) && forces.damping.isZero(0)) continue;
+    const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness, damping = map.ends.transpose() * forces.damping;
+    for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
+      const Eigen::Index row = map.rows[static_cast<std::size_t>(i)];
+      c.K.row(row) += stiffness.row(i);
+      c.B.row(row) += damping.row(i);
+      c.K_loss.row(row) += map.matrices.loss_factor * stiffness.row(i);
+    }
+  }
+  const Ground& ground = assembled.ground;
+  c.K += product(geometric_stiffness(system, assembled.layout), ground.R, ground.round_off);
+  for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
+    const model::Foundation& own = system.description().foundations[f];
+    const Eigen::Index first = assembled.layout.foundation_row(f), count = own.mass.rows();
+    c.K.middleRows(first, count) += product(own.stiffness, ground.R.middleRows(first, count), ground.round_off);
+    c.B.middleRows(first, count) += product(own.damping, ground.R.middleRows(first, count), ground.round_off);
+  }
+  return c;
+}
+
+/// A motion of the ground, not a wave, by its velocity or acceleration?
+bool gives_rates(const model::Action& action) { return !action.body && !action.wave && action.derivative > 0; }
+
+bool given_by_rates(const model::System& system) {
+  return std::any_of(system.description().excitations.begin(), system.description().excitations.end(), [](const model::Excitation& excitation) {
+    return gives_rates(excitation.action);
+  });
+}
+
+/// R = −K⁻¹K_g in the columns that something resists.
+void follow_at_rest(const Columns& resisting, Assembled& assembled) {
+  constexpr double regular = 1e-10;
+  Ground& ground = assembled.ground;
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  const Eigen::VectorXd scale = numerics::unit_scale(m);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(scale.asDiagonal() * m.K * scale.asDiagonal());
+  const double condition = stiffness.rcond();
+  if (!(condition > regular)) return;
+  for (Eigen::Index j = 0; j < ground.followed(); ++j) {
+    if (resisting.K.col(j).isZero(0)) continue;
+    ground.rigid(j) = false;
+    ground.round_off(j) = std::max(of_geometry, 64 * std::numeric_limits<double>::epsilon() / condition);
+    Eigen::VectorXd follow = ground.R.col(j).cwiseQuotient(scale) - stiffness.solve(scale.asDiagonal() * resisting.K.col(j));
+    for (double& each : follow)
+      if (std::abs(each) <= ground.round_off(j) * follow.cwiseAbs().maxCoeff()) each = 0;
+    ground.R.col(j) = scale.asDiagonal() * follow;
+  }
+  follow_inside(assembled);
+}
+
+/// Does D(ω) of an element without mass stay silent at all its frequencies?
+bool resists(const ElementMap& map, const Ground& ground) {
+  const FollowedForces forces = followed_forces(map, ground);
+  if (!forces.stiffness.isZero(0) || !forces.damping.isZero(0) || !forces.mass.isZero(0)) return true;
+  if (!map.frequency_dependent()) return false;
+  std::vector<double> probed = {std::max(map.defined_from, 1.0)};
+  if (std::isfinite(map.defined_to)) probed.push_back(map.defined_to);
+  if (!map.knots.empty()) probed.push_back(map.knots[map.knots.size() / 2]);
+  const Eigen::MatrixXd ends = map.followed_ends.topRows(12);
+  const auto silent = [&](double omega) {
+    const elements::Matrix12c d = map.dynamic_stiffness(std::min(omega, map.defined_to), std::min(omega, map.defined_to));
+    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(), terms = d.cwiseAbs() * ends.cwiseAbs();
+    return (force.array() <= elements::silent_residual * terms.array()).all();
+  };
+  return !std::all_of(probed.begin(), probed.end(), silent);
+}
+
+/// Of the system as a whole, on the motion beyond the one at rest; zero where R is that.
+Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& ground, const Eigen::MatrixXd& resisting) {
+  constexpr double of_a_solution = 1e-9;  // of a singular K
+  const Eigen::MatrixXd direct = ground.gathered(damping.on_ground), terms = damping.on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs();
+  Eigen::MatrixXd beyond = damping.on_coordinates * ground.R + direct;
+  for (Eigen::Index j = 0; j < beyond.cols(); ++j) {
+    const bool at_rest = damping.regular && (!ground.rigid(j) || resisting.col(j).isZero(0));
+    for (Eigen::Index i = 0; i < beyond.rows(); ++i)
+      if (at_rest || std::abs(beyond(i, j)) <= of_a_solution * terms(i, j)) beyond(i, j) = 0;
+  }
+  return beyond;
+}
+
+}  // namespace
+
+FollowedForces followed_forces(const ElementMap& map, const Ground& ground) {
+  const Eigen::ArrayXd share = stress_free(ground);
+  return {product(map.matrices.stiffness, map.followed_ends, share), product(map.matrices.damping, map.followed_ends, share), map.matrices.mass * map.followed_ends};
+}
+
+Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& on_coordinates, const Eigen::RowVectorXd& on_ground) {
+  const Eigen::RowVectorXd direct = ground.gathered(on_ground);
+  Eigen::RowVectorXd sum = on_coordinates * ground.R + direct;
+  const Eigen::RowVectorXd terms = on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs();
+  for (Eigen::Index j = 0; j < sum.size(); ++j)
+    if (std::abs(sum(j)) <= ground.round_off(j) * terms(j)) sum(j) = 0;
+  return sum;
+}
+
+void move_together(const model::System& system, Ground& ground) {
+  for (const model::Excitation& excitation : system.description().excitations) {
+    const std::vector<std::size_t>& moved = excitation.action.elements;
+    if (moved.empty() || !gives_rates(excitation.action)) continue;
+    std::vector<Eigen::Index> rows;
+    for (const GroundEnd& end : ground.ends)
+      if (std::find(moved.begin(), moved.end(), end.element) != moved.end()) rows.push_back(end.first_row);
+    if (!rows.empty() && std::find(ground.together.begin(), ground.together.end(), rows) == ground.together.end()) ground.together.push_back(rows);
+  }
+}
+
+void follow_ground(const model::System& system, const SystemDampingMatrices& damping, Assembled& assembled) {
+  Ground& ground = assembled.ground;
+  const Eigen::Index n = assembled.layout.size(), followed = ground.followed();
+  ground.R = Eigen::MatrixXd::Zero(n, followed);
+  ground.rigid.setConstant(followed, true);
+  ground.round_off.setConstant(followed, of_geometry);
+  follow_with_bodies(system, assembled.layout, ground.R);
+  follow_with_foundations(system, assembled, ground.R);
+  follow_inside(assembled);
+  if (given_by_rates(system)) {
+    const Columns resisting = coupled(system, assembled, [](const ElementMap&) { return true; });
+    if (!resisting.K.isZero(0)) follow_at_rest(resisting, assembled);
+  }
+  for (ElementMap& map : assembled.elements) map.resists_following = resists(map, ground);
+  Columns own = coupled(system, assembled, [](const ElementMap& map) { return !map.frequency_dependent(); });
+  if (damping.on_coordinates.size() > 0) own.B += beyond_rest(damping, ground, own.K);
+  for (Eigen::Index j = 0; j < followed && !assembled.frequency_dependent(); ++j)
+    if (!ground.rigid(j)) own.K.col(j).setZero();  // by the choice of R
+  ground.K.rightCols(followed) = own.K;
+  ground.B.rightCols(followed) = own.B;
+  if (!own.K_loss.isZero(0)) {
+    if (ground.K_loss.size() == 0) ground.K_loss = Eigen::MatrixXd::Zero(n, ground.size());
+    ground.K_loss.rightCols(followed) = own.K_loss;
+  }
+  const numerics::DynamicMatrices& m = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
+  ground.A.topRightCorner(m.size(), followed) = m.A * ground.R.topRows(m.size()) + ground.gathered(ground.A).topRows(m.size());
+}
+
+}  // namespace trivet::assembly
