@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "support/projects.h"
+#include "trivet/numerics/refined_solution.h"
 #include "trivet/response/deep_check.h"
 
 namespace {
@@ -32,6 +35,13 @@ damping = {proportional = 1e-11}
   const response::DeepCheck check = study::deep_check(project.base());
   EXPECT_TRUE(check.passed) << check.worst_difference << " of allowed " << check.allowed;
   EXPECT_GE(check.frequencies, 60);
+}
+
+/// At an undamped resonance of some coordinates, while others do not take part in it.
+TEST(DeepCheck, KnowsThatASingularBlockHasNoFiniteCondition) {
+  numerics::ExtendedMatrix z = numerics::ExtendedMatrix::Identity(5, 5);
+  z.bottomRightCorner(2, 2) << 1, 2, 2, 4;
+  EXPECT_TRUE(std::isinf(numerics::RefinedSolver(z).condition()));
 }
 
 /// An unbalance there would be 1e-304 of its size elsewhere.

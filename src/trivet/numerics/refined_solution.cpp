@@ -37,6 +37,8 @@ ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
 }
 
 double RefinedSolver::condition() const {
+  // A pivot of exactly 0 makes the estimate a number of the other coordinates.
+  if (!(factors_->lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0)) return std::numeric_limits<double>::infinity();
   const double reciprocal = factors_->lu.rcond();
   return reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
 }
