@@ -13,7 +13,7 @@ namespace trivet::study::json {
 using Json = nlohmann::ordered_json;
 
 /// As text. File names need not be UTF-8, JSON must be: what is not becomes U+FFFD.
-inline std::string text(const Json& json, int indent = -1) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+[[nodiscard]] inline std::string text(const Json& json, int indent = -1) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
 /// A number, or null where it is not finite.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -38,9 +38,6 @@ Json rows(const Matrix& matrix) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) result.push_back(list(matrix.row(i)));
   return result;
 }
-
-/// The value written out; bytes that are no UTF-8, as a path may hold, become U+FFFD.
-[[nodiscard]] inline std::string text(const Json& value, int indent = -1) { return value.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
 [[nodiscard]] Json warnings(const foundation::Problems& problems);
 /// Where an end of an element sits: "on", "at", "in_ground", "axes_in_ground".
