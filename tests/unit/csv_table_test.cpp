@@ -117,4 +117,10 @@ TEST(CsvTable, HasNamesThatCanBePrinted) {
   EXPECT_FALSE(study::csv_table("a\x1b\n1\n", "t.csv").has_value());
 }
 
+TEST(CsvTable, HoldsNoNumbersThatVanishInProducts) {
+  EXPECT_FALSE(study::csv_table("a\n5e-324\n", "t.csv").has_value());
+  EXPECT_FALSE(study::csv_table("a\n1e300\n", "t.csv").has_value());
+  EXPECT_TRUE(study::csv_table("a\n1e-30\n", "t.csv").has_value());
+}
+
 }  // namespace

@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/study/admissible_range.h"
 
 namespace trivet::study {
 namespace {
@@ -52,13 +53,13 @@ std::optional<std::vector<std::string>> cells(std::string_view line, char separa
   return result;
 }
 
-/// A number, NaN for a cell that says "not measured", nothing for anything else (inf and numbers beyond double included).
+/// A number, NaN for a cell that says "not measured", nothing for anything else (inf, numbers beyond double and those that no project may hold included).
 std::optional<double> number(std::string_view cell) {
   if (cell.empty() || cell == "-" || cell == "nan" || cell == "NaN" || cell == "NAN") return std::numeric_limits<double>::quiet_NaN();
   if (cell.front() == '+') cell.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value) || outside_range(value, Quantity::pure)) return std::nullopt;
   return value;
 }
 

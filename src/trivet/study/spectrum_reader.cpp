@@ -26,6 +26,12 @@ std::optional<excitation::Spectrum> from_rows(TableReader& reader, const std::st
   table.frequencies_hz.assign(rows.col(0).begin(), rows.col(0).end());
   for (const double density : rows.col(1)) table.densities_per_hz.push_back(unit * density);
   if (linear) table.interpolation = excitation::SpectrumTable::Interpolation::linear;
+  constexpr double slowest = 1e-9, fastest = 1e12;  // [Hz] once in thirty years; atoms of a solid vibrate as fast
+  for (const double hertz : table.frequencies_hz)
+    if ((hertz > 0 && hertz < slowest) || hertz > fastest) {
+      reader.error(key, fmt::format("a frequency of {:.6g} Hz", hertz), "frequencies of a spectrum are 0 or lie between 1e-9 and 1e12 Hz", "check the unit and the power of ten");
+      return std::nullopt;
+    }
   const foundation::Problems findings = excitation::check(table, key);
   reader.add(findings);
   return findings.has_errors() ? std::nullopt : std::optional(excitation::from_table(table));
