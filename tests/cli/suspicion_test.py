@@ -397,6 +397,17 @@ class Acceptances(InTemporaryFolder):
         done = self.check(self.machine)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_of_a_foundation_are_accepted_there(self):
+        mount = next(iter(self.machine["elements"].values()))
+        mount["foundation"] = "deck"
+        self.machine["foundations"] = {"deck": {"type": "impedance", "translation": [1e8, 1e8, 1e8], "damping": {"loss_factor": 0.8}}}
+        done = self.check(self.machine)
+        self.assertEqual(reported_kinds(done), ["loss factor"])
+        self.assertIn("foundations.deck.damping.loss_factor", done.stderr)
+        self.machine["foundations"]["deck"]["accept"] = {"loss factor": "measured"}
+        done = self.check(self.machine)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_warnings_reach_every_answer(self):
         self.machine["bodies"]["compressor"]["mass"] = 400000
         path = written(self.folder, self.machine)

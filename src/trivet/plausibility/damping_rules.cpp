@@ -39,8 +39,9 @@ void judge_elements(const model::System& system, Suspicions& found) {
   const auto subject = [&](std::size_t e) {
     const model::Element& element = system.elements()[e];
     const std::string suffix = ".foundation";  // the impedance of a ground point bears the name of what stands on it
-    return "elements." + (element.is_foundation && element.name.ends_with(suffix) ? element.name.substr(0,
-        element.name.size() - suffix.size()) : element.name);
+    if (element.is_foundation && element.name.ends_with(suffix))
+      return "foundations." + element.name.substr(0, element.name.size() - suffix.size());
+    return "elements." + element.name;
   };
   for (const auto& [value, entry] : loss)
     found.push_back({"loss factor", subject(entry.first) + ".damping.loss_factor", fmt::format("{:.6g}{}", value,

@@ -22,7 +22,8 @@ bool is_repeated(const BodyVerdict& verdict, const std::vector<BodyVerdict>& bef
       && verdict.slip->rotation == 1)) return false;
   return std::any_of(before.begin(), before.end(), [&](const BodyVerdict& other) {
     return other.slip && other.suspicion.kind == verdict.suspicion.kind
-        && other.slip->stiffness == verdict.slip->stiffness;
+        && other.slip->stiffness == verdict.slip->stiffness && other.slip->places == verdict.slip->places
+        && other.slip->rotation == verdict.slip->rotation;
   });
 }
 

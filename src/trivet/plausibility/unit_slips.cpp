@@ -88,6 +88,9 @@ constexpr Judged judged[] = {
         &damping_range},
 };
 
+/// Of the whole body on its elements. One odd mount moves them by much: they count only if no slip explains what is odd.
+constexpr Judged extremes[] = {{&Features::lowest, &lowest_range}, {&Features::highest, &highest_range}};
+
 double missed_windows(const Features& found, const std::vector<Window>& windows) {
   if (windows.empty() || !found.lowest || !found.highest) return 0;
   const auto missed = std::count_if(windows.begin(), windows.end(), [&](const Window& w) {
@@ -124,14 +127,16 @@ bool applies(const Slip& slip, const BodyPicture& picture) {
 /// "the natural frequency of translation is 0.31 Hz (usual: 0.8 … 120 Hz)", the oddest first.
 std::string odd_words(const Features& found, const std::vector<Window>& windows) {
   std::vector<std::pair<double, std::string>> odd;
-  for (const Judged& j : judged) {
+  const auto add = [&](const Judged& j) {
     const auto& value = found.*(j.value);
-    if (outside(value, *j.range) <= 0) continue;
+    if (outside(value, *j.range) <= 0) return;
     const std::string unit = *j.range->unit ? std::string(" ") + j.range->unit : "";
     const std::string usual = j.range->has_both_ends() ? fmt::format("usual {:.6g} … {:.6g}", j.range->from, j.range->to)
                               : j.range->from > 0 ? fmt::format("usual from {:.6g}", j.range->from) : fmt::format("usual up to {:.6g}", j.range->to);
     odd.emplace_back(oddness_of(value, *j.range), fmt::format("{} {:.3g}{} ({})", j.range->words, *value, unit, usual));
-  }
+  };
+  for (const Judged& j : judged) add(j);
+  for (const Judged& j : extremes) add(j);
   std::sort(odd.begin(), odd.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   constexpr std::size_t most = 3;
   std::string text;
@@ -213,8 +218,9 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
 Suspicion of_feature(const model::System& system, const BodyPicture& picture, const Features& found) {
   const Judged* worst = &judged[0];
   for (const Judged& j : judged)
-    if (*j.range->kind_above && oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value),
-        *worst->range)) worst = &j;
+    if (*j.range->kind_above && oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value), *worst->range)) worst = &j;
+  for (const Judged& j : extremes)
+    if (oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value), *worst->range)) worst = &j;
   const double value = *(found.*(worst->value));
   Suspicion s;
   s.kind = value < worst->range->from ? worst->range->kind_below : worst->range->kind_above;
@@ -237,8 +243,9 @@ std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture&
     const std::vector<Window>& windows) {
   const Features as_typed = features(picture, {});
   const double now = oddness(as_typed) + missed_windows(as_typed, windows);
-  const double alone = oddness(as_typed) - oddness_of(as_typed.damping_ratio, damping_range);
-       // damping alone says little of the machine
+  // Damping alone tells little about the machine.
+  double alone = oddness(as_typed) - oddness_of(as_typed.damping_ratio, damping_range);
+  for (const Judged& j : extremes) alone += oddness_of(as_typed.*(j.value), *j.range);
   if (now <= price_of_slip && alone <= odd_alone) return std::nullopt;
   const Slip* best = nullptr;
   double best_oddness = now - price_of_slip;

@@ -2,6 +2,7 @@
 #include "trivet/study/suspicions.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "trivet/plausibility/inertia_slips.h"
 #include "trivet/study/catalogue.h"
@@ -81,6 +82,16 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
       asked.transient->wanted.excitations};
 }
 
+/// The impedance of a ground point has the name of the element above it; the file has that of the foundation.
+void name_foundation(const Node& document, std::string& subject) {
+  constexpr std::string_view group = "foundations.";
+  if (!subject.starts_with(group)) return;
+  const std::size_t dot = subject.find('.', group.size());
+  const Node* element = find(document, "elements", subject.substr(group.size(), dot - group.size()));
+  if (const Node* name = element ? element->find("foundation") : nullptr)
+    subject = std::string(group) + name->text + (dot == std::string::npos ? "" : subject.substr(dot));
+}
+
 }  // namespace
 
 std::vector<plausibility::Suspicion> suspicions(const Case& variant) {
@@ -89,7 +100,9 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant) {
   add_ratings(variant, stated);
   add_rotors(variant, stated);
   add_questions(variant, stated);
-  return plausibility::suspicions(variant.system, stated);
+  std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
+  for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);
+  return found;
 }
 
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {
