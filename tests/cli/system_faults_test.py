@@ -5,6 +5,7 @@ import os
 import pathlib
 import resource
 import shutil
+import signal
 import stat
 import subprocess
 import tempfile
@@ -198,6 +199,9 @@ class Gmsh(Faults):
         self.rejected("gmsh cannot be started: Exec format error", "nonsense\n")
         self.rejected("gmsh cannot be started: No such file or directory", "#!/no/such/program\n")
 
+    def test_that_fails_although_our_parent_ignores_the_end_of_children(self):
+        self.rejected("gmsh failed (exit code 3)", "#!/bin/sh\nexit 3\n", preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+
     def test_that_writes_nothing_or_nonsense(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nexit 0\n")
         for odd in ("mkfifo faces.txt", "mkdir faces.msh", "ln -s /dev/zero faces.msh"):
@@ -238,12 +242,13 @@ class Files(Faults):
     def test_long_names(self):
         self.fails("File name too long", "check", self.folder / ("n" * 300))
         self.fails("too long", "check", "/".join(["n" * 200] * 30))
-        name, other = "ä" * 300, "b" * 5000
+        name, other = "ä" * 50, "b" * 100
         cases = f'[cases."{name}"]\nelements.spring.scale = 2\n[cases."{other}"]\nelements.spring.scale = 3\n'
         long_body = ONE_MASS.replace("bodies.mass", f'bodies."{name}"').replace('on = "mass"', f'on = "{name}"')
         done = self.run_trivet("run", self.file(long_body + cases, "long.toml"), "-o", self.work / "out")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual([len(case.name.encode()) for case in sorted((self.work / "out").glob("0*"))], [7, 103, 103])
+        self.fails("at most 100 bytes", "check", self.file(long_body.replace(name, name + "ä"), "longer.toml"), lines=10)
         self.fails("File name too long", "map", SOURCE / "examples/paper/map.toml", "--points", "3", "--picture", self.work / ("n" * 300 + ".svg"))
 
     def test_names_that_are_no_utf_8(self):

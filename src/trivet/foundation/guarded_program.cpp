@@ -31,9 +31,11 @@ struct Program {
   const char* folder;
 };
 
-/// What the guard keeps open. Everything else would keep pipes of other threads alive.
+/// What the guard keeps open. Everything else would keep pipes of other threads alive; `ends_of_owner` must close in any
+/// case, or the guard would not see the end of its owner.
 struct Descriptors {
   int output, report, lifeline;
+  std::array<int, 2> ends_of_owner;
 };
 
 // From here to `guard` only functions that are safe between fork and exec in a process with threads (man 7
@@ -42,13 +44,19 @@ struct Descriptors {
 void close_others(const Descriptors& kept) {
   std::array<int, 3> sorted{kept.output, kept.report, kept.lifeline};
   std::sort(sorted.begin(), sorted.end());
+  for (const int descriptor : kept.ends_of_owner) close(descriptor);
   unsigned int from = 0;
+  bool closed = true;
   for (const int descriptor : sorted) {
     const unsigned int number = static_cast<unsigned int>(descriptor);
-    if (number > from) syscall(SYS_close_range, from, number - 1, 0);
+    if (number > from) closed = syscall(SYS_close_range, from, number - 1, 0) == 0 && closed;
     from = number + 1;
   }
-  syscall(SYS_close_range, from, ~0u, 0);
+  closed = syscall(SYS_close_range, from, ~0u, 0) == 0 && closed;
+  if (closed) return;
+  constexpr int most_descriptors = 4096;  // kernels before 5.9, and sandboxes that do not know the call
+  for (int descriptor = 0; descriptor < most_descriptors; ++descriptor)
+    if (!std::binary_search(sorted.begin(), sorted.end(), descriptor)) close(descriptor);
 }
 
 [[noreturn]] void become(const Program& program, const Descriptors& open_ones, pid_t guard) {
@@ -88,6 +96,7 @@ void wait_for_either(pid_t program, int lifeline) {
 
 [[noreturn]] void guard(const Program& program, const Descriptors& open_ones) {
   setpgid(0, 0);  // what is sent to our group (Ctrl-C, a time limit) must not end the guard first
+  signal(SIGCHLD, SIG_DFL);  // if it was ignored, the kernel would reap the program and its exit code would be lost
   close_others(open_ones);
   const pid_t own = getpid();
   const pid_t child = fork();
@@ -138,7 +147,7 @@ GuardedProgram::GuardedProgram(const char* path, char* const* arguments, char* c
   {
     const BlockedSignals blocked;
     child = fork();
-    if (child == 0) guard({path, arguments, environment, folder}, {output, report[1], lifeline[0]});
+    if (child == 0) guard({path, arguments, environment, folder}, {output, report[1], lifeline[0], {report[0], lifeline[1]}});
   }
   const int reason = errno;
   close(report[1]);

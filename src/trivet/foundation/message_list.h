@@ -14,7 +14,7 @@ inline constexpr std::size_t most_messages = 100;
 /// The problems that are listed: all, or the first `most_messages`, errors before warnings.
 [[nodiscard]] Problems listed(const Problems& problems);
 
-/// "… and 11197 more (11000 errors, 197 warnings); correct those listed and check again"; empty if all are listed.
+/// "… and 11197 more (11000 errors, 197 warnings); correct what is listed and check again"; empty if all are listed.
 [[nodiscard]] std::string rest_of_list(const Problems& problems);
 
 /// One line for each problem listed, and one for the number of the others.

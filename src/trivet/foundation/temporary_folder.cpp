@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -40,12 +41,12 @@ bool is_such_a_name(const std::string& name) {
          name.find_first_not_of(letters, temporary_name_start.size()) == std::string::npos;
 }
 
-/// Opens the mark inside a folder of ours that is no link. -1 with errno if there is none.
-int open_mark(const fs::path& folder, int flags) {
+/// Opens the mark inside a folder that is no link; `must_be_ours`: and belongs to this user. -1 with errno if there is none.
+int open_mark(const fs::path& folder, int flags, bool must_be_ours) {
   const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (opened < 0) return -1;
   struct stat status;
-  const bool ours = fstat(opened, &status) == 0 && status.st_uid == geteuid();
+  const bool ours = fstat(opened, &status) == 0 && (!must_be_ours || status.st_uid == geteuid());
   const int mark = ours ? openat(opened, owner_mark, O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | flags, 0600) : -1;
   const int reason = ours ? errno : EPERM;
   close(opened);
@@ -60,7 +61,7 @@ bool still_there(int mark) {
 }
 
 void remove_if_abandoned(const fs::path& folder) {
-  const int mark = open_mark(folder, 0);
+  const int mark = open_mark(folder, 0, true);
   if (mark < 0) {
     if (errno == ENOENT) rmdir(folder.c_str());  // killed before it made its mark: empty, or it is not ours
     return;
@@ -77,7 +78,7 @@ int make(const fs::path& folder) {
     if (errno == EEXIST) return -1;
     throw std::system_error(errno, std::generic_category(), folder.parent_path().string());
   }
-  const int mark = open_mark(folder, O_CREAT | O_EXCL);
+  const int mark = open_mark(folder, O_CREAT | O_EXCL, false);  // some file systems give it to another user
   if (mark < 0) {
     if (errno == ENOENT) return -1;
     const int reason = errno;
