@@ -32,6 +32,22 @@ TEST(QuestionSizes, AHundredFreeBodiesAreAdmittedAndNoMore) {
   EXPECT_THAT(told(study::too_large(tower(101), modes)), HasSubstr("606 free coordinates; at most 600 are computed"));
 }
 
+TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
+  model::Description machine = tower(1);
+  model::Element& mount = machine.elements.emplace_back();
+  mount.k.body = 0;
+  elements::Vector6 k;
+  k << 1e5, 2e5, 3e5, 1e3, 2e3, 3e3;
+  mount.law.nominal_stiffness = elements::constants_at_point(k, Eigen::Vector3d::Zero(), 1);
+  elements::GeneralizedMaxwell branches;
+  for (int i = 0; i < 100; ++i) {
+    branches.ratios.push_back(0.01);
+    branches.times.push_back(0.001 * (i + 1));
+  }
+  mount.law.damping = elements::Viscoelastic{branches};
+  EXPECT_EQ(study::coordinates(machine), 6u + 600u);
+}
+
 TEST(QuestionSizes, TwentyBodiesWithAllPeaksAreSearchedAndAHundredAreNot) {
   study::Analyses peaks;
   peaks.peaks.emplace();

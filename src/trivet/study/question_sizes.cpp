@@ -105,7 +105,7 @@ std::size_t coordinates(const model::Description& description) {
   for (const model::Body& body : description.bodies)
     count += static_cast<std::size_t>(std::count(body.free.begin(), body.free.end(), true));
   for (const model::Element& element : description.elements)
-    if (element.law.inertia) count += static_cast<std::size_t>(element.law.inertia->angular_frequencies.size());
+    count += static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
   for (const model::Foundation& foundation : description.foundations)
     count += static_cast<std::size_t>(foundation.mass.rows());
   return count;
