@@ -58,9 +58,9 @@ bool is_wanted(const std::string& question, const Questions& questions, const st
   return !known && !is_outside_analysis(question) && !wanted.empty();
 }
 
-/// Names of the excitations, points and answers that the questions of one case ask for.
+/// Names of the excitations that the questions ask for, and whether any question takes excitations at all.
 struct Asked {
-  std::set<std::string> excitations, answers;
+  std::set<std::string> excitations;
   bool anything = false;
 };
 
@@ -70,34 +70,22 @@ class Asking {
 
   void note() {
     const Analyses& a = variant_.analyses;
-    asked_.anything = asked_.anything || a.modes || a.roots;
     const auto of_wanted = [&](const auto& request, const auto& drives) {
-      if (request) excitations(request->wanted.excitations, drives), answers(request->wanted.of);
+      if (request) excitations(request->wanted.excitations, drives);
     };
     of_wanted(a.response, harmonic);
     of_wanted(a.peaks, harmonic);
     of_wanted(a.random, random);
     of_wanted(a.transient, in_time);
     of_wanted(a.orders, by_orders);
-    if (a.earthquake) answers(a.earthquake->wanted.of);
     if (a.power) excitations(a.power->excitations, harmonic);
-    if (a.shapes) excitations(a.shapes->excitations, harmonic), every_point();
+    if (a.shapes) excitations(a.shapes->excitations, harmonic);
     if (a.shock_spectrum) excitations(a.shock_spectrum->excitations, in_time);
-    if (a.static_of) {
-      answers(*a.static_of);
+    if (a.static_of)
       for (const model::ConstantForce& force : variant_.system.description().constant_forces)
         asked_.excitations.insert(force.name);
-    }
-    if (a.transmissibility) {
-      if (!a.transmissibility->force.empty()) asked_.excitations.insert(a.transmissibility->force);
-      answers(a.transmissibility->of);
-    }
-    if (a.map) {
-      excitations(a.map->excitations, harmonic), answers(a.map->no_peak);
-      for (const MapLimit& limit : a.map->limits) asked_.answers.insert(limit.name);
-    }
-    for (const Limit& limit : a.limits) asked_.answers.insert(limit.name);
-    for (const LimitLineRequest& line : a.limit_lines) asked_.answers.insert(line.of);
+    if (a.transmissibility && !a.transmissibility->force.empty()) asked_.excitations.insert(a.transmissibility->force);
+    if (a.map) excitations(a.map->excitations, harmonic);
   }
 
  private:
@@ -117,23 +105,10 @@ class Asking {
     for (const model::Excitation& excitation : variant_.system.description().excitations)
       if (drives(excitation.course)) asked_.excitations.insert(excitation.name);
   }
-  void answers(const std::vector<std::string>& of) {
-    asked_.anything = true;
-    asked_.answers.insert(of.begin(), of.end());
-  }
-  void every_point() {
-    for (const model::Body& body : variant_.system.bodies())
-      for (const model::Point& point : body.points) asked_.answers.insert(body.name + "." + point.name);
-  }
 
   const Case& variant_;
   Asked& asked_;
 };
-
-bool is_asked_for(const std::string& point, const std::set<std::string>& answers) {
-  return std::any_of(answers.begin(), answers.end(),
-                     [&](const std::string& answer) { return answer == point || answer.starts_with(point + "."); });
-}
 
 }  // namespace
 
@@ -166,22 +141,16 @@ foundation::Problems unused_parts(const std::vector<Case>& cases) {
   for (const Case& variant : cases) Asking(variant, asked).note();
   if (!asked.anything || cases.empty()) return found;
   const Case& base = cases.front();
-  const auto warn = [&](const std::string& subject, const char* finding, const char* rule, const char* remedy) {
-    found.warning(subject, finding, rule, remedy).origin = deepest(base.document, subject).origin;
-  };
   std::vector<std::string> names;
   for (const model::Excitation& excitation : base.system.description().excitations) names.push_back(excitation.name);
   for (const model::ConstantForce& force : base.system.description().constant_forces) names.push_back(force.name);
   for (const std::string& name : names)
     if (!asked.excitations.contains(name))
-      warn("excitations." + name, "no analysis of this file uses it",
-           "an excitation acts only in the analyses that are asked for, and there only if it is selected",
-           "add the analysis, select it, or remove it");
-  for (const model::Body& body : base.system.bodies())
-    for (const model::Point& point : body.points)
-      if (!is_asked_for(body.name + "." + point.name, asked.answers))
-        warn("bodies." + body.name + ".points." + point.name, "no analysis of this file asks for it",
-             "a point is a place where answers are wanted", "add it to `of` of an analysis, or remove it");
+      found
+          .warning("excitations." + name, "no analysis of this file uses it",
+                   "an excitation acts only in the analyses that are asked for, and there only if it is selected",
+                   "add the analysis, select it, or remove it")
+          .origin = deepest(base.document, "excitations." + name).origin;
   return found;
 }
 

@@ -30,8 +30,8 @@ struct Questions {
 [[nodiscard]] foundation::Problems without_unwanted(const foundation::Problems& found, const Questions& questions,
                                                     const std::string& of_case, Analyses& analyses);
 
-/// Warnings of what the file describes and none of its questions asks for, in any of its cases: excitations and points.
-/// None if it asks nothing at all, since then the questions come with the commands.
+/// Warnings of excitations that none of the questions of the file uses, in any of its cases. None if no question takes
+/// excitations (modes, say), since then the questions come with the commands.
 [[nodiscard]] foundation::Problems unused_parts(const std::vector<Case>& cases);
 
 }  // namespace trivet::study
