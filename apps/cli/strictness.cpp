@@ -20,7 +20,8 @@ void Strictness::add(const foundation::Problems& warnings) {
 void Strictness::add(const study::DesignMap& map) {
   if (map.kept == 0) ++broken_;
   for (const study::MapMark& mark : map.marks)
-    if (!mark.judged || !mark.judged->governing.kept()) ++broken_;
+    if (!mark.judged) ++not_judged_;
+    else if (!mark.judged->governing.kept()) ++broken_;
 }
 
 void Strictness::add(const study::Answers& answers) {
@@ -31,6 +32,10 @@ void Strictness::add(const study::Answers& answers) {
 }
 
 int Strictness::exit_code(bool strict, int otherwise) const {
+  if (strict && otherwise == done && not_judged_ > 0) {
+    write_error(fmt::format("--strict: {} of a map could not be computed; exit code {}\n", counted(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
+    return not_computed;
+  }
   if (!strict || otherwise != done || exceeded_ + broken_ + warnings_.size() == 0) return otherwise;
   std::string found;
   const auto list = [&](std::size_t count, const std::string& words) { found += count == 0 ? "" : (found.empty() ? "" : ", ") + words; };

@@ -14,7 +14,7 @@ class Strictness {
  public:
   /// Limits, limit lines, a map, and warnings of one case.
   void add(const study::Answers& answers);
-  /// A case that breaks a rule, or no feasible design at all.
+  /// A case that violates a rule or could not be computed, or no feasible design at all.
   void add(const study::DesignMap& map);
   void add(const foundation::Problems& warnings);
 
@@ -22,7 +22,7 @@ class Strictness {
   [[nodiscard]] int exit_code(bool strict, int otherwise) const;
 
  private:
-  std::size_t exceeded_ = 0, broken_ = 0;
+  std::size_t exceeded_ = 0, broken_ = 0, not_judged_ = 0;
   std::set<std::string> warnings_;  ///< that of several cases counts once
 };
 
