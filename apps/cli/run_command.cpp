@@ -13,6 +13,7 @@
 #include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/further_json.h"
 #include "trivet/study/map_json.h"
 #include "trivet/study/result_folder.h"
@@ -115,7 +116,7 @@ int run_command(const Options& options) {
   folder.write("results.json", study::results_json(*project, all));
   folder.write("report.html", report::report_page(*project, all, study::page_json(*project, all)));
   report("done", 1);
-  for (const std::string& note : folder.publish()) write_error(fmt::format("warning: {}\n", note));
+  for (const std::string& note : folder.publish()) write_error("warning: " + foundation::on_one_line(note) + "\n");
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));
   Strictness strictness;
   for (const study::Answers& answers : all) strictness.add(answers);

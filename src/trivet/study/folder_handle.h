@@ -41,7 +41,7 @@ class FolderHandle {
   int descriptor_ = -1;
 };
 
-/// "folder", "symbolic link", …: for messages.
+/// "a folder", "a symbolic link", …: for messages.
 [[nodiscard]] const char* words(FolderHandle::Kind kind);
 
 }  // namespace trivet::study

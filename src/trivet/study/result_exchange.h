@@ -20,7 +20,7 @@ struct ResultExchange {
 /// Both folders change places in one step; before, the user's files get a second name in the new one. Afterwards the
 /// files of the earlier result are where the new one was. @param next_place, place  the folders that hold them, under
 /// these names
-/// @returns false, with everything as it was, if the file system cannot do that  @throws std::runtime_error if it
+/// @returns false, with the folder in place as it was, if the file system cannot do that  @throws std::runtime_error if it
 /// cannot be done at all
 [[nodiscard]] bool exchange_folders(const ResultExchange& exchange, const FolderHandle& next_place,
                                     const std::string& next_name, const FolderHandle& place, const std::string& name,

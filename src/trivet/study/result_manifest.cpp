@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/result_manifest.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "trivet/study/source_file.h"

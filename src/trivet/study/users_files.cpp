@@ -53,6 +53,7 @@ std::string kept_words(const std::string& path, const std::string& new_name, boo
 bool UsersFiles::link_into(const FolderHandle& next) { return link("", earlier_, next); }
 
 bool UsersFiles::link(const std::string& path, const FolderHandle& from, const FolderHandle& to) {
+  if (!from.is_open() || !to.is_open()) return false;  // no right to look into it: the other method names the path
   for (const std::string& name : from.names()) {
     const std::string whole = inside(path, name);
     const Kind kind = from.kind(name);
