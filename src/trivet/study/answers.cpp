@@ -76,6 +76,15 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   return result;
 }
 
+/// At most `most` of the numbers, from the first to the last.
+std::vector<double> spread(const std::vector<double>& all, int most) {
+  const std::size_t count = std::min(all.size(), static_cast<std::size_t>(most));
+  if (count < 2) return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
+  std::vector<double> some;
+  for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * (all.size() - 1) / (count - 1)]);
+  return some;
+}
+
 class CaseStudy {
  public:
   CaseStudy(const Case& variant, const foundation::Progress& progress)
@@ -285,9 +294,8 @@ class CaseStudy {
     result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase, progress_);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
     const int checked = deep_check_frequencies(assembled_.matrices.A.rows());
-    const std::vector<double> samples = request.at.empty()
-                                            ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
-                                            : std::vector<double>(grid.begin(), grid.begin() + std::min<std::ptrdiff_t>(std::ssize(grid), checked));
+    const std::vector<double> samples = request.at.empty() ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
+                                                           : spread(grid, checked);
     result.deep = response::deep_check(system_, assembled_, asked.load, samples, request.wanted.excitations);
     return result;
   }
