@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <optional>
 
 #include "trivet/excitation/road.h"
 #include "trivet/study/admissible_range.h"
 #include "trivet/study/excitation_parts.h"
 #include "trivet/study/pairs_reader.h"
+#include "trivet/study/wanted_reader.h"
 
 namespace trivet::study {
 namespace {
@@ -56,16 +58,11 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
 
 std::optional<excitation::Spectrum> read_flat(TableReader& psd, double unit) {
   const double density = psd.required_number("flat", Quantity::pure);
-  const auto band = psd.numbers("band", Quantity::angular_frequency);
+  const std::optional<response::Band> band = read_band(psd, "band");
   if (!psd.has("band")) psd.missing("band", "say from where to where: band = [\"5 Hz\", \"500 Hz\"]");
   if (!(density > 0)) psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0", "give it in SI units squared per hertz");
-  if (band && (band->size() != 2 || wrong_band((*band)[0], (*band)[1]))) {
-    psd.error("band", band->size() == 2 ? fmt::format("{:.17g} to {:.17g} rad/s", (*band)[0], (*band)[1]) : fmt::format("{} numbers", band->size()),
-              "a band is [from, to] with 0 ≤ from < to" + (band->size() == 2 ? ": " + *wrong_band((*band)[0], (*band)[1]) : ""), "for instance [\"5 Hz\", \"500 Hz\"]");
-    return std::nullopt;
-  }
   if (!band || !(density > 0)) return std::nullopt;
-  return excitation::flat_spectrum(unit * density / (2 * std::numbers::pi), (*band)[0], (*band)[1]);
+  return excitation::flat_spectrum(unit * density / (2 * std::numbers::pi), band->from, band->to);
 }
 
 }  // namespace
