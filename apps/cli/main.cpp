@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", std::string("trivet ") + trivet::study::version());
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 130 interrupted; with --strict also 3 and 4, see run --help.");
+  app.footer("Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 128 + n ended by signal n, 141 the reader of the output left; with --strict also 3 and 4, see run --help.");
   add_strict(add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder", options), options)
       ->add_option("-o,--output", options.output, "result folder")->capture_default_str();
   CLI::App* check = add_command(app, "check", "every problem of a project file at once", options);

@@ -41,7 +41,7 @@ def holds_no_number(path):
 
 
 def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
-    """Every way in which this run breaks the contract of docs/cli.md; an empty list is a sound end."""
+    """Every way in which this run breaks the contract of docs/project-file.md; an empty list is a sound end."""
     private = pathlib.Path(tempfile.mkdtemp(prefix="campaign-tmp-"))
     result = pathlib.Path(folder) / "result"
     known = set(pathlib.Path(folder).rglob("*"))
