@@ -18,10 +18,23 @@ using spatial::Matrix6;
 
 constexpr double of_geometry = 1e-12;  // products of rotations and levers
 
+/// Each entry as large as the largest of the three columns with it: translations of the ground, or its rotations. Components in turned axes that are zero
+/// but for rounding have terms that are rounding too; those along the other axes of the ground tell their size.
+Eigen::MatrixXd over_axes(Eigen::MatrixXd terms) {
+  for (Eigen::Index j = 0; j + 3 <= terms.cols(); j += 3) terms.middleCols(j, 3).colwise() = terms.middleCols(j, 3).rowwise().maxCoeff().eval();
+  return terms;
+}
+
+/// The same over the three components of each translation and rotation of the ends.
+Eigen::MatrixXd over_components(Eigen::MatrixXd terms) {
+  for (Eigen::Index i = 0; i + 3 <= 12; i += 3) terms.middleRows(i, 3).rowwise() = terms.middleRows(i, 3).colwise().maxCoeff().eval();
+  return terms;
+}
+
 /// a x, zero where the sum is below a share of its terms.
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
   Eigen::MatrixXd sum = a * x;
-  const Eigen::MatrixXd terms = a.cwiseAbs() * x.cwiseAbs();
+  const Eigen::MatrixXd terms = over_axes(a.cwiseAbs() * x.cwiseAbs());
   for (Eigen::Index j = 0; j < sum.cols(); ++j)
     for (Eigen::Index i = 0; i < sum.rows(); ++i)
       if (std::abs(sum(i, j)) <= share(j) * terms(i, j)) sum(i, j) = 0;
@@ -71,7 +84,16 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
     for (std::size_t t = 0; t < ground.together.size(); ++t)
       for (const Eigen::Index first : ground.together[t])
         if (const Eigen::Index part = map.ground_rows[static_cast<std::size_t>(j)] - first; part >= 0 && part < 6) ends.col(6 * static_cast<Eigen::Index>(t) + part) += map.ground_ends.col(j);
-  for (Eigen::Index j = 0; j < map.ends.cols(); ++j) ends += map.ends.col(j) * ground.R.row(map.rows[static_cast<std::size_t>(j)]);
+  Eigen::MatrixXd terms = ends.cwiseAbs();
+  for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
+    const Eigen::RowVectorXd follow = ground.R.row(map.rows[static_cast<std::size_t>(j)]);
+    ends += map.ends.col(j) * follow;
+    terms += map.ends.col(j).cwiseAbs() * follow.cwiseAbs();
+  }
+  terms = over_axes(over_components(terms));
+  for (Eigen::Index j = 0; j < ends.cols(); ++j)
+    for (Eigen::Index i = 0; i < 12; ++i)
+      if (std::abs(ends(i, j)) <= of_geometry * terms(i, j)) ends(i, j) = 0;
   return ends;
 }
 
@@ -162,7 +184,7 @@ bool resists(const ElementMap& map, const Ground& ground) {
   const Eigen::MatrixXd ends = map.followed_ends.topRows(12);
   const auto silent = [&](double omega) {
     const elements::Matrix12c d = map.dynamic_stiffness(std::min(omega, map.defined_to), std::min(omega, map.defined_to));
-    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(), terms = d.cwiseAbs() * ends.cwiseAbs();
+    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(), terms = over_axes(d.cwiseAbs() * ends.cwiseAbs());
     return (force.array() <= elements::silent_residual * terms.array()).all();
   };
   return !std::all_of(probed.begin(), probed.end(), silent);
@@ -171,7 +193,7 @@ bool resists(const ElementMap& map, const Ground& ground) {
 /// Of the system as a whole, on the motion beyond the one at rest; zero where R is that.
 Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& ground, const Eigen::MatrixXd& resisting) {
   constexpr double of_a_solution = 1e-9;  // of a singular K
-  const Eigen::MatrixXd direct = ground.gathered(damping.on_ground), terms = damping.on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs();
+  const Eigen::MatrixXd direct = ground.gathered(damping.on_ground), terms = over_axes(damping.on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
   Eigen::MatrixXd beyond = damping.on_coordinates * ground.R + direct;
   for (Eigen::Index j = 0; j < beyond.cols(); ++j) {
     const bool at_rest = damping.regular && (!ground.rigid(j) || resisting.col(j).isZero(0));
@@ -191,7 +213,7 @@ FollowedForces followed_forces(const ElementMap& map, const Ground& ground) {
 Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& on_coordinates, const Eigen::RowVectorXd& on_ground) {
   const Eigen::RowVectorXd direct = ground.gathered(on_ground);
   Eigen::RowVectorXd sum = on_coordinates * ground.R + direct;
-  const Eigen::RowVectorXd terms = on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs();
+  const Eigen::RowVectorXd terms = over_axes(on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
   for (Eigen::Index j = 0; j < sum.size(); ++j)
     if (std::abs(sum(j)) <= ground.round_off(j) * terms(j)) sum(j) = 0;
   return sum;
