@@ -31,14 +31,21 @@ Eigen::MatrixXd over_components(Eigen::MatrixXd terms) {
   return terms;
 }
 
-/// a x, zero where the sum is below a share of its terms.
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
-  Eigen::MatrixXd sum = a * x;
-  const Eigen::MatrixXd terms = over_axes(a.cwiseAbs() * x.cwiseAbs());
+/// The sums, zero where they are below a share of their terms.
+Eigen::MatrixXd without_rounding(Eigen::MatrixXd sum, const Eigen::MatrixXd& terms, const Eigen::ArrayXd& share) {
   for (Eigen::Index j = 0; j < sum.cols(); ++j)
     for (Eigen::Index i = 0; i < sum.rows(); ++i)
       if (std::abs(sum(i, j)) <= share(j) * terms(i, j)) sum(i, j) = 0;
   return sum;
+}
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
+  return without_rounding(a * x, over_axes(a.cwiseAbs() * x.cwiseAbs()), share);
+}
+
+/// The same for the forces of an element, whose first twelve rows are components of forces and moments.
+Eigen::MatrixXd element_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
+  return without_rounding(a * x, over_axes(over_components(a.cwiseAbs() * x.cwiseAbs())), share);
 }
 
 /// How strict the rule of a stress-free element is.
@@ -184,7 +191,7 @@ bool resists(const ElementMap& map, const Ground& ground) {
   const Eigen::MatrixXd ends = map.followed_ends.topRows(12);
   const auto silent = [&](double omega) {
     const elements::Matrix12c d = map.dynamic_stiffness(std::min(omega, map.defined_to), std::min(omega, map.defined_to));
-    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(), terms = over_axes(d.cwiseAbs() * ends.cwiseAbs());
+    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(), terms = over_axes(over_components(d.cwiseAbs() * ends.cwiseAbs()));
     return (force.array() <= elements::silent_residual * terms.array()).all();
   };
   return !std::all_of(probed.begin(), probed.end(), silent);
@@ -207,15 +214,20 @@ Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& 
 
 FollowedForces followed_forces(const ElementMap& map, const Ground& ground) {
   const Eigen::ArrayXd share = stress_free(ground);
-  return {product(map.matrices.stiffness, map.followed_ends, share), product(map.matrices.damping, map.followed_ends, share), map.matrices.mass * map.followed_ends};
+  return {element_product(map.matrices.stiffness, map.followed_ends, share), element_product(map.matrices.damping, map.followed_ends, share),
+          map.matrices.mass * map.followed_ends};
 }
 
 Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& on_coordinates, const Eigen::RowVectorXd& on_ground) {
   const Eigen::RowVectorXd direct = ground.gathered(on_ground);
   Eigen::RowVectorXd sum = on_coordinates * ground.R + direct;
   const Eigen::RowVectorXd terms = over_axes(on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
+  // One component may vanish along all axes of the ground: rounding of its largest coefficient times the longest lever is nothing either.
+  double lever = 1;
+  for (const GroundEnd& end : ground.ends) lever = std::max(lever, end.pose.position.norm());
+  const double largest = lever * std::max(on_coordinates.cwiseAbs().maxCoeff(), on_ground.cwiseAbs().maxCoeff());
   for (Eigen::Index j = 0; j < sum.size(); ++j)
-    if (std::abs(sum(j)) <= ground.round_off(j) * terms(j)) sum(j) = 0;
+    if (std::abs(sum(j)) <= ground.round_off(j) * std::max(terms(j), largest)) sum(j) = 0;
   return sum;
 }
 
