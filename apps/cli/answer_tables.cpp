@@ -80,7 +80,8 @@ std::string response_text(const study::Answers& answers) {
     text += fmt::format("  rows between the {} frequencies that were solved are interpolated by a rational model: off by at most {:.1e} of their value where it was tested\n",
                         answer.curves.solves, answer.curves.interpolation_error);
   for (const double omega : answer.curves.check.undefined_at)
-    text += fmt::format("  ω = {} rad/s stands on an undamped resonance or a free motion: no steady state exists there (shown as –)\n", shown(omega, 9));
+    text += fmt::format("  ω = {} rad/s: no steady state exists there (shown as –); {}\n", shown(omega, 9),
+                        omega > 0 ? "it is an undamped resonance" : "a body is free to move, or the ground is given by its velocity or acceleration and moves without bound");
   return text;
 }
 

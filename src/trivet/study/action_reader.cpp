@@ -112,7 +112,9 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
     reader.error("at", "a place of rotation beside elements or a wave", "then each ground end moves about its own reference point", "remove `at`");
   if (reader.has("on")) reader.error("on", "a body under a moving ground", "the ground moves, not a body", "remove `on`");
   static_cast<void>(reader.node("on"));
-  if (action.elements.empty() && std::none_of(description.elements.begin(), description.elements.end(), [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground(); }) &&
+  // Elements on the modes of a foundation are on the ground too; that they cannot follow it is reported of the model.
+  if (action.elements.empty() &&
+      std::none_of(description.elements.begin(), description.elements.end(), [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
       description.elements.size() == mentioned.elements.size())
     reader.error("", "no element stands on the ground", "a moving ground acts through the elements that stand on it", "add one, or excite a body");
   return action;
