@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slips that engineers make, each as a change of a project that was read from TOML, and projects written as TOML again."""
+import collections
+import json
+import math
+import re
+
+G = 9.80665
+
+
+def toml(value):
+    """One value of a project as TOML, all tables in braces."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{json.dumps(k, ensure_ascii=False)} = {toml(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return repr(value)
+
+
+def text(project):
+    lines = []
+    for key, value in project.items():
+        if not isinstance(value, dict):
+            lines.append(f"{key} = {toml(value)}")
+    for key, value in project.items():
+        if not isinstance(value, dict):
+            continue
+        lines.append(f"[{key}]")
+        lines += [f"{json.dumps(k, ensure_ascii=False)} = {toml(v)}" for k, v in value.items()]
+    return "\n".join(lines) + "\n"
+
+
+def times(value, factor):
+    """A number or a text with a unit, a list or a table of them, times a factor."""
+    if isinstance(value, list):
+        return [times(v, factor) for v in value]
+    if isinstance(value, dict):
+        return {k: times(v, factor) for k, v in value.items()}
+    if isinstance(value, str):
+        number, unit = re.match(r"\s*([-+0-9.eE]+)(.*)", value).groups()
+        return f"{float(number) * factor!r}{unit}"
+    return value * factor
+
+
+def kilograms(body):
+    mass = body["mass"]
+    if isinstance(mass, str):
+        number, unit = re.match(r"\s*([-+0-9.eE]+)\s*(.*)", mass).groups()
+        return float(number) * {"kg": 1, "t": 1000, "g": 1e-3}[unit.strip()]
+    return mass
+
+
+def without_cases(p):
+    p["cases"] = {}
+    p["analyses"].pop("map", None)
+
+
+def first_body(p):
+    return next(iter(p["bodies"].values()))
+
+
+def first_name(p):
+    return next(iter(p["bodies"]))
+
+
+def elements(p, *types):
+    return [e for e in p["elements"].values() if not types or e["type"] in types]
+
+
+# Each slip changes a project in place and returns False where the project has nothing to slip with.
+def mass(factor):
+    def slip(p):
+        first_body(p)["mass"] = times(first_body(p)["mass"], factor)
+    return slip
+
+
+def inertia(factor):
+    def slip(p):
+        j = first_body(p)["inertia"]
+        for key in j:
+            if key != "about":
+                j[key] = times(j[key], factor)
+    return slip
+
+
+def places(factor):
+    def slip(p):
+        if all(e["at"] == [0, 0, 0] for e in elements(p)):
+            return False
+        for e in elements(p):
+            for key in ("at", "from_at"):
+                if key in e:
+                    e[key] = times(e[key], factor)
+    return slip
+
+
+def stiffness(factor):
+    def slip(p):
+        typed = elements(p, "bushing", "matrix", "three_springs")
+        for e in typed:
+            key = "stiffness" if e["type"] == "matrix" else "translation"
+            e[key] = times(e[key], factor)
+        return bool(typed)
+    return slip
+
+
+def per_degree(p):
+    typed = [e for e in elements(p, "bushing", "matrix") if e["type"] == "matrix" or "rotation" in e]
+    for e in typed:
+        if e["type"] == "bushing":
+            e["rotation"] = times(e["rotation"], math.pi / 180)
+        else:
+            for i, row in enumerate(e["stiffness"]):
+                for j in range(len(row)):
+                    if i % 6 >= 3 and j % 6 >= 3:
+                        row[j] *= math.pi / 180
+    return bool(typed)
+
+
+def gravity(vector):
+    def slip(p):
+        p["gravity"] = vector
+    return slip
+
+
+def modal_percent(p):
+    if first_body(p).get("allow_unphysical"):
+        return False
+    p["damping"] = {"modal": 2}
+
+
+def loss_percent(p):
+    for e in elements(p):
+        if e["type"] != "damper":
+            e["damping"] = {"loss_factor": 0.9}
+    without_cases(p)
+
+
+def products(p):
+    j = first_body(p)["inertia"]
+    if not any(j.get(k) for k in ("xy", "xz", "yz")):
+        return False
+    for key in ("xy", "xz", "yz"):
+        if key in j:
+            j[key] = times(j[key], -1)
+
+
+def rayleigh(p):
+    p["damping"] = {"rayleigh": {"mass": 4e-4, "stiffness": 2.0}}
+
+
+def overloaded(p):
+    """Every mount of the first body a catalogue mount as stiff as before, with a twelfth of the load that it bears."""
+    typed = [e for e in elements(p, "bushing") if e["on"] == first_name(p)]
+    if not typed:
+        return False
+    load = sum(map(kilograms, p["bodies"].values())) * G / len(typed)
+    for number, e in enumerate(typed):
+        mount = {"maker": "test", "translation": e.pop("translation"), "static_load": [0, load / 12]}
+        if "rotation" in e:
+            mount["rotation"] = e.pop("rotation")
+        e["type"] = f"catalogue:M{number}"
+        e["catalogue"] = "mounts.toml"
+        p.setdefault("+catalogue", {})[f"M{number}"] = mount
+    without_cases(p)
+
+
+def short_transient(p):
+    p["excitations"]["+shock"] = {"type": "time", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, 1],
+                                  "history": {"half_sine": {"amplitude": "100 N", "duration": "20 ms", "start": "30 ms"}}}
+    p["analyses"]["transient"] = {"to": "35 ms", "step": "1 ms"}
+    without_cases(p)
+
+
+def missed_band(p):
+    p["excitations"]["+force"] = {"type": "harmonic", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, "1 N"]}
+    p["analyses"] = {"response": {"band": ["900 Hz", "2000 Hz"]}}
+    p.pop("limits", None), p.pop("limit_lines", None)
+    p["cases"] = {}
+
+
+def missed_spectrum(p):
+    p["excitations"]["+noise"] = {"type": "random", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, 1],
+                                  "psd": {"flat": 1.0, "band": ["900 Hz", "2000 Hz"]}}
+    p["analyses"]["random"] = {}
+    without_cases(p)
+
+
+def same_place(p):
+    by_type = collections.defaultdict(list)
+    for e in elements(p):
+        by_type[e["type"], e["on"], e.get("from")].append(e)
+    for (kind, _, _), group in by_type.items():
+        if kind != "damper" and len(group) > 1:
+            for key in ("at", "from_at", "axis", "orientation"):
+                group[1].pop(key, None)
+                if key in group[0]:
+                    group[1][key] = group[0][key]
+            return True
+    return False
+
+
+def heavy_rotor(p):
+    p["excitations"]["+rotor"] = {"type": "unbalance", "on": first_name(p), "at": [0, 0, 0], "axis": "x", "grade": 6.3,
+                                  "rotor_mass": 3 * kilograms(first_body(p)), "service_speed": "1500 rpm"}
+
+
+SLIPS = {
+    "mass in grams": ("mass", mass(1e3)), "mass in tonnes": ("mass", mass(1e-3)),
+    "places in millimetres": ("places", places(1e3)), "places in centimetres": ("places", places(1e2)),
+    "inertia in kg cm²": ("inertia", inertia(1e4)), "inertia in t m²": ("inertia", inertia(1e-3)),
+    "N/mm as N/m": ("stiffness", stiffness(1e-3)), "N/m as N/mm": ("stiffness", stiffness(1e3)),
+    "stiffness per degree": ("stiffness per degree", per_degree),
+    "gravity upwards": ("gravity", gravity([0, 0, G])), "gravity in g": ("gravity", gravity([0, 0, -1])),
+    "gravity in mm/s²": ("gravity", gravity([0, 0, -9806.65])),
+    "modal damping in percent": ("modal damping", modal_percent), "loss factor in percent": ("loss factor", loss_percent),
+    "products with the other sign": ("products of inertia", products), "Rayleigh's numbers exchanged": ("rayleigh", rayleigh),
+    "mount at 12 times its load": ("rated load", overloaded), "transient ends before its shock": ("transient", short_transient),
+    "band misses all resonances": ("band", missed_band), "spectrum misses all resonances": ("spectrum", missed_spectrum),
+    "two mounts at one place": ("same place", same_place), "rotor heavier than machine": ("rotor", heavy_rotor),
+}
