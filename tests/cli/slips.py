@@ -209,6 +209,56 @@ def heavy_rotor(p):
                                   "rotor_mass": 3 * kilograms(first_body(p)), "service_speed": "1500 rpm"}
 
 
+def points_in_millimetres(p):
+    changed = False
+    for body in p["bodies"].values():
+        for name, at in body.get("points", {}).items():
+            if not isinstance(at, dict):
+                body["points"][name] = times(at, 1e3)
+                changed = changed or any(v != 0 for v in at)
+    p["analyses"].pop("map", None)
+    for e in p["excitations"].values():
+        if e.get("on") and "at" in e and not isinstance(e["at"], str):
+            e["at"] = times(e["at"], 1e3)
+    return changed
+
+
+def viscous_in_newtons_per_mm(p):
+    """Every mount of the first body damped by 8 %, then taken for N s/mm."""
+    typed = [e for e in elements(p, "bushing") if e["on"] == first_name(p)]
+    for e in typed:
+        k = sum(times(v, 1) if not isinstance(v, str) else float(v.split()[0]) for v in e["translation"]) / 3
+        if any(isinstance(v, str) for v in e["translation"]):
+            return False
+        m = kilograms(first_body(p)) / len(typed)
+        e["damping"] = {"translation": [1e3 * 0.16 * math.sqrt(k * m)] * 3, "rotation": [0, 0, 0]}
+    without_cases(p)
+    return bool(typed)
+
+
+def pulse_in_seconds(p):
+    p["excitations"]["+shock"] = {"type": "time", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, 1],
+                                  "history": {"half_sine": {"amplitude": "100 N", "duration": 33}}}
+    p["analyses"]["transient"] = {"to": 40, "step": "10 ms"}
+    without_cases(p)
+
+
+def speed_in_rpm(p):
+    p["excitations"]["+rotor"] = {"type": "unbalance", "on": first_name(p), "at": [0, 0, 0], "axis": "x", "grade": 6.3,
+                                  "rotor_mass": 0.1 * kilograms(first_body(p)), "service_speed": 1500}
+
+
+def soft_foundation(p):
+    """A floor five times as stiff as its mount, in N/mm taken for N/m."""
+    typed = [e for e in elements(p, "bushing") if "from" not in e and "foundation" not in e]
+    typed = [e for e in typed if not any(isinstance(v, str) for v in e["translation"])]
+    if not typed:
+        return False
+    p.setdefault("foundations", {})["+floor"] = {"type": "impedance", "translation": [5e-3 * max(typed[0]["translation"])] * 3}
+    typed[0]["foundation"] = "+floor"
+    without_cases(p)
+
+
 SLIPS = {
     "mass in grams": ("mass", mass(1e3)), "mass in tonnes": ("mass", mass(1e-3)),
     "places in millimetres": ("places", places(1e3)), "places in centimetres": ("places", places(1e2)),
@@ -222,4 +272,7 @@ SLIPS = {
     "mount at 12 times its load": ("rated load", overloaded), "transient ends before its shock": ("transient", short_transient),
     "band misses all resonances": ("band", missed_band), "spectrum misses all resonances": ("spectrum", missed_spectrum),
     "two mounts at one place": ("same place", same_place), "rotor heavier than machine": ("rotor", heavy_rotor),
+    "points in millimetres": ("points", points_in_millimetres), "viscous damping in N s/mm": ("viscous damping", viscous_in_newtons_per_mm),
+    "pulse of ms in s": ("pulse", pulse_in_seconds), "speed in rpm": ("speed", speed_in_rpm),
+    "floor in N/mm": ("stiffness", soft_foundation),
 }

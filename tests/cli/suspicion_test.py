@@ -71,7 +71,7 @@ class SoundFiles(InTemporaryFolder):
 class Slips(InTemporaryFolder):
     # Of all slips. What no physics shows is missed: products of inertia about the centre of mass with the other sign, rotations
     # per degree where the mounts stand wide apart, a stiff machine that is stiffer still.
-    LEAST_SHARE = 0.8
+    LEAST_SHARE = 0.93
 
     def test_are_named_by_their_kind_in_every_example(self):
         cases = []

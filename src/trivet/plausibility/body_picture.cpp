@@ -120,7 +120,7 @@ std::vector<BodyPicture> pictures(const model::System& system, const std::vector
     picture.inertia_about_pole = b < inertia_about_pole.size() && inertia_about_pole[b];
     picture.from_solids = b < from_solids.size() && from_solids[b];
     picture.allowed = !spatial::broken_bounds(body.mass).empty();
-    for (const model::Point& point : body.points) picture.places.push_back(point.at);
+    for (const model::Point& point : body.points) picture.points.push_back(point.at);
   }
   const auto picture_of = [&](const std::optional<std::size_t>& body) -> BodyPicture* {
     if (!body) return nullptr;
@@ -136,9 +136,9 @@ std::vector<BodyPicture> pictures(const model::System& system, const std::vector
         false));
   }
   for (const model::Excitation& excitation : system.description().excitations)
-    if (BodyPicture* picture = picture_of(excitation.action.body)) picture->places.push_back(excitation.action.at);
+    if (BodyPicture* picture = picture_of(excitation.action.body)) picture->points.push_back(excitation.action.at);
   for (const model::ConstantForce& force : system.description().constant_forces)
-    if (BodyPicture* picture = picture_of(force.body)) picture->places.push_back(force.at);
+    if (BodyPicture* picture = picture_of(force.body)) picture->points.push_back(force.at);
   return result;
 }
 
@@ -156,14 +156,14 @@ Features features(const BodyPicture& picture, const Slip& undone) {
   double squares = 0, typed_damping = 0, stiffness_damping = 0;
   int attached = 0;
   for (const Attachment& a : picture.attachments) {
-    typed_damping += a.viscous;
+    typed_damping += undone.damping * a.viscous;
     stiffness_damping += a.proportional * (a.typed ? undone.stiffness : 1) * a.translation.trace();
     squares += (undone.places * a.at - mass.centre).squaredNorm();
     ++attached;
   }
   if (attached > 0) found.spread = std::sqrt(squares / attached) / radius;
   std::vector<double> distances;
-  for (const Eigen::Vector3d& place : picture.places) distances.push_back((place - mass.centre).norm());
+  for (const Eigen::Vector3d& point : picture.points) distances.push_back((undone.points * point - mass.centre).norm());
   if (!distances.empty()) {
     std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
         distances.end());

@@ -31,14 +31,14 @@ struct BodyPicture {
   bool inertia_about_pole = false, from_solids = false;
   bool allowed = false;                  ///< impossible, and allowed to be: only magnitudes are looked at
   std::vector<Attachment> attachments;
-  std::vector<Eigen::Vector3d> places;   ///< of points and forces, from the pole [m]
+  std::vector<Eigen::Vector3d> points;   ///< of points and forces, from the pole [m]
 };
 
 /// One single slip of unit, undone: the factors that lead from the numbers typed to those meant.
 struct Slip {
   const char* kind = "";
   const char* words = "";  ///< "typed in grams"
-  double mass = 1, inertia = 1, centre = 1, stiffness = 1, rotation = 1, places = 1;
+  double mass = 1, inertia = 1, centre = 1, stiffness = 1, rotation = 1, places = 1, points = 1, damping = 1;
 };
 
 /// What an engineer compares with experience. Empty where a picture says nothing of it.

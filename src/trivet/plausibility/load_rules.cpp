@@ -256,6 +256,16 @@ void judge_ratings(const model::System& system, const std::vector<BodyPicture>& 
                          worst_ratio), "take a larger mount, or more of them"});
 }
 
+void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found) {
+  /// Usual speeds in rpm; typed with their unit they are other numbers in rad/s.
+  static constexpr double usual[] = {600, 750, 900, 1000, 1200, 1500, 1800, 3000, 3600};
+  for (const Speed& speed : speeds)
+    if (std::find(std::begin(usual), std::end(usual), speed.value) != std::end(usual))
+      found.push_back({"speed", speed.subject, fmt::format("{:.0f} rad/s", speed.value),
+          fmt::format("it is {:.0f} rpm; a number without a unit is in rad/s", speed.value * 30 / std::numbers::pi),
+          fmt::format("write \"{:.0f} rpm\" if revolutions per minute are meant", speed.value)});
+}
+
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found) {
   /// Rms size of the body that a free body moves from side to side under its unbalance: shakers have 0.01.
   constexpr double largest_throw = 0.03;

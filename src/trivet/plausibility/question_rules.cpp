@@ -23,6 +23,9 @@ constexpr Eigen::Index most_coordinates = 300;
 /// A pulse has at most so many pieces; a longer history is a record, which may be cut behind its largest value.
 constexpr std::size_t most_pieces_of_pulse = 8;
 
+/// Periods of the lowest mode: a pulse that lasts longer is no shock.
+constexpr double most_periods_of_pulse = 20;
+
 /// Natural frequencies above 0, ascending [rad/s]; empty if the system is too large or has no such modes.
 std::vector<double> natural_frequencies(const model::System& system) {
   std::vector<double> result;
@@ -73,6 +76,34 @@ double end_of(const excitation::Signal& signal) {
   return at;
 }
 
+/// A half-sine or a rectangle: it rises and returns to 0, without oscillation.
+bool is_pulse(const excitation::Signal& signal) {
+  if (signal.pieces.size() < 2 || signal.pieces.size() > most_pieces_of_pulse) return false;
+  const excitation::Piece& rest = signal.pieces.back();
+  if (rest.value != 0 || rest.rate != 0 || rest.curvature != 0) return false;
+  for (std::size_t i = 0; i + 1 < signal.pieces.size(); ++i) {
+    const excitation::Piece& piece = signal.pieces[i];
+    constexpr double one_cycle = 2 * std::numbers::pi * (1 + 1e-9);
+    if (piece.kappa * (signal.pieces[i + 1].start - piece.start) > one_cycle) return false;
+  }
+  return true;
+}
+
+void judge_pulses(const model::System& system, const TimeQuestion& question, double lowest, Suspicions& found) {
+  for (const model::Excitation& excitation : system.description().excitations) {
+    const auto* history = std::get_if<model::History>(&excitation.course);
+    const bool asked = question.excitations.empty() || std::find(question.excitations.begin(),
+        question.excitations.end(), excitation.name) != question.excitations.end();
+    if (!history || !asked || !is_pulse(history->signal)) continue;
+    const double duration = history->signal.pieces.back().start - history->signal.pieces.front().start;
+    if (duration * hertz(lowest) > most_periods_of_pulse)
+      found.push_back({"pulse", "excitations." + excitation.name + ".history", fmt::format("it lasts {:.6g} s", duration),
+          fmt::format("over more than {:.0f} periods of the lowest mode ({:.4g} Hz) a pulse acts like a constant force",
+              most_periods_of_pulse, hertz(lowest)),
+          fmt::format("it would last {:.6g} s if typed in milliseconds", duration / 1000)});
+  }
+}
+
 void judge_transient(const model::System& system, const TimeQuestion& question, const std::vector<double>& natural,
     Suspicions& found) {
   double latest = 0;
@@ -92,6 +123,7 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
     return;
   }
   if (natural.empty()) return;
+  judge_pulses(system, question, natural.front(), found);
   const double half_period = std::numbers::pi / natural.front();
   if (question.to - latest < half_period)
     found.push_back({"transient", "analyses.transient.to", finding,

@@ -32,10 +32,16 @@ void judge_ratings(const model::System& system, const std::vector<BodyPicture>& 
 /// Modal ratios and loss factors in percent, Rayleigh's numbers exchanged, factors of proportional damping.
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
+/// Speeds that are usual in revolutions per minute, taken as rad/s.
+void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found);
+
+/// Foundations far softer than the mounts on them.
+void judge_foundations(const model::System& system, Suspicions& found);
+
 /// Rotors that weigh more than their machine, unbalances that would throw it about.
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found);
 
-/// Bands and spectra without a resonance, transients that end too early.
+/// Bands and spectra without a resonance, transients that end too early, pulses that last too long.
 void judge_questions(const model::System& system, const Stated& stated, Suspicions& found);
 
 }  // namespace trivet::plausibility

@@ -33,8 +33,6 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   Suspicions found;
   const std::vector<BodyPicture> all = pictures(system, stated.inertia_about_pole, stated.from_solids);
   const std::vector<std::size_t> blamed = judge_mounts(system, all, found);
-  
-
   std::vector<BodyVerdict> verdicts;
   for (const BodyPicture& picture : all)
     if (auto verdict = judge(system, picture, stated.windows)) {
@@ -63,6 +61,8 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   for (const BodyVerdict& verdict : verdicts) found.push_back(verdict.suspicion);
   judge_damping(system, all, found);
   judge_rotors(system, stated.rotors, found);
+  judge_speeds(stated.speeds, found);
+  if (!machine_doubtful) judge_foundations(system, found);
   if (verdicts.empty() && blamed.empty()) judge_questions(system, stated, found);
   return found;
 }

@@ -29,7 +29,8 @@ inline constexpr const char* kinds[] = {
         "rated load",
     "tipping",       "lift-off",    "gravity",             "modal damping",  "loss factor",  "proportional damping",
         "rayleigh",
-    "rotor",         "transient",   "band",                "spectrum",
+    "rotor",         "transient",   "band",                "spectrum",       "points",       "viscous damping",
+    "pulse",         "speed",
 };
 
 /// A stretch of frequencies that was asked for, or over which a spectrum drives. [rad/s]
@@ -54,6 +55,12 @@ struct Rotor {
   std::optional<double> mass_eccentricity;  ///< as typed [kg m]
 };
 
+/// A speed of a shaft, as typed without a unit or with one.
+struct Speed {
+  std::string subject;  ///< "analyses.orders.speed"
+  double value = 0;     ///< [rad/s]
+};
+
 /// A question for a motion in time.
 struct TimeQuestion {
   double to = 0;                         ///< [s]
@@ -67,6 +74,7 @@ struct Stated {
   std::vector<Window> windows;
   std::vector<Rating> ratings;
   std::vector<Rotor> rotors;
+  std::vector<Speed> speeds;
   std::optional<TimeQuestion> transient;
 };
 

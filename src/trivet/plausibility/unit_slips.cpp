@@ -29,7 +29,7 @@ constexpr Range spread_range{"distance of the mounts over that of the mass from 
 constexpr Range lever_range{"lever of the stiffness over that of the mass", "", 0.1, 8, 0.6, "spread of mounts",
     "spread of mounts"};
 constexpr Range reach_range{"distance of points and forces over that of the mass from the centre", "", 0, 10, 0.6,
-    "density", "density"};
+    "points", "points"};
 constexpr Range frequency_range{"natural frequency of translation", "Hz", 0.8, 120, 0.45, "natural frequency",
     "natural frequency"};
 constexpr Range lowest_range{"lowest natural frequency", "Hz", 0.2, Range::open, 0.45, "natural frequency", "natural frequency"};
@@ -60,6 +60,9 @@ constexpr Slip slips[] = {
     {.kind = "center of mass", .words = "typed in centimetres", .centre = 1e-2},
     {.kind = "places", .words = "typed in millimetres", .places = 1e-3},
     {.kind = "places", .words = "typed in centimetres", .places = 1e-2},
+    {.kind = "points", .words = "typed in millimetres", .points = 1e-3},
+    {.kind = "points", .words = "typed in centimetres", .points = 1e-2},
+    {.kind = "viscous damping", .words = "given in N s/m and typed as N s/mm", .damping = 1e-3},
     {.kind = "stiffness", .words = "typed in N/mm", .stiffness = 1e3},
     {.kind = "stiffness", .words = "given in N/m and typed as N/mm", .stiffness = 1e-3},
     {.kind = "stiffness per degree", .words = "given in N m/deg", .rotation = 180 / std::numbers::pi},
@@ -113,6 +116,20 @@ double tilted(const Features& found) {
   return sum;
 }
 
+/// The element with the most viscous damping.
+const Attachment* most_damped(const BodyPicture& picture) {
+  const auto most = std::max_element(picture.attachments.begin(), picture.attachments.end(),
+      [](const Attachment& a, const Attachment& b) { return a.viscous < b.viscous; });
+  return most != picture.attachments.end() && most->viscous > 0 ? &*most : nullptr;
+}
+
+Eigen::Vector3d farthest_point(const BodyPicture& picture) {
+  Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : picture.points)
+    if (point.norm() > farthest.norm()) farthest = point;
+  return farthest;
+}
+
 bool applies(const Slip& slip, const BodyPicture& picture) {
   const bool any_typed = std::any_of(picture.attachments.begin(), picture.attachments.end(),
       [](const Attachment& a) { return a.typed && a.elastic(); });
@@ -121,6 +138,8 @@ bool applies(const Slip& slip, const BodyPicture& picture) {
   if (slip.mass != 1 || slip.inertia != 1) return !picture.from_solids;
   if (slip.centre != 1) return !picture.from_solids && !picture.mass.centre.isZero(0);
   if (slip.stiffness != 1 || slip.rotation != 1) return any_typed;
+  if (slip.damping != 1) return most_damped(picture) != nullptr;
+  if (slip.points != 1) return farthest_point(picture).norm() > 0;
   return any_place;
 }
 
@@ -189,6 +208,15 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     s.subject += ".center_of_mass";
     s.finding = fmt::format("{:.6g} m from the pole", body.mass.centre.norm());
     s.probable = fmt::format("it would be {:.6g} m if {}", slip.centre * body.mass.centre.norm(), slip.words);
+  } else if (slip.points != 1) {
+    const double distance = farthest_point(picture).norm();
+    s.finding = fmt::format("a point or force {:.6g} m from the pole", distance);
+    s.probable = fmt::format("it would be {:.6g} m if {}", slip.points * distance, slip.words);
+  } else if (slip.damping != 1) {
+    const Attachment& a = *most_damped(picture);
+    s.subject = "elements." + system.elements()[a.element].name + ".damping";
+    s.finding = fmt::format("{:.6g} N s/m in the sum of three directions", a.viscous);
+    s.probable = fmt::format("it would be {:.6g} N s/m if {}", slip.damping * a.viscous, slip.words);
   } else if (slip.rotation != 1) {
     const Attachment& a = *first_typed(picture);
     const model::Element& element = system.elements()[a.element];

@@ -63,6 +63,8 @@ void add_rotors(const Case& variant, plausibility::Stated& stated) {
     TableReader reader(*table, "excitations." + excitation.name, ignored);
     stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
         reader.number("mass_eccentricity", Quantity::mass_length)});
+    if (const auto speed = reader.number("service_speed", Quantity::angular_frequency))
+      stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
   }
 }
 
@@ -74,6 +76,7 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
   if (asked.response) add("analyses.response.band", asked.response->band);
   if (asked.transmissibility) add("analyses.transmissibility.band", asked.transmissibility->band);
   if (asked.power) add("analyses.power.band", asked.power->band);
+  if (asked.orders) stated.speeds.push_back({"analyses.orders.speed", asked.orders->speed.to});
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back({"excitations." + excitation.name + ".psd", random->spectrum.from(),
