@@ -18,7 +18,7 @@ void wait_and_end(sigset_t signals) {
   if (sigwait(&signals, &number) != 0) return;
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the program by its default
   foundation::remove_leftovers();
-  constexpr std::string_view words = "\ninterrupted; nothing was left behind\n";
+  constexpr std::string_view words = "\ninterrupted; unfinished results are removed\n";
   static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
   _exit(128 + number);
 }

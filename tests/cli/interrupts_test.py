@@ -152,6 +152,13 @@ def campaign(count, show=lambda line: None):
             shutil.rmtree(place.folder, True)
 
 
+def wait_until(happened, seconds=60):
+    end = time.monotonic() + seconds
+    while not happened():
+        assert time.monotonic() < end, f"it did not happen within {seconds} s"
+        time.sleep(0.005)
+
+
 class Interrupts(unittest.TestCase):
     def test_signals_leave_nothing_behind(self):
         complaints, hit = campaign(SIGNALS_IN_TESTS)
@@ -162,8 +169,7 @@ class Interrupts(unittest.TestCase):
         place = places()[0]
         self.addCleanup(shutil.rmtree, place.folder, True)
         process = subprocess.Popen(["sh", "-c", f'trap "" HUP; exec "{TRIVET}" run many.toml -o work/out'], cwd=place.folder, env=place.environment, stdout=subprocess.DEVNULL)
-        while not list((place.folder / "work").iterdir()):
-            time.sleep(0.005)
+        wait_until(lambda: list((place.folder / "work").iterdir()))
         process.send_signal(signal.SIGHUP)
         self.assertEqual(process.wait(timeout=300), 0)
 
@@ -179,9 +185,8 @@ class Interrupts(unittest.TestCase):
                 (programs / "gmsh").chmod(0o755)
                 place.environment["PATH"] = f"{programs}:{os.environ['PATH']}"
                 process = place.start()
-                while not (place.folder / "begun").exists():
-                    self.assertIsNone(process.poll())
-                    time.sleep(0.005)
+                wait_until(lambda: (place.folder / "begun").exists() or process.poll() is not None)
+                self.assertIsNone(process.poll())
                 process.send_signal(number)
                 process.communicate(timeout=60)
                 self.assertEqual(process.returncode, -9 if number == signal.SIGKILL else 128 + number)

@@ -82,7 +82,7 @@ TEST(ChildProcessOfAKilledOwner, EndsWithAllThatItStarted) {
     _exit(0);
   }
   ASSERT_GT(owner, 0);
-  while (!fs::exists(folder.path() / "begun")) usleep(1000);
+  for (int waited = 0; !fs::exists(folder.path() / "begun") && waited < 20000; ++waited) usleep(1000);
   kill(owner, SIGKILL);
   waitpid(owner, nullptr, 0);
   for (const char* name : {"begun", "inner"}) {
