@@ -116,8 +116,8 @@ class Walk {
     for (std::size_t c = 0; c < top_.size(); ++c)
       if (doubt_[c] > negligible * top_[c])
         throw foundation::NotComputable(
-            fmt::format("peaks: curve {} of {} is so small beside the others that round-off hides its peaks: do not ask for it",
-                        c + 1, top_.size()));
+            fmt::format("peaks: {} is so small compared with the others that round-off hides its peaks: do not ask for it",
+                        options_.name ? options_.name(static_cast<Eigen::Index>(c)) : fmt::format("curve {}", c + 1)));
   }
 
   void step(double& from, double& radius) {

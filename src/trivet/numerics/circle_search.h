@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
@@ -28,6 +29,7 @@ struct CircleSearchOptions {
   std::vector<double> seams = {};     ///< where one smooth piece of the curves ends and the next begins [rad/s]
   Eigen::VectorXcd near_poles = {};   ///< iω = λ; only guides the first guess of panel sizes
   foundation::Progress progress = {};
+  std::function<std::string(Eigen::Index)> name = {};  ///< of a curve, for messages; its number if there is none
 };
 
 /// Relative accuracy of series taken from circles: where they are cut, and what poles just outside leave.

@@ -62,7 +62,7 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
       alike(c) = numerics::possible_amplitudes(observed[static_cast<std::size_t>(c)], together, ground,
                                                Eigen::RowVectorXd::Constant(1, std::abs(omega))).value();
     return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), std::move(alike), sample.condition};
-  }, curves, {from, end, std::move(seams), near_poles, progress});
+  }, curves, {from, end, std::move(seams), near_poles, progress, [&](Eigen::Index c) { return channels[static_cast<std::size_t>(c)].name; }});
 }
 
 /// Of channels that are answered in the coordinates of the loading.
