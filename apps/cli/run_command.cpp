@@ -27,7 +27,7 @@ std::string file_stem(const std::string& case_name) {
   if (case_name.empty()) return "base";
   std::string stem;
   for (const char c : case_name) stem += std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 ? c : '-';
-  return report::shortened(stem);
+  return foundation::shortened(stem, report::longest_file_part);
 }
 
 /// One folder per case, numbered, because different names may share the letters that are safe in a file name.

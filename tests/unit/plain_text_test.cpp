@@ -18,11 +18,18 @@ TEST(PlainText, ShowsControlCharactersAsEscapes) {
   EXPECT_EQ(on_one_line("Größe 5 µm · ×"), "Größe 5 µm · ×");
 }
 
-TEST(PlainText, ShowsBytesThatAreNoUtf8AndCutCharacters) {
+TEST(PlainText, ShowsBytesThatAreNotUtf8) {
   EXPECT_EQ(on_one_line("M\xFCller"), "M\\xfcller");
-  EXPECT_EQ(on_one_line(std::string("жук").substr(0, 3)), "ж…");
+  EXPECT_EQ(on_one_line("Ger\xE4t"), "Ger\\xe4t");  // in UTF-8 this byte begins a character of three
   EXPECT_EQ(on_one_line("\xED\xA0\x80"), "\\xed\\xa0\\x80");  // half of a pair of UTF-16
   EXPECT_EQ(on_one_line("\xC0\xAF"), "\\xc0\\xaf");           // a slash written too long
+}
+
+TEST(PlainText, IsShortenedBetweenCharacters) {
+  EXPECT_EQ(shortened("жук", 6), "жук");
+  EXPECT_EQ(shortened("жук", 3), "ж");
+  EXPECT_EQ(quoted("жук", 5), "\"жу…\"");
+  EXPECT_EQ(quoted("жук"), "\"жук\"");
 }
 
 TEST(PlainText, NamesWhatCannotBePrinted) {

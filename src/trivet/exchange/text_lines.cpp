@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exchange/text_lines.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <cctype>
 #include <charconv>
@@ -59,7 +60,7 @@ std::string lower(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest_shown = 40;
-  return "\"" + std::string(text.substr(0, longest_shown)) + (text.size() > longest_shown ? "…\"" : "\"");
+  return foundation::quoted(text, longest_shown);
 }
 
 std::optional<double> number(std::string_view text) {

@@ -13,7 +13,6 @@ struct Character {
   std::uint32_t code = 0;
   std::size_t bytes = 1;
   bool sound = true;  ///< of UTF-8
-  bool cut = false;   ///< begins a character whose rest is missing
 };
 
 std::uint32_t byte(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
@@ -28,7 +27,7 @@ Character character_at(std::string_view text, std::size_t at) {
   if (bytes == 0) return {lead, 1, false};
   std::uint32_t code = lead & (0x7Fu >> bytes);
   for (std::size_t i = 1; i < bytes; ++i) {
-    if (at + i >= text.size() || (byte(text, at + i) & 0xC0) != 0x80) return {lead, i, false, true};
+    if (at + i >= text.size() || (byte(text, at + i) & 0xC0) != 0x80) return {lead, 1, false};
     code = code << 6 | (byte(text, at + i) & 0x3F);
   }
   constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -47,13 +46,22 @@ bool is_control(std::uint32_t code) {
 
 }  // namespace
 
+std::string shortened(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  std::size_t at = 0, end = 0;
+  for (; at <= longest; at += character_at(text, at).bytes) end = at;
+  return std::string(text.substr(0, end));
+}
+
+std::string quoted(std::string_view text, std::size_t longest) {
+  return "\"" + shortened(text, longest) + (text.size() > longest ? "…\"" : "\"");
+}
+
 std::string on_one_line(std::string_view text) {
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
     const Character c = character_at(text, at);
-    if (c.cut)
-      line += "…";
-    else if (!c.sound)
+    if (!c.sound)
       line += fmt::format("\\x{:02x}", c.code);
     else if (c.code == '\n')
       line += "\\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,12 +9,21 @@
 /// Text from outside that goes to terminals, tables and pictures.
 namespace trivet::foundation {
 
-/// The text as one printable line of UTF-8: control characters as \x1b or \u202e, a line break as \n, bytes that are no
-/// UTF-8 as \xe9, and "…" for a character of several bytes that shortening has cut.
+/// The longest name or text that a message repeats [bytes].
+inline constexpr std::size_t longest_shown = 60;
+
+/// The beginning of a text, at most `longest` bytes, not cut within a character of UTF-8.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t longest = longest_shown);
+
+/// The same in double quotes, with "…" if something is missing.
+[[nodiscard]] std::string quoted(std::string_view text, std::size_t longest = longest_shown);
+
+/// The text as one printable line of UTF-8: control characters as \x1b or \u202e, a line break as \n, bytes that are
+/// not UTF-8 as \xe9.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
 /// Words for the first character that no name may hold: a control character, one that turns the direction of writing,
-/// or a byte that is no UTF-8. None: the text is printable. Line breaks and tabs count only where `one_line`.
+/// or a byte that is not UTF-8; nothing if the text is printable. Line breaks and tabs count only if `one_line`.
 [[nodiscard]] std::optional<std::string> unprintable(std::string_view text, bool one_line = true);
 
 }  // namespace trivet::foundation

@@ -51,7 +51,8 @@ void check_body(const Body& body, foundation::Problems& problems) {
       problems.warning(thing, bound.finding, bound.rule, "no real body has these numbers (allow_unphysical is set): every result is doubtful");
     else
       problems.error(thing, bound.finding, bound.rule,
-                     regular ? "mend the number, or its sign or point of reference; allow_unphysical = true computes all the same and marks every result"
+                     of_mass ? "give a positive mass"
+                     : regular ? "mend the number, or its sign or point of reference; allow_unphysical = true computes all the same and marks every result"
                              : "mend the number: with a singular mass matrix there is no motion to compute, even with allow_unphysical");
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/curve_groups.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <algorithm>
 #include <array>
@@ -48,14 +49,7 @@ std::string file_part(std::string name) {
     return static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-';
   };
   std::replace_if(name.begin(), name.end(), unsafe, '_');
-  return shortened(name);
-}
-
-std::string shortened(const std::string& name) {
-  if (name.size() <= longest_file_part) return name;
-  std::size_t end = longest_file_part;
-  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // not inside a character of UTF-8
-  return name.substr(0, end);
+  return foundation::shortened(name, longest_file_part);
 }
 
 std::string density_unit(const std::string& unit) {

@@ -41,9 +41,6 @@ inline constexpr std::size_t longest_file_part = 100;
 /// A name as part of a file name, of at most longest_file_part bytes.
 [[nodiscard]] std::string file_part(std::string name);
 
-/// The first longest_file_part bytes of a name, cut at a whole character.
-[[nodiscard]] std::string shortened(const std::string& name);
-
 /// "rms" of a unit as the unit of its spectral density: "mm" → "mm²/Hz", "m/s²" → "(m/s²)²/Hz".
 [[nodiscard]] std::string density_unit(const std::string& unit);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/acceptances.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -49,7 +50,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
     const Node& reason = accept->items[i];
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       const std::string guess = foundation::nearest_name(kind, kinds);
-      problems.error(subject, "\"" + kind.substr(0, 60) + "\"", "there is no suspicion of this kind", guess.empty()
+      problems.error(subject, foundation::quoted(kind), "there is no suspicion of this kind", guess.empty()
           ? "the warning names its kind" : "did you mean \"" + guess + "\"?").origin = reason.origin;
       continue;
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/excitation_parts.h"
 
 namespace trivet::study {
@@ -59,8 +60,8 @@ void read_moving_elements(TableReader& reader, const model::Description& descrip
     const bool known = std::find(mentioned.elements.begin(), mentioned.elements.end(), name) != mentioned.elements.end();
     if (known && !read) continue;  // its own problem is told elsewhere
     const std::string guess = foundation::nearest_name(name, mentioned.elements);
-    if (read) reader.error("elements", "\"" + name.substr(0, 60) + "\"", "it has no end on moving ground: it stands on a body, or on the modes of a foundation", "name elements that stand on the ground");
-    else reader.error("elements", "\"" + name.substr(0, 60) + "\"", "no element has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    if (read) reader.error("elements", foundation::quoted(name), "it has no end on moving ground: it stands on a body, or on the modes of a foundation", "name elements that stand on the ground");
+    else reader.error("elements", foundation::quoted(name), "no element has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
 }
 

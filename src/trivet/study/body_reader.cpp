@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/part_readers.h"
 #include "trivet/study/solids_reader.h"
 
@@ -40,7 +41,7 @@ void read_free(TableReader& reader, model::Body& body) {
   for (const std::string& name : *names) {
     const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
     if (found != model::coordinate_names.end()) body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
-    else reader.error("free", "\"" + name.substr(0, 60) + "\"", "a coordinate is one of x, y, z, rx, ry, rz", "name the coordinates that move");
+    else reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz", "name the coordinates that move");
   }
 }
 
@@ -113,7 +114,7 @@ namespace {
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 12;
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i) text += (i > 0 ? ", " : "") + names[i].substr(0, 60);
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) text += (i > 0 ? ", " : "") + foundation::shortened(names[i]);
   return names.size() > most ? text + ", …" : text;
 }
 
@@ -130,7 +131,7 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
   const std::string remedy = *name == "ground" && key == "from" ? "leave `from` out for the ground"
                              : guess.empty()                    ? "the bodies are: " + listed(known)
                                                                 : "did you mean \"" + guess + "\"?";
-  reader.error(key, "\"" + name->substr(0, 60) + "\"", "no body has this name", remedy);
+  reader.error(key, foundation::quoted(*name), "no body has this name", remedy);
   return std::nullopt;
 }
 

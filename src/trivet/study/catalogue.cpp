@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/embedded_text.h"
 #include "trivet/study/source_file.h"
 #include "trivet/study/table_reader.h"
@@ -97,7 +98,7 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
                            std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (!good_name || table->items[i].kind != Node::Kind::table)
       root.problems()
-          .error("mounts." + name.substr(0, longest_name), good_name ? words(table->items[i].kind) : "not a name",
+          .error("mounts." + foundation::shortened(name), good_name ? words(table->items[i].kind) : "not a name",
                  fmt::format("a mount is a table with a name of at most {} signs on one line", longest_name),
                  "write [mounts.\"NAME\"] and its data below")
           .origin = table->items[i].origin;
@@ -154,7 +155,7 @@ foundation::Expected<Mount> mount_named(const std::string& name, const std::vect
   }
   const std::string near = foundation::nearest_name(name, names);
   foundation::Problems problems;
-  problems.error("catalogue", "\"" + name.substr(0, longest_name) + "\"", fmt::format("none of the {} mounts has this name", names.size()),
+  problems.error("catalogue", foundation::quoted(name), fmt::format("none of the {} mounts has this name", names.size()),
                  near.empty() ? "look into the catalogue for its names" : "did you mean \"" + near + "\"?");
   return tl::make_unexpected(std::move(problems));
 }

@@ -63,9 +63,18 @@ std::optional<double> number(std::string_view cell) {
   return value;
 }
 
+/// Why number() rejects a cell.
+std::string rule_of_cell(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (end == cell.data() + cell.size() && error == std::errc{} && std::isfinite(value))
+    if (const auto broken = outside_range(value, Quantity::pure)) return *broken;
+  return "a cell is a finite number with a decimal point, or empty where nothing was measured";
+}
+
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name.substr(0, 60);
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + foundation::shortened(name);
   return text;
 }
 
@@ -121,7 +130,7 @@ class Reader {
                                 "name it");
       if (count[name] > 1) {
         count[name] = 1;  // reported once
-        problem(number_of_line, "the column " + name.substr(0, 60) + " stands twice", "every column has a name of its own", "rename one");
+        problem(number_of_line, "the column " + foundation::shortened(name) + " stands twice", "every column has a name of its own", "rename one");
       }
       if (name == name_column) texts_at_ = &name - names->data();
       else table_.columns.push_back(name);
@@ -148,12 +157,11 @@ class Reader {
         table_.names.push_back((*row)[i]);
         continue;
       }
-      const auto value = number((*row)[i]);
+      const std::string& cell = (*row)[i];
+      const auto value = number(cell);
       if (!value && wrong_cells_++ < most_listed)
-        problem(number_of_line, fmt::format("{} = \"{}\"", header_[i].substr(0, 60),
-                                            (*row)[i].substr(0, 60)),
-                "a cell is a finite number with a decimal point, or empty where nothing was measured",
-                "mend the cell, or begin a comment line with #");
+        problem(number_of_line, foundation::shortened(header_[i]) + " = " + foundation::quoted(cell), rule_of_cell(cell),
+                "correct the cell, or begin a comment line with #");
       values_.push_back(value.value_or(0));
     }
   }

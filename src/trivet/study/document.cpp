@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/document.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ const char* words(Node::Kind kind) {
 
 std::string shown(const Node& node) {
   switch (node.kind) {
-    case Node::Kind::text: return "\"" + node.text.substr(0, 60) + "\"";
+    case Node::Kind::text: return foundation::quoted(node.text);
     case Node::Kind::integer:
     case Node::Kind::real: return fmt::format("{:.9g}", node.number);
     case Node::Kind::boolean: return node.boolean ? "true" : "false";

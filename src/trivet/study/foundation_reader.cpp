@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/idle_key.h"
 #include "trivet/study/mobility_table.h"
@@ -33,8 +34,10 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
   for (const std::string& name : *names) {
     const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
     const auto j = static_cast<int>(at - model::coordinate_names.begin());
-    if (j == 6) reader.error("free", "\"" + name.substr(0, 60) + "\"", "a direction is one of x, y, z, rx, ry, rz", "for instance free = [\"z\"]");
+    if (j == 6) reader.error("free", foundation::quoted(name), "a direction is one of x, y, z, rx, ry, rz", "for instance free = [\"z\"]");
     else if (j > 2 && !with_rotation) reader.error("free", "\"" + name + "\"", "a turning ground point needs its rotational stiffness", "add rotation = [krx, kry, krz]");
+    else if (std::find(directions.begin(), directions.end(), j) != directions.end())
+      reader.error("free", "\"" + name + "\" twice", "each direction is named once", "remove one");
     else directions.push_back(j);
   }
   if (directions.empty()) reader.error("free", "no direction", "a ground that gives does so in at least one", "remove the foundation, or name one");
@@ -151,7 +154,7 @@ void report_idle_shape(TableReader& root, const std::string& ground, const std::
     return;
   const std::string subject = "foundations." + ground + ".modes";
   const Node* origin = root.node("foundations")->find(ground)->find("modes");
-  const std::string finding = "shapes of \"" + mount.substr(0, 60) + "\"";
+  const std::string finding = "shapes of " + foundation::quoted(mount);
   if (std::find(mentioned.elements.begin(), mentioned.elements.end(), mount) != mentioned.elements.end()) {
     root.problems()
         .warning(subject, finding, "this element does not stand on the foundation",
@@ -195,7 +198,7 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
     const auto element = std::find_if(description.elements.begin(), description.elements.end(), [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
     if (std::find(names.begin(), names.end(), ground_name) == names.end()) {
       const std::string guess = foundation::nearest_name(ground_name, names);
-      root.problems().error(subject, "\"" + ground_name.substr(0, 60) + "\"", "no foundation has this name", guess.empty() ? "add [foundations.NAME]" : "did you mean \"" + guess + "\"?").origin = origin;
+      root.problems().error(subject, foundation::quoted(ground_name), "no foundation has this name", guess.empty() ? "add [foundations.NAME]" : "did you mean \"" + guess + "\"?").origin = origin;
       continue;
     }
     const auto ground = grounds.find(ground_name);

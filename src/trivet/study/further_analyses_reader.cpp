@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/idle_key.h"
 #include "trivet/study/pairs_reader.h"
 #include "trivet/study/wanted_reader.h"
@@ -104,7 +105,7 @@ TransmissibilityRequest read_transmissibility(TableReader& reader, const Mention
                  reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
   if (reader.has("force") && !request.force.empty() && std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), request.force) == mentioned.harmonic_excitations.end()) {
     const std::string guess = foundation::nearest_name(request.force, mentioned.harmonic_excitations);
-    reader.error("force", "\"" + request.force.substr(0, 60) + "\"", "no harmonic excitation has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    reader.error("force", foundation::quoted(request.force), "no harmonic excitation has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
   if (base) request.direction.axis = *base;
   for (const char* key : {"rotation", "of"})
@@ -116,7 +117,7 @@ TransmissibilityRequest read_transmissibility(TableReader& reader, const Mention
   for (const std::string& name : request.of)
     if (std::find(places.begin(), places.end(), name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);
-      reader.error("of", "\"" + name.substr(0, 60) + "\"", "a motion is that of a body or BODY.POINT", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+      reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
   request.band = read_band(reader, "band");
   return request;
@@ -227,7 +228,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
     const auto wanted = quantity == "velocity" ? assembly::Quantity::velocity : quantity == "acceleration" ? assembly::Quantity::acceleration : assembly::Quantity::displacement;
     const auto measured = names.component(request.of, wanted);
-    if (reader.has("of") && !measured) reader.error("of", "\"" + request.of.substr(0, 60) + "\"", "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"", "check the name");
+    if (reader.has("of") && !measured) reader.error("of", foundation::quoted(request.of), "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"", "check the name");
     request.line.name = name;
     request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};

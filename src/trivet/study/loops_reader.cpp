@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/identification/law_fit.h"
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
@@ -81,7 +82,7 @@ void read_loops(TableReader& damping, model::Element& element) {
   }
   for (const std::string& name : table->columns)
     if (name != "loop" && name != "displacement" && name != "force" && name != "time" && name != "frequency_hz")
-      damping.error("loops", "column \"" + name.substr(0, 60) + "\"", "columns are loop, displacement, force, and time, frequency_hz where they are known", "rename or remove it");
+      damping.error("loops", "column " + foundation::quoted(name), "columns are loop, displacement, force, and time, frequency_hz where they are known", "rename or remove it");
   const auto needed = columns(*table, {"loop", "displacement", "force"});
   if (!needed) {
     add_problems(damping, needed.error());

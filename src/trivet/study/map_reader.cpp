@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/admissible_range.h"
 #include "trivet/study/design_parameter.h"
 #include "trivet/study/idle_key.h"
@@ -47,7 +48,7 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
     if (!next && node && node->kind == Node::Kind::table && i >= 2 && i + 1 == keys.size()) return;
     if (!next) {
       const std::string guess = node && node->kind == Node::Kind::table ? foundation::nearest_name(keys[i], node->keys) : "";
-      reader.error("parameter", shown, fmt::format("the file has no \"{}\" there", keys[i].substr(0, 60)),
+      reader.error("parameter", shown, fmt::format("the file has no \"{}\" there", foundation::shortened(keys[i])),
                    guess.empty() ? "check the path" : "did you mean \"" + guess + "\"?");
       return;
     }
@@ -164,10 +165,10 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, request.quantity)) continue;
     if (names.is_guided(word)) {
-      map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "the `free` of its body leaves this coordinate out, so that it does not move", "name a free coordinate, or remove it");
+      map.error("no_peak", foundation::quoted(word), "the `free` of its body leaves this coordinate out, so that it does not move", "name a free coordinate, or remove it");
       continue;
     }
-    map.error("no_peak", "\"" + word.substr(0, 60) + "\"", "it names no result: coordinates, a body, BODY.POINT, an element or one component of these", names.remedy(word));
+    map.error("no_peak", foundation::quoted(word), "it names no result: coordinates, a body, BODY.POINT, an element or one component of these", names.remedy(word));
   }
   request.no_peak = *words;
 }
@@ -217,7 +218,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     for (const std::string& name : *cases)
       if (!known || !known->find(name)) {
         const std::string guess = known ? foundation::nearest_name(name, known->keys) : "";
-        reader.error("cases", "\"" + name.substr(0, 60) + "\"", "no case has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+        reader.error("cases", foundation::quoted(name), "no case has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
       }
     request.cases = *cases;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/material_reader.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -112,7 +113,7 @@ void read_poisson(TableReader& table, elements::Rubber& rubber) {
 std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   constexpr const char* remedy = "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}";
   if (const Node* given = reader.node("material"); given && given->kind == Node::Kind::text) {
-    reader.error("material", "\"" + given->text.substr(0, 60) + "\"", "compounds of one name differ, so a rubber has a modulus or a hardness", remedy);
+    reader.error("material", foundation::quoted(given->text), "compounds of one name differ, so a rubber has a modulus or a hardness", remedy);
     return std::nullopt;
   }
   const Node* node = reader.table("material");

@@ -10,6 +10,7 @@
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/elements/piecewise_stiffness.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/stiffness_column.h"
 
@@ -83,7 +84,7 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
     if (column == loss && std::find(csv.columns.begin(), csv.columns.end(), name) != csv.columns.end()) continue;  // comes with its storage
     const bool in_range = entry && std::min(entry->first, entry->second) >= 1 && std::max(entry->first, entry->second) <= 12;
     if (!in_range) {
-      reader.error("file", "column \"" + column.substr(0, 60) + "\"", column_rule, "rename or remove it");
+      reader.error("file", "column " + foundation::quoted(column), column_rule, "rename or remove it");
       continue;
     }
     const auto [i, j] = *entry;

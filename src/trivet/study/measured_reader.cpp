@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/identification/stiffness_fit.h"
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
@@ -63,7 +64,7 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
   }
   for (const std::string& name : table.columns)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      reader.error("load_cases", "column \"" + name.substr(0, 60) + "\"", "columns are name, x … rz, fx … mz of end K, and the same with n_ of end N", "rename or remove it");
+      reader.error("load_cases", "column " + foundation::quoted(name), "columns are name, x … rz, fx … mz of end K, and the same with n_ of end N", "rename or remove it");
   constexpr double largest_sane_turn = 0.2, largest_sane_shift = 0.1;
   foundation::Problems doubts;
   if (largest_turn > largest_sane_turn)

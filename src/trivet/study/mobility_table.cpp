@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/identification/mobility_causality.h"
 #include "trivet/numerics/generalized_modes.h"
 #include "trivet/study/csv_table.h"
@@ -124,7 +125,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   std::vector<std::pair<int, int>> entries;
   for (const std::string& column : csv->columns) {
     const auto entry = entry_of(column);
-    if (!entry && column != "frequency_hz") reader.error("file", "column \"" + column.substr(0, 60) + "\"", column_rule, "rename or remove it");
+    if (!entry && column != "frequency_hz") reader.error("file", "column " + foundation::quoted(column), column_rule, "rename or remove it");
     if (entry && !column.ends_with("_im")) entries.push_back(*entry);
   }
   MobilityTable table;

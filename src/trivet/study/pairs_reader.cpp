@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/idle_key.h"
 
@@ -52,7 +53,7 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
     std::string others;
     for (const std::string& column : csv->columns)
       if (column != x_name && column != y_name)
-        others += (others.empty() ? "\"" : ", \"") + column.substr(0, 60) + "\"";
+        others += (others.empty() ? "" : ", ") + foundation::quoted(column);
     warn_of_idle_key(
         reader, "file", "column" + std::string(csv->columns.size() > 3 ? "s " : " ") + others + " not used",
         "one column is read beside " + x_name, "say which: " + y + " = \"" + y_name + "\", or remove the others");

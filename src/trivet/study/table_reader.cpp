@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/acceptances.h"
 #include "trivet/study/outside_features.h"
@@ -274,7 +275,7 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
   const auto word = text(key);
   if (!word || std::find(words.begin(), words.end(), *word) != words.end()) return word;
   const std::string guess = foundation::nearest_name(*word, words);
-  error(key, "\"" + word->substr(0, 60) + "\"", "one of " + listed(words) + " is wanted here",
+  error(key, foundation::quoted(*word), "one of " + listed(words) + " is wanted here",
         guess.empty() ? "choose one" : "did you mean \"" + guess + "\"?");
   return std::nullopt;
 }
@@ -284,7 +285,7 @@ void TableReader::finish() {
     const std::string& key = table_.keys[i];
     if (std::find(known_.begin(), known_.end(), key) != known_.end() || (key == "accept" && may_accept(path_))) continue;
     const std::string guess = foundation::nearest_name(key, known_);
-    const std::string short_key = key.substr(0, 60);
+    const std::string short_key = foundation::shortened(key);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;
     if (const auto outside = outside_feature(path_, key)) {
       error_at(table_.items[i], where, shown(table_.items[i]), outside->rule, outside->remedy);

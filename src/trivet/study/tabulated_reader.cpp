@@ -8,6 +8,7 @@
 #include <set>
 
 #include "trivet/elements/piecewise_stiffness.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/matrix_table.h"
@@ -66,7 +67,7 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
   }
   for (const std::string& column : csv->columns)
     if (!wanted.contains(column))
-      reader.error("file", "column \"" + column.substr(0, 60) + "\"", "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "rename or remove it");
+      reader.error("file", "column " + foundation::quoted(column), "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "rename or remove it");
   if (wanted.size() == 1) {
     reader.error("file", "no stiffness column", "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "add at least one pair");
     return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/units.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <udunits2.h>
 
@@ -156,7 +157,7 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   if (unit_text.empty())
     return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit" : "the unit is missing");
   if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
-  if (!is_plain_unit(unit_text)) return tl::make_unexpected("\"" + std::string(unit_text.substr(0, longest_unit)) + "\" is not a unit");
+  if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
   if (unit_text == expected) return value;  // SI needs no database, whose reading takes longer than all the rest of a small question
   const Unit unit(unit_system().parsed(std::string(unit_text)));
   if (!unit) return tl::make_unexpected("\"" + std::string(unit_text) + "\" is not a unit");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/users_files.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ void copy_rights(const FolderHandle& from, const FolderHandle& to) {
 
 std::string kept_name(const std::string& name, const FolderHandle& one, const FolderHandle& other) {
   const std::filesystem::path path(name);
-  const std::string stem = path.stem().string().substr(0, longest_stem), extension = path.extension().string();
+  const std::string stem = foundation::shortened(path.stem().string(), longest_stem), extension = path.extension().string();
   for (int i = 1; i <= most_kept; ++i) {
     const std::string free =
         fmt::format("{}.kept-{}{}", stem, i, extension.size() > longest_extension ? "" : extension);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/study/idle_key.h"
 #include "trivet/study/admissible_range.h"
 
@@ -87,7 +88,7 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
   }
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
-    reader.error("of", "\"" + word.substr(0, 60) + "\"",
+    reader.error("of", foundation::quoted(word),
                  "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection or .foot, or one component (x … rz of a motion "
                  "that is free, force.x … moment.z of an element or the ground)",
                  names.remedy(word));
@@ -100,7 +101,7 @@ namespace {
 
 void refuse_excitation(TableReader& reader, const std::string& name, const std::vector<std::string>& known, const std::string& kind) {
   const std::string guess = foundation::nearest_name(name, known);
-  reader.error("excitations", "\"" + name.substr(0, 60) + "\"", "no " + kind + " excitation has this name",
+  reader.error("excitations", foundation::quoted(name), "no " + kind + " excitation has this name",
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
@@ -143,7 +144,7 @@ std::string other_excitations(const Mentioned& mentioned) {
   std::string text;
   for (const auto& [type, names] : by_other_types(mentioned))
     for (const std::string& name : *names)
-      if (!holds(mentioned.harmonic_excitations, name)) text += (text.empty() ? "\"" : ", \"") + name.substr(0, 60) + "\" is of type " + type;
+      if (!holds(mentioned.harmonic_excitations, name)) text += (text.empty() ? "" : ", ") + foundation::quoted(name) + " is of type " + type;
   return text;
 }
 
@@ -158,7 +159,7 @@ std::vector<std::string> read_selected_harmonic(TableReader& reader, const Menti
   };
   for (const std::string& name : *names)
     if (const std::string type = type_of(name); !type.empty())
-      reader.error("excitations", "\"" + name.substr(0, 60) + "\", of type " + type, "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
+      reader.error("excitations", foundation::quoted(name) + ", of type " + type, "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
     else if (!holds(mentioned.harmonic_excitations, name))
       refuse_excitation(reader, name, mentioned.harmonic_excitations, "harmonic");
   return *names;

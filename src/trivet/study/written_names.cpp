@@ -25,7 +25,7 @@ bool holds_names(const std::string& path) {
 
 void check_key(const std::string& path, const std::string& key, const foundation::Origin& origin,
                foundation::Problems& problems) {
-  const std::string where = (path.empty() ? "" : path + ".") + key.substr(0, 60);
+  const std::string where = (path.empty() ? "" : path + ".") + foundation::shortened(key);
   const std::size_t most = holds_names(path) ? longest_name : longest_key;
   if (const auto found = foundation::unprintable(key))
     problems
@@ -57,7 +57,7 @@ void check(const Node& node, const std::string& path, foundation::Problems& prob
     check(node.items[i],
           !table         ? path
           : path.empty() ? node.keys[i]
-                         : path + "." + node.keys[i].substr(0, 60),
+                         : path + "." + foundation::shortened(node.keys[i]),
           problems);
   }
 }
