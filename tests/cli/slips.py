@@ -259,6 +259,49 @@ def soft_foundation(p):
     without_cases(p)
 
 
+def bare_numbers(values):
+    return not any(isinstance(v, str) for v in values)
+
+
+def one_direction_in_newtons_per_mm(p):
+    """The vertical stiffness of every element of the first body; where mounts alone hold it."""
+    held = [e for e in p["elements"].values() if first_name(p) in (e["on"], e.get("from"))]
+    if not held or any(e["type"] != "bushing" or not bare_numbers(e["translation"]) for e in held):
+        return False
+    for e in held:
+        e["translation"] = e["translation"][:2] + [1e-3 * e["translation"][2]]
+    without_cases(p)
+
+
+def scale_in_percent(p):
+    typed = [e for e in elements(p, "bushing") if "scale" not in e]
+    for e in typed:
+        e["scale"] = 110
+    without_cases(p)
+    return bool(typed)
+
+
+def one_without_damping(p):
+    typed = elements(p, "bushing")
+    if len({(toml(e["translation"]), e["on"], e.get("from"), "damping" in e) for e in typed}) != 1 or len(typed) < 3 or "damping" not in typed[0]:
+        return False
+    typed[0].pop("damping")
+    without_cases(p)
+
+
+def grade_times_thousand(p):
+    speed_in_rpm(p)
+    p["excitations"]["+rotor"].update({"grade": 6300, "service_speed": "1500 rpm"})
+
+
+def limit_in_millimetres(p):
+    p["limits"] = {f"{first_name(p)}.z": 12}
+    p["analyses"]["response"] = {"band": [0, "30 Hz"], "of": [f"{first_name(p)}.z"]}
+    p["excitations"]["+force"] = {"type": "harmonic", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, "1 N"]}
+    p.pop("limit_lines", None)
+    without_cases(p)
+
+
 SLIPS = {
     "mass in grams": ("mass", mass(1e3)), "mass in tonnes": ("mass", mass(1e-3)),
     "places in millimetres": ("places", places(1e3)), "places in centimetres": ("places", places(1e2)),
@@ -275,4 +318,7 @@ SLIPS = {
     "points in millimetres": ("points", points_in_millimetres), "viscous damping in N s/mm": ("viscous damping", viscous_in_newtons_per_mm),
     "pulse of ms in s": ("pulse", pulse_in_seconds), "speed in rpm": ("speed", speed_in_rpm),
     "floor in N/mm": ("stiffness", soft_foundation),
+    "one direction in N/mm": ("stiffness", one_direction_in_newtons_per_mm), "scale in percent": ("scale", scale_in_percent),
+    "one mount without damping": ("unequal mounts", one_without_damping), "grade times 1000": ("rotor", grade_times_thousand),
+    "limit in mm": ("limit", limit_in_millimetres),
 }

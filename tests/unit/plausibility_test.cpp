@@ -104,6 +104,7 @@ TEST(Plausibility, KnowsDampingInPercentAndExchanged) {
   EXPECT_THAT(kinds(Cube{.damping = "damping = {loss_factor = 0.59}"}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.damping = "damping = {loss_factor = 0.6}"}.text()), ElementsAre("loss factor"));
   EXPECT_THAT(kinds(Cube{.damping = "damping = {proportional = 1.2}"}.text()), ElementsAre("proportional damping"));
+  EXPECT_THAT(kinds(Cube{.damping = "damping = {proportional = 0.8}"}.text()), ElementsAre("proportional damping"));
   EXPECT_THAT(kinds(Cube{.more = "[damping]\nmodal = 0.3\n", .damping = ""}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.more = "[damping]\nmodal = 2\n", .damping = ""}.text()), ElementsAre("modal damping"));
   EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 2, stiffness = 4e-4}\n", .damping = ""}.text()), IsEmpty());
@@ -111,7 +112,7 @@ TEST(Plausibility, KnowsDampingInPercentAndExchanged) {
 }
 
 TEST(Plausibility, KnowsAMountThatIsNotLikeTheOthers) {
-  const std::string fifth = "[elements.fifth]\ntype = \"bushing\"\non = \"cube\"\n";
+  const std::string fifth = "[elements.fifth]\ntype = \"bushing\"\non = \"cube\"\ndamping = {loss_factor = 0.1}\n";
   EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e3, 2e3, 2e3]\n"}.text()), ElementsAre("stiffness"));
   EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e8, 2e8, 2e8]\n"}.text()), ElementsAre("unequal mounts"));
@@ -125,6 +126,8 @@ TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
   const auto moved = [](double x) { return fmt::format("position = [0, 0, 0]\npoints.p = [0, 0, 1]\n[bodies.block]\nmass = 20000\nposition = [{}, 0, 1]\ninertia = {{about = \"center_of_mass\", xx = 4000, yy = 4000, zz = 4000}}\n[elements.upper]\ntype = \"bushing\"\non = \"block\"\nat = [0, 0, 0]\nfrom = \"cube\"\ntranslation = [2e7, 2e7, 2e7]\nrotation = [2e7, 2e7, 2e7]\n", x); };
   EXPECT_THAT(kinds(Cube{.of_body = moved(0.3)}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.of_body = moved(1)}.text()), ElementsAre("tipping"));
+  const std::string beam = "[elements.column]\ntype = \"beam\"\non = \"cube\"\nat = [1.2, 0, 0]\nlength = 0.5\nsection = {round = 0.1}\nmaterial = {E = 2.1e11, nu = 0.3, density = 7850}\n";
+  EXPECT_THAT(kinds(Cube{.more = beam, .of_body = moved(1)}.text()), IsEmpty()) << "a column bears it";
   const std::string moment = "[excitations.torque]\ntype = \"constant\"\non = \"cube\"\nat = [0, 0, 0.5]\nmoment = [0, {}, 0]\n";
   EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 3e4)}.text()), IsEmpty());   // m g a/2 = 38.5 kN m lifts a side
   EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 5e4)}.text()), ElementsAre("lift-off"));

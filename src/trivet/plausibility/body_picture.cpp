@@ -54,6 +54,10 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
     result.proportional = proportional->factor * (proportional->of_nominal ? 1 / element.law.scale : 1);
   else
     result.viscous = elements::viscous_damping(element.law).block<3, 3>(first, first).trace();
+  if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && result.elastic()) {
+    result.proportional = result.viscous / result.translation.trace();  // moduli of the law are multiples of the stiffness
+    result.viscous = 0;
+  }
   return result;
 }
 

@@ -55,6 +55,25 @@ void judge_elements(const model::System& system, Suspicions& found) {
                          "check the unit, or the ratio of B to K that is meant"});
 }
 
+/// δ of B = δK that overdamps even the lowest mode.
+void judge_overdamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  constexpr double far_overdamped = 2;
+  for (const BodyPicture& picture : pictures) {
+    const Features features = plausibility::features(picture, {});
+    for (const Attachment& a : picture.attachments) {
+      const auto* proportional = std::get_if<elements::ProportionalDamping>(&system.elements()[a.element].law.damping);
+      const double ratio = proportional && features.lowest ? std::numbers::pi * *features.lowest * a.proportional : 0;
+      if (ratio <= far_overdamped || proportional->factor > most_proportional) continue;
+      found.push_back({"proportional damping", "elements." + system.elements()[a.element].name + ".damping.proportional",
+          fmt::format("{:.6g} s", proportional->factor),
+          fmt::format("it gives the lowest mode of \"{}\" ({:.3g} Hz) the damping ratio {:.3g}, the others more",
+              system.bodies()[picture.body].name, *features.lowest, ratio),
+          fmt::format("write \"{:.6g} ms\" if milliseconds are meant", proportional->factor)});
+      return;
+    }
+  }
+}
+
 void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<BodyPicture>& pictures,
     Suspicions& found) {
   double lowest = 0, highest = 0;
@@ -86,6 +105,7 @@ void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<Bo
 
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   judge_elements(system, found);
+  judge_overdamped(system, pictures, found);
   const auto& damping = system.description().damping;
   if (const auto* rayleigh = std::get_if<model::RayleighDamping>(&damping)) judge_rayleigh(*rayleigh, pictures, found);
   if (const auto* modal = std::get_if<model::ModalDamping>(&damping); modal && !modal->ratios.empty())

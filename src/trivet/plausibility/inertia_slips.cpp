@@ -67,6 +67,7 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
                                                    {"inertia", "inertia in g cm²", 1, 1, 1e-7},
                                                    {"mass", "mass in tonnes", 1e3, 1, 1}}};
     InertiaSlip slip;
+    if (is_real(other_point)) slip = {"inertia", "suspicion \"inertia\": about the centre of mass, not the pole, the body is possible"};
     for (const Unit& unit : units)
       if (is_real(with(unit.mass * mass.mass, unit.centre * mass.centre, unit.inertia * typed))) {
         slip.words += fmt::format("{}suspicion \"{}\": with the {} the body is possible", slip.words.empty() ? ""
@@ -75,8 +76,6 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
       }
     if (!slip.kind.empty()) return slip;
   }
-  if (inertia_about_pole && is_real(other_point)) return InertiaSlip{"inertia",
-      "suspicion \"inertia\": about its centre of mass it is possible"};
   return std::nullopt;
 }
 

@@ -20,7 +20,7 @@ constexpr double least_gravity = 0.3, most_gravity = 150;
 /// Share of its length that points along an axis from which gravity points along it.
 constexpr double along_axis = 0.7;
 /// Above this share of its rated load a mount is reported; without gravity in the file its load is an estimate.
-constexpr double overload = 1.25, overload_without_gravity = 2;
+constexpr double overload = 1.05, overload_without_gravity = 2;
 /// Beyond the polygon of mounts, as a share of its size.
 constexpr double outside_by = 0.02;
 /// Pull of a mount that counts, as a share of the mean load.
@@ -125,6 +125,22 @@ std::vector<std::size_t> standing_on(const model::System& system, const Eigen::V
   return mounts;
 }
 
+/// Beams, links and stays to the ground that bear some of the weight as well.
+std::vector<std::size_t> propped_by(const model::System& system, const Eigen::Vector3d& down) {
+  constexpr double some = 0.01;  // of the stiffness along gravity
+  const auto along = [&](std::size_t e) {
+    const model::Element& element = system.elements()[e];
+    const Eigen::Vector3d d = element.k.axes.transpose() * system.bodies()[*element.k.body].pose.rotation.transpose() * down;
+    return d.dot(elements::stiffness(element.law).block<3, 3>(6, 6) * d);
+  };
+  double all = 0;
+  for (const std::size_t e : response::mounts(system)) all += along(e);
+  std::vector<std::size_t> found;
+  for (const std::size_t e : response::mounts(system))
+    if (!bears(system.elements()[e]) && along(e) > some * all) found.push_back(e);
+  return found;
+}
+
 /// What each mount bears; none if the weight does not come to the ground, or the system is too large.
 std::optional<response::LoadSharing> sharing_of(const model::System& system) {
   const auto& gravity = system.description().gravity;
@@ -144,10 +160,11 @@ void find_tipping(const model::System& system, Suspicions& found) {
   const Eigen::Vector3d e1 = down.unitOrthogonal(), e2 = down.cross(e1);
   const auto flat = [&](const Eigen::Vector3d& p) { return Eigen::Vector2d(e1.dot(p), e2.dot(p)); };
   std::vector<Eigen::Vector2d> places;
-  for (const std::size_t e : mounts) {
-    const model::Element& element = system.elements()[e];
-    places.push_back(flat(in_ground(system.bodies()[*element.k.body], element.k.at)));
-  }
+  for (const std::vector<std::size_t>& bearing : {mounts, propped_by(system, down)})
+    for (const std::size_t e : bearing) {
+      const model::Element& element = system.elements()[e];
+      places.push_back(flat(in_ground(system.bodies()[*element.k.body], element.k.at)));
+    }
   const model::Body& heaviest = *std::max_element(system.bodies().begin(), system.bodies().end(),
       [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
   if (const auto outside = outside_of(places, flat(centre)); outside && *outside > outside_by) {
@@ -256,6 +273,16 @@ void judge_ratings(const model::System& system, const std::vector<BodyPicture>& 
                          worst_ratio), "take a larger mount, or more of them"});
 }
 
+void judge_limits(const std::vector<AllowedMotion>& limits, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  double size = 0;
+  for (const BodyPicture& picture : pictures) size = std::max(size, 2 * mass_radius(picture.mass));
+  for (const AllowedMotion& limit : limits)
+    if (size > 0 && limit.amplitude > size)
+      found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
+          fmt::format("it is more than the size of the machine, {:.3g} m, so that it limits nothing", size),
+          fmt::format("write \"{:.6g} mm\" if millimetres are meant", limit.amplitude)});
+}
+
 void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found) {
   /// Usual speeds in rpm; typed with their unit they are other numbers in rad/s.
   static constexpr double usual[] = {600, 750, 900, 1000, 1200, 1500, 1800, 3000, 3600};
@@ -269,7 +296,20 @@ void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found) {
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found) {
   /// Rms size of the body that a free body moves from side to side under its unbalance: shakers have 0.01.
   constexpr double largest_throw = 0.03;
+  constexpr double coarsest_grade = 4000;  // [mm/s] of ISO 21940-11: large rigid engines
+  constexpr double fastest_rim = 600;      // [m/s] steel bursts
   for (const Rotor& rotor : rotors) {
+    const std::string of = "excitations." + rotor.excitation;
+    if (rotor.grade && *rotor.grade > coarsest_grade)
+      found.push_back({"rotor", of + ".grade", fmt::format("{:.6g}", *rotor.grade),
+          fmt::format("grades of balancing lie between 0.4 and {:.0f} mm/s", coarsest_grade), "G 6.3 is written 6.3"});
+    if (rotor.mass && rotor.service_speed && *rotor.mass > 0) {
+      const double radius = std::cbrt(*rotor.mass / (2 * std::numbers::pi * 7850));  // of steel, twice as long as thick
+      if (radius * *rotor.service_speed > fastest_rim)
+        found.push_back({"speed", of + ".service_speed", fmt::format("{:.6g} rpm", *rotor.service_speed * 30 / std::numbers::pi),
+            fmt::format("the rim of a rotor of {:.4g} kg would run at {:.0f} m/s", *rotor.mass, radius * *rotor.service_speed),
+            "check its unit: rpm, Hz or rad/s"});
+    }
     const model::Body& body = system.bodies()[rotor.body];
     const std::string subject = "excitations." + rotor.excitation;
     if (rotor.mass && *rotor.mass > body.mass.mass)

@@ -139,6 +139,87 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
   }
 }
 
+/// One of several equal mounts without any damping, the others with it.
+void find_undamped(const model::System& system, const std::vector<Member>& members, Suspicions& found) {
+  constexpr double equal = 1e-6;
+  if (members.size() < 3) return;
+  const auto is_damped = [&](const Member& m) { return !std::holds_alternative<std::monostate>(system.elements()[m.element].law.damping); };
+  const Member* undamped = nullptr;
+  for (const Member& m : members) {
+    if (std::abs(m.translation - members.front().translation) > equal * members.front().translation) return;
+    if (is_damped(m)) continue;
+    if (undamped) return;
+    undamped = &m;
+  }
+  if (!undamped) return;
+  const std::string& name = system.elements()[undamped->element].name;
+  found.push_back({"unequal mounts", "elements." + name, "it has no damping",
+      fmt::format("the {} others of its kind and stiffness have", members.size() - 1), "probably a line is missing"});
+}
+
+std::string and_more(std::size_t count) { return count > 1 ? fmt::format(", and so {} more", count - 1) : ""; }
+
+/// `scale` in percent.
+void find_scales(const model::System& system, Suspicions& found) {
+  constexpr double from = 30, to = 300;
+  std::vector<const model::Element*> scaled;
+  for (const model::Element& element : system.elements())
+    if (element.law.scale >= from && element.law.scale <= to) scaled.push_back(&element);
+  if (scaled.empty()) return;
+  const double scale = scaled.front()->law.scale;
+  found.push_back({"scale", "elements." + scaled.front()->name + ".scale", fmt::format("{:.6g}{}", scale, and_more(scaled.size())),
+      "a factor on stiffness and damping lies mostly between 0.1 and 10",
+      fmt::format("write \"{:.6g} %\" if percent are meant", scale)});
+}
+
+/// Mounts longer than the machine: the place of one end may be in another frame than its number.
+void find_long_mounts(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  constexpr double longest = 2.5;  // of the root mean square distance of the mass from its centre
+  for (const BodyPicture& picture : pictures) {
+    std::vector<const model::Element*> mounts;
+    for (const Attachment& a : picture.attachments) {
+      const model::Element& element = system.elements()[a.element];
+      const double length = model::span(system.bodies(), element.n, element.k).arm.norm();
+      if (is_compact(element.type) && element.k.body == picture.body && length > longest * mass_radius(picture.mass)) mounts.push_back(&element);
+    }
+    if (mounts.empty()) continue;
+    const model::Element& first = *mounts.front();
+    found.push_back({"places", "elements." + first.name + ".from_at",
+        fmt::format("its ends are {:.4g} m apart{}", model::span(system.bodies(), first.n, first.k).arm.norm(), and_more(mounts.size())),
+        fmt::format("a mount is shorter than its machine; the mass of \"{}\" is {:.3g} m from its centre (root mean square)",
+            system.bodies()[picture.body].name, mass_radius(picture.mass)),
+        first.n.body ? "from_at is in the frame of the body that `from` names; check it and its unit"
+                     : "from_at is in the frame of the ground; check it, its unit and the position of the body"});
+  }
+}
+
+/// Stiffnesses of one direction in another unit than those of the others.
+void find_mixed_directions(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  constexpr double soft = 0.5;  // natural frequency of translation that machines on mounts hardly have [Hz]
+  for (const BodyPicture& picture : pictures) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const Attachment* first = nullptr;
+    bool alike = true;
+    for (const Attachment& a : picture.attachments) {
+      if (!a.elastic()) continue;
+      const Eigen::Vector3d k = a.translation.diagonal();
+      if (!first) first = &a;
+      alike = alike && a.typed && k.minCoeff() > 0 && k.maxCoeff() > thousand_from * k.minCoeff() && k.maxCoeff() < thousand_to * k.minCoeff();
+      sum += k;
+    }
+    if (!first || !alike) continue;
+    const double frequency = std::sqrt(sum.minCoeff() / picture.mass.mass) / (2 * std::numbers::pi);
+    if (frequency >= soft) continue;
+    const model::Element& element = system.elements()[first->element];
+    found.push_back({"stiffness", "elements." + element.name + key(element.type, false),
+        fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", first->translation.diagonal().minCoeff(),
+            first->translation.diagonal().maxCoeff()),
+        fmt::format("translations of \"{}\" begin at {:.3g} Hz", system.bodies()[picture.body].name, frequency),
+        fmt::format("the softest would be {:.6g} N/m if typed in N/mm; look at the other elements too",
+            1e3 * first->translation.diagonal().minCoeff())});
+  }
+}
+
 }  // namespace
 
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
@@ -147,7 +228,11 @@ std::vector<std::size_t> judge_mounts(const model::System& system, const std::ve
   for (const auto& [group, members] : groups(system, pictures)) {
     find_same_places(system, pictures, members, found);
     find_unequal(system, members, found, blamed);
+    find_undamped(system, members, found);
   }
+  find_mixed_directions(system, pictures, found);
+  find_long_mounts(system, pictures, found);
+  find_scales(system, found);
   return blamed;
 }
 

@@ -38,7 +38,11 @@ void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found);
 /// Foundations far softer than the mounts on them.
 void judge_foundations(const model::System& system, Suspicions& found);
 
-/// Rotors that weigh more than their machine, unbalances that would throw it about.
+/// Allowed motions larger than the machine.
+void judge_limits(const std::vector<AllowedMotion>& limits, const std::vector<BodyPicture>& pictures, Suspicions& found);
+
+/// Rotors that weigh more than their machine, run faster than steel holds or are balanced in another unit, unbalances
+/// that would throw the machine about.
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found);
 
 /// Bands and spectra without a resonance, transients that end too early, pulses that last too long.

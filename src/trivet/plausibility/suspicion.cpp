@@ -62,6 +62,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   judge_damping(system, all, found);
   judge_rotors(system, stated.rotors, found);
   judge_speeds(stated.speeds, found);
+  if (!machine_doubtful) judge_limits(stated.allowed_motions, all, found);
   if (!machine_doubtful) judge_foundations(system, found);
   if (verdicts.empty() && blamed.empty()) judge_questions(system, stated, found);
   return found;

@@ -30,7 +30,7 @@ inline constexpr const char* kinds[] = {
     "tipping",       "lift-off",    "gravity",             "modal damping",  "loss factor",  "proportional damping",
         "rayleigh",
     "rotor",         "transient",   "band",                "spectrum",       "points",       "viscous damping",
-    "pulse",         "speed",
+    "pulse",         "speed",       "scale",               "limit",
 };
 
 /// A stretch of frequencies that was asked for, or over which a spectrum drives. [rad/s]
@@ -53,12 +53,21 @@ struct Rotor {
   std::size_t body = 0;
   std::optional<double> mass;               ///< [kg]
   std::optional<double> mass_eccentricity;  ///< as typed [kg m]
+  std::optional<double> grade;              ///< of balancing [mm/s]
+  std::optional<double> service_speed;      ///< [rad/s]
 };
 
 /// A speed of a shaft, as typed without a unit or with one.
 struct Speed {
   std::string subject;  ///< "analyses.orders.speed"
   double value = 0;     ///< [rad/s]
+};
+
+/// Largest amplitude of a translation that is allowed.
+struct AllowedMotion {
+  std::string subject;    ///< "bodies.frame"
+  std::string answer;     ///< "frame.z"
+  double amplitude = 0;   ///< [m]
 };
 
 /// A question for a motion in time.
@@ -75,6 +84,7 @@ struct Stated {
   std::vector<Rating> ratings;
   std::vector<Rotor> rotors;
   std::vector<Speed> speeds;
+  std::vector<AllowedMotion> allowed_motions;
   std::optional<TimeQuestion> transient;
 };
 

@@ -61,11 +61,23 @@ void add_rotors(const Case& variant, plausibility::Stated& stated) {
     if (!type || type->text != "unbalance") continue;
     foundation::Problems ignored;
     TableReader reader(*table, "excitations." + excitation.name, ignored);
+    const auto speed = reader.number("service_speed", Quantity::angular_frequency);
     stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
-        reader.number("mass_eccentricity", Quantity::mass_length)});
-    if (const auto speed = reader.number("service_speed", Quantity::angular_frequency))
-      stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
+        reader.number("mass_eccentricity", Quantity::mass_length), reader.number("grade", Quantity::pure), speed});
+    if (speed) stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
   }
+}
+
+/// "frame.z", not "frame.rz" nor "mount.force.z".
+bool is_translation(const std::string& name) {
+  const bool of_force = name.find(".force.") != std::string::npos || name.find(".moment.") != std::string::npos;
+  return !of_force && (name.ends_with(".x") || name.ends_with(".y") || name.ends_with(".z"));
+}
+
+/// The table in which a suspicion of this answer is accepted.
+std::string holder(const Case& variant, const std::string& answer) {
+  const std::string name = answer.substr(0, answer.find('.'));
+  return (find(variant.document, "bodies", name) ? "bodies." : "elements.") + name;
 }
 
 void add_questions(const Case& variant, plausibility::Stated& stated) {
@@ -76,6 +88,10 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
   if (asked.response) add("analyses.response.band", asked.response->band);
   if (asked.transmissibility) add("analyses.transmissibility.band", asked.transmissibility->band);
   if (asked.power) add("analyses.power.band", asked.power->band);
+  const bool of_displacements = !asked.response || asked.response->wanted.quantity == assembly::Quantity::displacement;
+  for (const Limit& limit : asked.limits)
+    if (of_displacements && is_translation(limit.name))
+      stated.allowed_motions.push_back({holder(variant, limit.name), limit.name, limit.amplitude});
   if (asked.orders) stated.speeds.push_back({"analyses.orders.speed", asked.orders->speed.to});
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
