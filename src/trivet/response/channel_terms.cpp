@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/channel_terms.h"
 
+#include <algorithm>
+
 #include "trivet/assembly/answer_coordinates.h"
+#include "trivet/numerics/dynamic_matrices.h"
 #include "trivet/response/exact_response.h"
 #include "trivet/response/steady_solution.h"
 
@@ -9,6 +12,8 @@ namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
+/// Of the solution: what an answer below it has is round-off. The callers ask for 1e-12 of what is possible.
+constexpr double round_off_share = 1e-2;
 
 std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
                                        const Eigen::VectorXd& on_acceleration) {
@@ -24,10 +29,18 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
+  const Eigen::VectorXd unit = numerics::unit_scale(assembled.constant);
   for (Eigen::Index i = 0; i < points; ++i) {
-    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]);
+    const double at = omega[static_cast<std::size_t>(i)];
+    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), at);
     result.value.col(i) = exact.values;
     result.possible.col(i) = exact.possible;
+    // Round-off of a solution is a share of its largest coordinate: one that vanishes by symmetry is as small as its terms.
+    const Eigen::VectorXd alike = q.col(i).cwiseAbs().cwiseQuotient(unit).maxCoeff() * unit;
+    for (Eigen::Index c = 0; c < count; ++c) {
+      const double terms = numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, Eigen::RowVectorXd::Constant(1, at)).value();
+      result.possible(c, i) = std::max(result.possible(c, i), round_off_share * terms);
+    }
   }
   return result;
 }
