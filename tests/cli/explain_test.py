@@ -43,6 +43,38 @@ class Explain(unittest.TestCase):
         for words in ("frame.z:", "Mode 3", "% of the strain energy is in \"spring", "axial stiffness", "+10 % on", "solved again"):
             self.assertIn(words, text)
 
+    def test_the_trial_changes_a_peak_whose_energy_is_elsewhere(self):
+        # At the peak along x the load moves the machine along y far more, beside the lowest mode.
+        mounts = "".join(f"""[elements.m{i}]
+type = "bushing"
+on = "fan"
+at = [{x}, {y}, 0]
+translation = [150e3, 149e3, 300e3]
+rotation = [50, 50, 30]
+damping = {{loss_factor = 0.08}}
+""" for i, (x, y) in enumerate(((0.5, 0.4), (0.5, -0.4), (-0.5, 0.4), (-0.5, -0.4))))
+        text = f"""trivet = 1
+[bodies.fan]
+mass = 420
+center_of_mass = [0.02, 0, 0.35]
+inertia = {{about = "center_of_mass", xx = 38, yy = 62, zz = 58}}
+{mounts}[excitations.push]
+type = "harmonic"
+on = "fan"
+at = [0, 0, 0.35]
+force = [1, 100, 0]
+[analyses]
+peaks = {{of = ["fan.x"]}}
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "fan.toml"
+            path.write_text(text)
+            for peak in json.loads(run("explain", str(path), "--json")[0])["peaks"]:
+                trial = peak["trial"]
+                slopes = {s["parameter"]: s for s in peak["sensitivities"]}[trial["parameter"]]
+                strongest = max(abs(s["frequency"] or 0) for s in peak["sensitivities"] if ".stiffness." in s["parameter"])
+                self.assertGreater(max(abs(slopes["frequency"]), abs(slopes["height"])), 0.01 * strongest, peak["sentence"])
+
     def test_an_undamped_peak_has_a_frequency_to_change_but_no_height(self):
         answer = json.loads(run("explain", PAPER, "--set", "elements.suspension.damping.proportional=0", "--most", "2", "--json")[0])
         for peak in answer["peaks"]:

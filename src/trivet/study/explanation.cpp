@@ -77,26 +77,61 @@ float strength(const Sensitivity& s, const std::vector<response::Parameter>& par
   return static_cast<float>(std::abs((unbounded ? s.frequency : s.height).value_or(0)) * parameters[s.parameter].size);
 }
 
-/// The element and direction with most of the strain energy, or the element as a whole where directions say less.
-std::optional<Trial> trial_of(const Case& variant, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
-  const auto& elements = variant.system.elements();
-  std::size_t element = 0;
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    if (peak.shares.elements[e].stored > peak.shares.elements[element].stored) element = e;
-  if (elements.empty() || !(peak.shares.elements[element].stored > 0)) return std::nullopt;
+/// A stiffness that a trial may change, with words for it.
+struct Candidate {
+  std::string parameter, words;
+};
+
+/// Stiffness of an element along the direction with most of its strain energy; the element as a whole if directions say less.
+std::optional<Candidate> candidate(const Case& variant, std::size_t e, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+  const model::Element& element = variant.system.elements()[e];
   Eigen::Index direction = 0;
-  peak.shares.elements[element].by_direction.maxCoeff(&direction);
-  const std::string path = "elements." + elements[element].name + ".";
-  const std::string whole = fmt::format("the stiffness of \"{}\"", elements[element].name);
-  for (const auto& [name, words] :
-       {std::pair{fmt::format("stiffness.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
-                  fmt::format("the {} of \"{}\"", response::direction_words(elements[element], static_cast<int>(direction)),
-                              elements[element].name)},
-        {std::string("scale"), whole},
-        {std::string("stiffness"), whole}})
+  peak.shares.elements[e].by_direction.maxCoeff(&direction);
+  const std::string path = "elements." + element.name + ".";
+  const std::string whole = fmt::format("the stiffness of \"{}\"", element.name);
+  for (const Candidate& one :
+       {Candidate{path + fmt::format("stiffness.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
+                  fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)), element.name)},
+        Candidate{path + "scale", whole}, Candidate{path + "stiffness", whole}})
     for (const response::Parameter& parameter : parameters)
-      if (parameter.name == path + name) return Trial{parameter.name, words, 0.1, {}, {}, {}, {}};
+      if (parameter.name == one.parameter) return one;
   return std::nullopt;
+}
+
+/// What the parameter does to the peak: to its frequency and, per cent of both, to its height.
+double effect(const std::string& name, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+  for (const Sensitivity& s : peak.sensitivities)
+    if (parameters[s.parameter].name == name) return std::max(std::abs(s.frequency.value_or(0)), std::abs(s.height.value_or(0)));
+  return 0;
+}
+
+/// The element and direction with most of the strain energy. If that belongs to motions that the answer does not show, so that the peak
+/// would stay as it is, the direction of any element that changes it most.
+std::optional<Trial> trial_of(const Case& variant, ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+  constexpr double idle = 0.01;  // of the strongest effect
+  const auto& elements = variant.system.elements();
+  std::size_t first = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if (peak.shares.elements[e].stored > peak.shares.elements[first].stored) first = e;
+  if (elements.empty() || !(peak.shares.elements[first].stored > 0)) return std::nullopt;
+  std::optional<Candidate> chosen = candidate(variant, first, peak, parameters);
+  if (!chosen || peak.sensitivities.empty()) return chosen ? std::optional(Trial{chosen->parameter, chosen->words, 0.1, {}, {}, {}, {}}) : std::nullopt;
+  const double of_chosen = effect(chosen->parameter, peak, parameters);
+  double most = of_chosen;
+  std::optional<Candidate> strongest = chosen;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    for (int direction = 0; direction < 6; ++direction) {
+      const std::string name = fmt::format("elements.{}.stiffness.{}", elements[e].name, model::coordinate_names[static_cast<std::size_t>(direction)]);
+      if (const double found = effect(name, peak, parameters); found > most) {
+        most = found;
+        strongest = Candidate{name, fmt::format("the {} of \"{}\"", response::direction_words(elements[e], direction), elements[e].name)};
+      }
+    }
+  if (of_chosen < idle * most) {
+    peak.notes.push_back(fmt::format("most of the energy at this frequency is in motions that {} does not show: {} hardly changes it", peak.name, chosen->words));
+    chosen = strongest;
+  }
+  return Trial{chosen->parameter, chosen->words, 0.1, {}, {}, {}, {}};
 }
 
 /// The peak of the changed model that lies nearest to where it is expected.

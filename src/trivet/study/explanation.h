@@ -32,7 +32,7 @@ struct ExplainedPeak {
   std::vector<response::Sensitivity>
       sensitivities;  ///< strongest first, by what `size` of the parameter does to the height (to the frequency where unbounded)
   std::vector<std::string> notes;
-  std::optional<Trial> trial;  ///< of what holds most of the strain energy
+  std::optional<Trial> trial;  ///< of what holds most of the strain energy, or of what changes the peak most if that does nothing
   std::string sentence;
 };
 
