@@ -102,9 +102,11 @@ std::string transmissibility_text(const study::Answers& answers) {
     const Eigen::VectorXcd& values = t.curves.curves[i].value;
     const double last = std::abs(values(values.size() - 1));
     table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5), shown(response::transmissibility_level(summary.highest), 4),
-               t.crossovers[i].angular_frequency ? shown(hertz(*t.crossovers[i].angular_frequency), 5) : "–", shown(last, 4), percent(response::isolation_efficiency(last))});
+               t.crossovers[i].angular_frequency && !t.is_share(i) ? shown(hertz(*t.crossovers[i].angular_frequency), 5) : "–", shown(last, 4),
+               t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
   }
-  return "Transmissibility: " + t.words + "\n" + table.text();
+  const std::string shares = t.is_share(1) ? "  the force of a single mount is its share: isolation is that of the ground\n" : "";
+  return "Transmissibility: " + t.words + "\n" + table.text() + shares;
 }
 
 std::string power_text(const study::Answers& answers) {

@@ -128,12 +128,13 @@ std::string transmissibility_table(const study::Answers& answers) {
     row.push_back(summary == t.peaks.curves.end() ? right("–") : number_cell(response::transmissibility_level(summary->highest)));
     row.push_back(summary == t.peaks.curves.end() ? right("–") : hertz_cell(summary->highest_at));
     const bool known = i < t.crossovers.size() && t.crossovers[i].angular_frequency;
-    row.push_back(!known                                    ? right("none")
+    row.push_back(t.is_share(i)                             ? right("–")
+                  : !known                                    ? right("none")
                   : *t.crossovers[i].angular_frequency == 0 ? right("everywhere")
                                                             : hertz_cell(*t.crossovers[i].angular_frequency));
     const double last = c.value.size() > 0 ? std::abs(c.value(c.value.size() - 1)) : 0;
     row.push_back(number_cell(response::transmissibility_level(last)));
-    row.push_back(percent_cell(response::isolation_efficiency(last)));
+    row.push_back(t.is_share(i) ? right("–") : percent_cell(response::isolation_efficiency(last)));
     rows.push_back(std::move(row));
   }
   const std::string end = t.curves.angular_frequency.empty() ? "" : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / turn);

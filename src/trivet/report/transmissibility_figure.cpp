@@ -41,7 +41,7 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
       high = std::max(high, level);
     }
     for (const response::Crossover& crossover : answer.crossovers) {
-      if (crossover.name != c.name) continue;
+      if (crossover.name != c.name || answer.is_share(i)) continue;
       curve.key.push_back(isolation_words(crossover));
       if (crossover.angular_frequency && *crossover.angular_frequency / turn > row.x.from && *crossover.angular_frequency / turn < row.x.to)
         row.marks.push_back({*crossover.angular_frequency / turn, 0, series_colour(i), ""});

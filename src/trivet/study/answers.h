@@ -89,6 +89,11 @@ struct TransmissibilityResult {
   response::Peaks peaks;
   std::vector<response::Crossover> crossovers;
   response::Band band;
+
+  /// The force of one of several mounts over the whole exciting force: a share, which says nothing of isolation.
+  [[nodiscard]] bool is_share(std::size_t curve) const {
+    return curve > 0 && curves.curves.size() > 2 && curves.curves.front().name == "ground";
+  }
 };
 
 /// Of one time excitation, over natural frequencies.
