@@ -121,13 +121,26 @@ std::vector<std::string> asked_by(const std::string& which) {
   return {which};
 }
 
+/// Which excitations act together, if there are several.
+std::string excited_by(const study::Case& variant) {
+  const std::vector<std::string> chosen = variant.analyses.response ? variant.analyses.response->wanted.excitations : std::vector<std::string>();
+  std::string names;
+  int count = 0;
+  for (const model::Excitation& excitation : variant.system.description().excitations) {
+    const bool acts = chosen.empty() || std::find(chosen.begin(), chosen.end(), excitation.name) != chosen.end();
+    if (!acts || !std::holds_alternative<model::Harmonic>(excitation.course)) continue;
+    names += (count++ > 0 ? ", " : "") + excitation.name;
+  }
+  return count > 1 ? "Excited at once by " + names + " (`excitations` of the response selects some)\n" : "";
+}
+
 std::string rendered(const std::string& which, const study::Case& variant, const study::Answers& answers, const Options& options) {
   if (which == "modes") return options.json ? study::modes_json(variant, answers) : options.csv ? study::modes_csv(variant, answers) : modes_text(variant, answers);
   if (which == "roots") return options.json ? study::roots_json(variant, answers) : options.csv ? study::roots_csv(answers) : roots_text(answers);
   if (which == "response")
     return options.json  ? study::response_json(answers)
            : options.csv ? study::response_csv(answers)
-                         : response_text(answers) + limits_text(answers) + limit_lines_text(answers);
+                         : excited_by(variant) + response_text(answers) + limits_text(answers) + limit_lines_text(answers);
   if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : peaks_text(answers);
   if (which == "random") return options.json ? study::random_json(answers) : options.csv ? study::random_csv(answers) : random_text(answers);
   if (which == "transient") return options.json ? study::transient_json(answers) : options.csv ? study::transient_csv(answers) : transient_text(answers);

@@ -18,6 +18,8 @@ namespace {
 
 using trivet::cli::Options;
 
+std::string not_empty(const std::string& text) { return text.empty() ? "an empty text; leave the option out" : ""; }
+
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& about, Options& options) {
   CLI::App* command = app.add_subcommand(name, about);
   command->add_option("PROJECT", options.project, "project file (TOML)")->required();
@@ -31,7 +33,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 
 CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& about, Options& options) {
   CLI::App* command = add_command(app, name, about, options);
-  command->add_option("--case", options.case_name, "a case of the file instead of the base model");
+  command->add_option("--case", options.case_name, "a case of the file instead of the base model")->check(not_empty);
   CLI::Option* json = command->add_flag("--json", options.json, "JSON, SI");
   command->add_flag("--csv", options.csv, "CSV, SI")->excludes(json);
   return command;
@@ -41,6 +43,11 @@ CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& 
 CLI::App* add_strict(CLI::App* command, Options& options) {
   command->add_flag("--strict", options.strict, "exit code 3 if a limit or a rule is broken, 4 if there are only warnings; the answer is written all the same");
   return command;
+}
+
+std::string at_least_one(const std::string& text) {
+  int number = 0;
+  return CLI::detail::lexical_cast(text, number) && number >= 1 ? "" : "\"" + text + "\": it is a whole number from 1 on";
 }
 
 void add_picture(CLI::App& command, const std::string& drawn, Options& options) {
@@ -55,7 +62,8 @@ int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
   std::stringstream text;
   static_cast<void>(app.exit(error, text, text));
-  for (std::string line; std::getline(text, line);) trivet::cli::write_error(trivet::foundation::on_one_line(line) + "\n");
+  std::string mark = "error: ";
+  for (std::string line; std::getline(text, line); mark.clear()) trivet::cli::write_error(mark + trivet::foundation::on_one_line(line) + "\n");
   return trivet::cli::wrong_input;
 }
 
@@ -91,8 +99,8 @@ int main(int argc, char** argv) {
   add_answer(app, "modes", "undamped natural frequencies and modes", options);
   add_answer(app, "roots", "damped roots", options);
   CLI::App* response = add_answer(app, "response", "amplitude- and phase-frequency characteristics", options);
-  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units");
-  response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->excludes(at);
+  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")->check(not_empty);
+  response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
   add_answer(app, "peaks", "exact resonance peaks", options);
   add_answer(app, "static", "static displacements and forces", options);
   add_answer(app, "random", "root mean squares under random excitations", options);
@@ -101,12 +109,12 @@ int main(int argc, char** argv) {
   add_answer(app, "transmissibility", "force or motion that the mounts let through", options);
   CLI::App* explain = add_answer(app, "explain", "why each resonance peak is there, and what would change it", options);
   explain->add_option("--of", options.of, "an answer whose peaks are explained (repeatable); those of the file's peaks by default")->allow_extra_args(false);
-  explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")->capture_default_str()->check(CLI::PositiveNumber);
+  explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")->capture_default_str()->check(at_least_one);
   CLI::App* suspension = add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
-  suspension->add_option("--torque", options.torque, "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default");
-  suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s");
+  suspension->add_option("--torque", options.torque, "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default")->check(not_empty);
+  suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s")->check(not_empty);
   CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
-  map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150, or 100 for both");
+  map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150, or 100 for both")->check(not_empty);
   add_picture(*map, "map", options);
   for (const char* judged : {"modes", "roots", "response", "peaks", "static", "random", "transient", "orders", "transmissibility", "map"}) add_strict(app.get_subcommand(judged), options);
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);

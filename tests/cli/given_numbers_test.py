@@ -141,6 +141,31 @@ class Unused(InTemporaryFolder):
         self.assertIn('analyses.response.quantity: "velocity" of forces alone', said)
         self.assertIn("analyses.transient.nearest_linear_system", self.warnings(ask, "transient"))
 
+    def test_places_without_effect(self):
+        for old, new, words in (("damping = {proportional", "center = 0.3\ndamping = {proportional", "center of an element without length"),
+                                ("damping = {proportional", 'from_orientation = {axis = "x", angle = "20 deg"}\ndamping = {proportional',
+                                 "from_orientation of a bushing")):
+            done = trivet("check", self.file(MACHINE.replace(old, new)))
+            self.assertEqual(done.returncode, 0)
+            self.assertIn(words, done.stderr)
+        apart = MACHINE.replace("damping = {proportional", "from_at = [0, 0, -0.1]\ncenter = 0.3\ndamping = {proportional")
+        self.assertEqual(trivet("check", self.file(apart)).stderr, "")
+
+    def test_a_case_that_changes_nothing(self):
+        self.assertIn("every value is that of the base model", trivet("check", self.file(MACHINE + "[cases.same]\nelements.mount.at = [0, 0, 0]\n")).stderr)
+        self.assertEqual(trivet("check", self.file(MACHINE + "[cases.moved]\nelements.mount.at = [0, 0, 0.1]\n")).stderr, "")
+
+    def test_empty_options(self):
+        for arguments in (("response", "--at", ""), ("response", "--band", ""), ("modes", "--case", ""), ("suspension", "--torque", "")):
+            done = trivet(arguments[0], self.file(MACHINE), *arguments[1:])
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertIn("an empty text", done.stderr)
+
+    def test_excitations_that_act_together_are_listed(self):
+        second = '[excitations.unit]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n'
+        self.assertIn("Excited at once by push, unit", trivet("response", self.file(MACHINE + second)).stdout)
+        self.assertNotIn("Excited", trivet("response", self.file(MACHINE)).stdout)
+
     def test_limit_lines_beside_the_response(self):
         line = ('[analyses]\nresponse = {of = ["machine.seat"]}\n'
                 '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1e-9], [1000, 1e-9]]\n')

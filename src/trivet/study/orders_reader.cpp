@@ -193,11 +193,12 @@ void read_unbalance(TableReader& reader, model::Action& action) {
   const double phase = reader.number("phase", Quantity::angle).value_or(0);
   double mass_eccentricity = 0;
   if (reader.has("grade")) {
+    const std::size_t before = reader.errors();
     const double grade = reader.required_number("grade", Quantity::pure), mass = reader.required_number("rotor_mass", Quantity::mass),
                  speed = reader.required_number("service_speed", Quantity::angular_frequency);
     if (reader.has("mass_eccentricity")) reader.error("mass_eccentricity", "beside a grade", "one of them says how large the unbalance is", "remove one");
     for (const auto& [key, value] : {std::pair{"grade", grade}, {"rotor_mass", mass}, {"service_speed", speed}})
-      if (reader.has(key) && !(value > 0)) reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "mend it");
+      if (reader.errors() == before && reader.has(key) && !(value > 0)) reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "mend it");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
   } else {
     const bool called_unbalance = !reader.has("mass_eccentricity") && reader.has("unbalance");

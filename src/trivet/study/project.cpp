@@ -242,6 +242,17 @@ Settings read_settings(const std::vector<std::string>& settings, foundation::Pro
   return result;
 }
 
+/// Every value of the change is in the document already.
+bool changes_nothing(const Node& document, const Node& change) {
+  if (change.kind != Node::Kind::table) return canonical(document) == canonical(change);
+  if (document.kind != Node::Kind::table) return false;
+  for (std::size_t i = 0; i < change.keys.size(); ++i) {
+    const Node* there = document.find(change.keys[i]);
+    if (!there || !changes_nothing(*there, change.items[i])) return false;
+  }
+  return true;
+}
+
 /// Does the document hold this number, after all changes?
 bool holds(const Node& document, const ChangedNumber& number) {
   std::vector<ChangedNumber> there;
@@ -337,6 +348,8 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       if (variant_case) judge(*variant_case, book, of_case);
       add_of_case(of_case, known, name, problems);
       if (!variant_case || project.cases.empty()) continue;
+      if (!change.keys.empty() && changes_nothing(as_written, change))
+        variant_case->warnings.warning("cases." + name, "every value is that of the base model", "a case changes something", "change a value, or remove the case").origin = change.origin;
       variant_case->changes = change_lines(&change, settings, variant);
       project.cases.push_back(std::move(*variant_case));
     }

@@ -57,10 +57,12 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
 }
 
 std::optional<excitation::Spectrum> read_flat(TableReader& psd, double unit) {
+  const std::size_t before = psd.errors();
   const double density = psd.required_number("flat", Quantity::pure);
+  const bool is_number = psd.errors() == before;
   const std::optional<response::Band> band = read_band(psd, "band");
   if (!psd.has("band")) psd.missing("band", "say from where to where: band = [\"5 Hz\", \"500 Hz\"]");
-  if (!(density > 0)) psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0", "give it in SI units squared per hertz");
+  if (is_number && !(density > 0)) psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0", "give it in SI units squared per hertz");
   if (!band || !(density > 0)) return std::nullopt;
   return excitation::flat_spectrum(unit * density / (2 * std::numbers::pi), band->from, band->to);
 }
