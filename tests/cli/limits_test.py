@@ -6,7 +6,7 @@ import re
 import subprocess
 import unittest
 
-from trivet_test import PAPER, TRIVET, InTemporaryFolder, answer, trivet
+from trivet_test import PAPER, SOURCE, TRIVET, InTemporaryFolder, answer, trivet
 
 BODY = 'trivet = 1\n[bodies.b]\nmass = 100\ninertia = {about = "center_of_mass", xx = 8, yy = 9, zz = 10}\n'
 FORCE = '[excitations.f]\ntype = "harmonic"\non = "b"\nat = [0.1, 0, 0.2]\nforce = [1, 2, 3]\n'
@@ -114,6 +114,16 @@ class Sizes(Refused):
         done = trivet("peaks", self.file(text))  # asked by the command line alone
         self.assertEqual(done.returncode, 1)
         self.assertIn("hours of search", done.stderr)
+
+
+class Extremes(InTemporaryFolder):
+    def test_random_answers_beside_a_stiffness_of_another_world(self):
+        example = (SOURCE / "examples/optical_table/table.toml").read_text()
+        for file in (SOURCE / "examples/optical_table").glob("*.csv"):
+            (self.folder / file.name).write_text(file.read_text())
+        done = trivet("random", self.file(example.replace("translation = [14000, 14000, 9500]", "translation = [1.4e15, 14000, 9500]", 1)))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("too far apart for partial fractions", done.stdout)
 
 
 class Foundations(InTemporaryFolder):

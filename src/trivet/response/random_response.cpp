@@ -144,10 +144,11 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
   } else {
     found = variances_by_poles(assembled, channels, loading, moments, expansions, progress);
     result.solutions = found.solutions;
+    const double misfit = 0.5 * found.misfit.maxCoeff();
     if (!poles_hold(found, options.accuracy))
-      result.remark = fmt::format(
-          "two poles stand together with one shape between them, as at critical damping: their fractions miss the response by {:.1g} of it",
-          0.5 * found.misfit.maxCoeff());
+      result.remark = std::isfinite(misfit)
+                          ? fmt::format("two poles stand together with one shape between them, as at critical damping: their fractions miss the response by {:.1g} of it", misfit)
+                          : "the poles lie too far apart for partial fractions";
   }
   if (!result.remark.empty()) {
     result.method = RandomMethod::quadrature;
