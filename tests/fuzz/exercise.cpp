@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/exercise.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +17,7 @@
 #include "trivet/exchange/numpy_array.h"
 #include "trivet/fem/msh_file.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/solids/closed_surface.h"
 #include "trivet/solids/stl_file.h"
 #include "trivet/study/answers.h"
@@ -35,15 +34,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_coordinates = 12, most_elements = 12, most_cases = 3;
 constexpr int most_reports = 300;  // of progress: no question takes longer than that many steps
 
-/// A folder for the files that projects name, emptied at the end.
+/// A folder for the files that projects name, removed at the end. Nothing is cached.
 const fs::path& folder() {
-  struct Own {
-    fs::path path = fs::temp_directory_path() / ("trivet-exercise-" + std::to_string(::getpid()));
-    Own() { fs::create_directories(path), ::setenv("TRIVET_CACHE", "", 1); }
-    ~Own() { fs::remove_all(path); }
-  };
-  static const Own own;
-  return own.path;
+  static const int without_cache = ::setenv("TRIVET_CACHE", "", 1);
+  static_cast<void>(without_cache);
+  static const foundation::TemporaryFolder own;
+  return own.path();
 }
 
 fs::path written(std::string_view bytes, const std::string& name) {

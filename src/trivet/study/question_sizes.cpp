@@ -9,7 +9,6 @@
 namespace trivet::study {
 namespace {
 
-constexpr double most_curves = 2000;     // of one question: tables, figures and a page of more are read by nobody
 constexpr double most_values = 3e6;      // points × curves; with tables, page and figures each takes some 350 bytes
 constexpr double longest_search = 3600;  // [s]
 constexpr std::size_t most_inputs =
@@ -43,15 +42,15 @@ class Sizes {
   }
 
   void check_curves(const std::string& question, double count) {
-    if (count > most_curves)
+    if (count > static_cast<double>(most_curves))
       problems.error(question, fmt::format("{:.0f} curves", count),
-                     fmt::format("at most {:.0f} are computed for one question", most_curves),
+                     fmt::format("at most {} are computed for one question", most_curves),
                      "name fewer answers in `of`");
   }
 
   void check_search(const std::string& question, double count) {
     check_curves(question, count);
-    if (const double seconds = seconds_of_search(count, all_); count <= most_curves && seconds > longest_search)
+    if (const double seconds = seconds_of_search(count, all_); count <= static_cast<double>(most_curves) && seconds > longest_search)
       problems.error(
           question,
           fmt::format("resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: some {:.2g} hours of search",

@@ -11,6 +11,9 @@ namespace trivet::study {
 /// have as many.
 inline constexpr std::size_t most_coordinates = 600;
 
+/// Curves of one question: tables, figures and a page of more are read by nobody.
+inline constexpr std::size_t most_curves = 2000;
+
 /// Copies of bodies, elements and excitations that all cases of a file hold together: each costs some ten kilobytes.
 inline constexpr std::size_t most_things_of_cases = 50'000;
 

@@ -10,11 +10,11 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/idle_key.h"
 #include "trivet/study/admissible_range.h"
+#include "trivet/study/question_sizes.h"
 
 namespace trivet::study {
 namespace {
 
-constexpr std::size_t most_words = 2000;  // of `of`: as many curves as are computed for one question
 
 }  // namespace
 
@@ -82,8 +82,8 @@ std::string ResultNames::remedy(const std::string& name) const {
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
   const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
-  if (words->size() > most_words) {
-    reader.error("of", fmt::format("{} answers", words->size()), fmt::format("at most {} are named for one question", most_words), "name fewer");
+  if (words->size() > most_curves) {
+    reader.error("of", fmt::format("{} answers", words->size()), fmt::format("at most {} are named for one question", most_curves), "name fewer");
     return;
   }
   for (const std::string& word : *words) {
