@@ -14,6 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/plausibility/suspicion.h"
 #include "trivet/study/admissible_range.h"
 #include "trivet/study/answers_json.h"
 #include "trivet/study/further_json.h"
@@ -141,7 +142,7 @@ std::string rendered(const std::string& which, const study::Case& variant, const
     return options.json  ? study::response_json(answers)
            : options.csv ? study::response_csv(answers)
                          : excited_by(variant) + response_text(answers) + limits_text(answers) + limit_lines_text(answers);
-  if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : peaks_text(answers);
+  if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : excited_by(variant) + peaks_text(answers);
   if (which == "random") return options.json ? study::random_json(answers) : options.csv ? study::random_csv(answers) : random_text(answers);
   if (which == "transient") return options.json ? study::transient_json(answers) : options.csv ? study::transient_csv(answers) : transient_text(answers);
   if (which == "orders") return options.json ? study::orders_json(answers) : options.csv ? study::orders_csv(answers) : orders_text(answers);
@@ -211,6 +212,8 @@ int check_command(const Options& options) {
       text += "  note: " + motion + "\n";
       if (variant.name.empty()) free_motions.push_back(motion);
     }
+    if (variant.name.empty())
+      for (const std::string& note : plausibility::overturning_notes(variant.system)) text += "  note: " + note + "\n";
     if (options.deep) {
       const response::DeepCheck deep = study::deep_check(variant);
       agrees = agrees && deep.passed;

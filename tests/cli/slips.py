@@ -249,13 +249,13 @@ def speed_in_rpm(p):
 
 
 def soft_foundation(p):
-    """A floor five times as stiff as its mount, in N/mm taken for N/m."""
-    typed = [e for e in elements(p, "bushing") if "from" not in e and "foundation" not in e]
-    typed = [e for e in typed if not any(isinstance(v, str) for v in e["translation"])]
-    if not typed:
+    """A floor twice as stiff as a mount under every one of them, in N/mm taken for N/m."""
+    typed = [e for e in p["elements"].values() if "from" not in e]
+    if not typed or any(e["type"] != "bushing" or "foundation" in e or any(isinstance(v, str) for v in e["translation"]) for e in typed):
         return False
-    p.setdefault("foundations", {})["+floor"] = {"type": "impedance", "translation": [5e-3 * max(typed[0]["translation"])] * 3}
-    typed[0]["foundation"] = "+floor"
+    p.setdefault("foundations", {})["+floor"] = {"type": "impedance", "translation": [2e-3 * max(typed[0]["translation"])] * 3}
+    for e in typed:
+        e["foundation"] = "+floor"
     without_cases(p)
 
 
@@ -302,6 +302,30 @@ def limit_in_millimetres(p):
     without_cases(p)
 
 
+def no_quantity(p):
+    p["excitations"]["+sine"] = {"type": "base", "translation": [0, 0, "98 m"]}
+    without_cases(p)
+
+
+def velocity_limit_in_millimetres(p):
+    limit_in_millimetres(p)
+    p["analyses"]["response"]["quantity"] = "velocity"
+    p["limits"] = {f"{first_name(p)}.z": 7.1}
+
+
+def motor_speed(p):
+    speed_in_rpm(p)
+    p["excitations"]["+rotor"]["service_speed"] = 1480
+
+
+def one_damper(p):
+    typed = elements(p, "damper")
+    if len({(e["on"], e.get("from"), toml(e["coefficient"])) for e in typed}) != 1 or len(typed) < 3:
+        return False
+    typed[1]["coefficient"] = times(typed[1]["coefficient"], 1e-3)
+    without_cases(p)
+
+
 SLIPS = {
     "mass in grams": ("mass", mass(1e3)), "mass in tonnes": ("mass", mass(1e-3)),
     "places in millimetres": ("places", places(1e3)), "places in centimetres": ("places", places(1e2)),
@@ -320,5 +344,7 @@ SLIPS = {
     "floor in N/mm": ("stiffness", soft_foundation),
     "one direction in N/mm": ("stiffness", one_direction_in_newtons_per_mm), "scale in percent": ("scale", scale_in_percent),
     "one mount without damping": ("unequal mounts", one_without_damping), "grade times 1000": ("rotor", grade_times_thousand),
-    "limit in mm": ("limit", limit_in_millimetres),
+    "limit in mm": ("limit", limit_in_millimetres), "limit in mm/s": ("limit", velocity_limit_in_millimetres),
+    "ground without its quantity": ("ground motion", no_quantity), "speed of a motor in rpm": ("speed", motor_speed),
+    "one damper in kN s/m": ("viscous damping", one_damper),
 }

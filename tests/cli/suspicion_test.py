@@ -136,6 +136,13 @@ def sound_machine(r):
     if pose == "wall":
         centre = centre_wall
         jx, jz = jz, jx
+    extra = random.Random(f"parts {m}")
+    if pose == "standing" and extra.random() < 0.3:  # feet with a height, on a body with a position
+        project_position = [extra.uniform(-2, 2), extra.uniform(-2, 2), 0.3 * edge]
+        for e in mounts.values():
+            e["from_at"] = [e["at"][0] + project_position[0], e["at"][1] + project_position[1], 0.2 * edge]
+    else:
+        project_position = [0, 0, 0]
     project = {"trivet": 1, "bodies": {"machine": {"mass": m, "center_of_mass": centre,
                                                    "inertia": {"about": "center_of_mass", "xx": jx, "yy": jy, "zz": jz},
                                                    "points": {"top": [0.3 * a, 0.2 * b, 2 * up]}}}, "elements": mounts,
@@ -143,7 +150,37 @@ def sound_machine(r):
                "analyses": {"modes": {}, "response": {"band": [0, f"{4 * hertz} Hz"]}}}
     if r.random() < 0.7:
         project["gravity"] = [0, 0, -G]
+    add_parts(project, extra, m, edge, hertz, k)
+    project["bodies"]["machine"]["position"] = project_position
     return project
+
+
+def add_parts(project, extra, m, edge, hertz, k):
+    """What a file asks and adds beside the machine, in usual relations."""
+    mounts, analyses, excitations = project["elements"], project["analyses"], project["excitations"]
+    if extra.random() < 0.3:
+        project["limits"] = {"machine.z": 10 ** extra.uniform(-6, -1.5) * edge}
+    if extra.random() < 0.3:
+        duration = 10 ** extra.uniform(-1.3, 1) / hertz
+        excitations["shock"] = {"type": "time", "on": "machine", "at": [0, 0, 0], "force": [0, 0, 1],
+                                "history": {"half_sine": {"amplitude": 0.1 * m * G, "duration": duration}}}
+        analyses["transient"] = {"to": duration + 20 / hertz, "step": min(duration, 1 / hertz) / 40}
+    if extra.random() < 0.3:
+        rpm = 10 ** extra.uniform(2.5, 4 - 0.15 * math.log10(m))
+        excitations["rotor"] = {"type": "unbalance", "on": "machine", "at": [0, 0, 0], "axis": "x",
+                                "grade": extra.choice([0.4, 2.5, 6.3, 16, 40, 250]), "rotor_mass": m * extra.uniform(0.05, 0.5),
+                                "service_speed": f"{rpm} rpm"}
+    if extra.random() < 0.2:
+        for e in mounts.values():
+            e["damping"] = {"translation": [2 * extra.uniform(0.02, 0.4) * math.sqrt(k * m / len(mounts))] * 3}
+    if extra.random() < 0.2:
+        for e in mounts.values():
+            e["scale"] = extra.choice([0.5, 0.8, 1.2, 2])
+    if extra.random() < 0.2 and not any("from_at" in e for e in mounts.values()):
+        floor = k * 10 ** extra.uniform(-0.3, 2)
+        project["foundations"] = {"floor": {"type": "impedance", "translation": [floor, floor, floor], "damping": {"loss_factor": 0.05}}}
+        for e in mounts.values():
+            e["foundation"] = "floor"
 
 
 class SoundMachines(InTemporaryFolder):
@@ -177,6 +214,18 @@ class Acceptances(InTemporaryFolder):
         self.machine["bodies"]["compressor"]["accept"] = {"mass": "filled with lead"}
         self.assertEqual(reported_kinds(self.check(self.machine)), ["modal damping"])
         self.machine["damping"]["accept"] = {"modal damping": "in oil"}
+        done = self.check(self.machine)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_do_not_silence_other_rules(self):
+        self.machine["limits"] = {"compressor.z": 12}
+        self.machine["analyses"] = {"response": {"band": [0, "30 Hz"], "of": ["compressor.z"]}}
+        self.machine.pop("limit_lines", None)
+        self.machine["bodies"]["compressor"]["mass"] = 400000
+        self.assertEqual(reported_kinds(self.check(self.machine)), ["mass"])
+        self.machine["bodies"]["compressor"]["accept"] = {"mass": "filled with lead"}
+        self.assertEqual(reported_kinds(self.check(self.machine)), ["limit"])
+        self.machine["limits"]["accept"] = {"limit": "none at all"}
         done = self.check(self.machine)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 

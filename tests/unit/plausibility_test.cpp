@@ -133,6 +133,43 @@ TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
   EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 5e4)}.text()), ElementsAre("lift-off"));
 }
 
+TEST(Plausibility, KnowsRimsThatBurst) {
+  // A steel cylinder twice as long as thick, r³ = m / 4πρ: 100 kg have 0.1004 m, 600 m/s are 5975 rad/s.
+  const double radius = std::cbrt(100 / (4 * pi * 7850));
+  const auto rotor = [&](double rim) {
+    return fmt::format("[excitations.rotor]\ntype = \"unbalance\"\non = \"cube\"\nat = [0, 0, 0.5]\naxis = \"x\"\ngrade = 6.3\nrotor_mass = 100\nservice_speed = \"{} rad/s\"\n", rim / radius);
+  };
+  EXPECT_THAT(kinds(Cube{.more = rotor(599)}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = rotor(601)}.text()), ElementsAre("speed"));
+}
+
+TEST(Plausibility, KnowsEndsTypedInTheFrameOfTheBody) {
+  const auto end = [](double z) { return fmt::format("from_at = [0.5, 0.5, {}]", z); };
+  // All four mounts end at one corner of the ground's frame: only those of a body with a position can be meant otherwise.
+  const std::string position = "position = [0, 0, 1.2]";
+  std::string text = Cube{.of_body = position}.text();
+  EXPECT_THAT(kinds(text), IsEmpty());
+  text += "[elements.post]\ntype = \"bushing\"\non = \"cube\"\nat = [0.5, 0.5, 0]\ntranslation = [3e6, 3e6, 3e6]\ndamping = {loss_factor = 0.1}\n";
+  EXPECT_THAT(kinds(text + end(-0.05)), testing::Contains("places"));
+  EXPECT_THAT(kinds(text + end(1.15)), testing::Not(testing::Contains("places")));
+}
+
+TEST(Plausibility, TellsAMachineThatFallsOver) {
+  // Four springs of 20 N/mm at ±0.2 m: k = 4 · 20e3 · 0.2² = 3200 N m/rad against m g h.
+  const auto rack = [](double h) {
+    std::string text = fmt::format("trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, {}]\ninertia = {{about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}}\n", h);
+    int number = 0;
+    for (const double x : {-0.2, 0.2})
+      for (const double y : {-0.2, 0.2}) text += fmt::format("[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n", ++number, x, y);
+    return plausibility::overturning_notes(test::project(text).base().system);
+  };
+  EXPECT_THAT(rack(0.27), IsEmpty());  // 24.8 %
+  EXPECT_THAT(rack(0.28), ElementsAre(testing::HasSubstr("26 % of the stiffness are lost")));
+  EXPECT_THAT(rack(1.08), ElementsAre(testing::HasSubstr("99 % of the stiffness are lost")));
+  EXPECT_THAT(rack(1.09), ElementsAre(testing::HasSubstr("by 3208 N m/rad, its mounts hold it by 3200 N m/rad: it falls over")));
+  EXPECT_THAT(rack(-1), IsEmpty());
+}
+
 TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
   const std::string push = "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());

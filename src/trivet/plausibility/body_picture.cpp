@@ -15,6 +15,8 @@ namespace {
 constexpr double standard_gravity = 9.80665;
 /// Share of the largest stiffness or ω² below which a direction counts as not held.
 constexpr double unheld = 1e-9;
+/// Share of the rotational stiffness about an end that is rounding of what its translations and arm make.
+constexpr double rounding = 1e-12;
 
 /// Stiffnesses of these types are numbers with a unit in the project or its files; all others follow from dimensions
 /// or come from a
@@ -49,6 +51,7 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
   result.coupling = block(stiffness, 0, 1);
   result.own_rotation = block(stiffness, 1,
       1) - result.coupling.transpose() * pseudo_inverse(result.translation) * result.coupling;
+  if (result.own_rotation.trace() <= rounding * block(stiffness, 1, 1).trace()) result.own_rotation.setZero();
   result.typed = is_typed(element);
   if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping))
     result.proportional = proportional->factor * (proportional->of_nominal ? 1 / element.law.scale : 1);
@@ -107,6 +110,8 @@ std::vector<double> held_eigenvalues(const Eigen::MatrixXd& k, const Eigen::Matr
 double hertz(double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); }
 
 }  // namespace
+
+spatial::Matrix6 stiffness_about_centre(const BodyPicture& picture) { return stiffness_at(picture, picture.mass.centre, {}); }
 
 double mass_radius(const spatial::MassProperties& mass) {
   return std::sqrt(std::abs(mass.inertia_about_centre.trace()) / (2 * mass.mass));

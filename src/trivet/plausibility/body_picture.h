@@ -63,6 +63,9 @@ struct Features {
 /// The features after one slip is undone.
 [[nodiscard]] Features features(const BodyPicture& picture, const Slip& undone);
 
+/// Of all its elements at the centre of mass, their other ends held still; body frame.
+[[nodiscard]] spatial::Matrix6 stiffness_about_centre(const BodyPicture& picture);
+
 /// Rms distance of the mass from its centre [m].
 [[nodiscard]] double mass_radius(const spatial::MassProperties& mass);
 

@@ -55,22 +55,29 @@ void judge_elements(const model::System& system, Suspicions& found) {
                          "check the unit, or the ratio of B to K that is meant"});
 }
 
-/// δ of B = δK that overdamps even the lowest mode.
+/// B = δK that overdamps the translations of a body: the mean of δ over its stiffnesses counts.
 void judge_overdamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   constexpr double far_overdamped = 2;
   for (const BodyPicture& picture : pictures) {
-    const Features features = plausibility::features(picture, {});
+    double stiffness = 0, damping = 0;
+    const Attachment* most = nullptr;
     for (const Attachment& a : picture.attachments) {
-      const auto* proportional = std::get_if<elements::ProportionalDamping>(&system.elements()[a.element].law.damping);
-      const double ratio = proportional && features.lowest ? std::numbers::pi * *features.lowest * a.proportional : 0;
-      if (ratio <= far_overdamped || proportional->factor > most_proportional) continue;
-      found.push_back({"proportional damping", "elements." + system.elements()[a.element].name + ".damping.proportional",
-          fmt::format("{:.6g} s", proportional->factor),
-          fmt::format("it gives the lowest mode of \"{}\" ({:.3g} Hz) the damping ratio {:.3g}, the others more",
-              system.bodies()[picture.body].name, *features.lowest, ratio),
-          fmt::format("write \"{:.6g} ms\" if milliseconds are meant", proportional->factor)});
-      return;
+      const bool proportional = std::holds_alternative<elements::ProportionalDamping>(system.elements()[a.element].law.damping);
+      const double part = proportional ? a.proportional * a.translation.trace() : 0;
+      stiffness += a.translation.trace();
+      damping += part;
+      if (part > 0 && (!most || part > most->proportional * most->translation.trace())) most = &a;
     }
+    const Features features = plausibility::features(picture, {});
+    if (!most || !features.frequency || most->proportional > most_proportional) continue;
+    const double ratio = std::numbers::pi * *features.frequency * damping / stiffness;
+    if (ratio <= far_overdamped) continue;
+    found.push_back({"proportional damping", "elements." + system.elements()[most->element].name + ".damping.proportional",
+        fmt::format("{:.6g} s", most->proportional),
+        fmt::format("with it translations of \"{}\" ({:.3g} Hz in the mean) have a damping ratio of about {:.3g}",
+            system.bodies()[picture.body].name, *features.frequency, ratio),
+        fmt::format("write \"{:.6g} ms\" if milliseconds are meant", most->proportional)});
+    return;
   }
 }
 
@@ -102,6 +109,28 @@ void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<Bo
 }
 
 }  // namespace
+
+void judge_dampers(const model::System& system, Suspicions& found) {
+  constexpr double unequal = 50;
+  std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<std::pair<double, std::size_t>>> groups;
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    if (element.type != "damper" || !element.k.body) continue;
+    const double coefficient = elements::viscous_damping(element.law).block<3, 3>(6, 6).trace();
+    if (coefficient > 0) groups[{*element.k.body, element.n.body}].emplace_back(coefficient, e);
+  }
+  for (auto& [bodies, dampers] : groups) {
+    if (dampers.size() < 3) continue;
+    std::sort(dampers.begin(), dampers.end());
+    const double median = dampers[dampers.size() / 2].first;
+    for (const auto& [coefficient, e] : {dampers.front(), dampers.back()}) {
+      const double ratio = coefficient / median;
+      if (ratio < unequal && ratio > 1 / unequal) continue;
+      found.push_back({"viscous damping", "elements." + system.elements()[e].name + ".coefficient", fmt::format("{:.6g} N s/m", coefficient),
+          fmt::format("the others between these bodies have {:.6g} N s/m in the median", median), "check its digits and its unit"});
+    }
+  }
+}
 
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   judge_elements(system, found);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "trivet/elements/law.h"
 #include "trivet/plausibility/rules.h"
@@ -9,32 +12,40 @@
 namespace trivet::plausibility {
 namespace {
 
-/// A foundation below this share of the stiffness of its mount takes over the mount's work: mostly N/mm typed as N/m.
+/// A foundation below this share of the stiffness of its mount takes over the mount's work.
 constexpr double softest = 1.0 / 30;
+/// Machines on mounts have translations from here on [Hz]; a stiff joint on a flexible deck is usual.
+constexpr double lowest_usual = 0.8;
 
 /// Translational stiffness of one end against the other, in the axes of the ground [N/m].
 Eigen::Matrix3d translation(const model::Element& element, const model::End& end, int first) {
   return end.axes * elements::stiffness(element.law).block<3, 3>(first, first) * end.axes.transpose();
 }
 
+/// Natural frequency of a body of which all mounts stood on such springs [Hz].
+double frequency_on(double stiffness, const BodyPicture& picture) {
+  return std::sqrt(static_cast<double>(picture.attachments.size()) * stiffness / picture.mass.mass) / (2 * std::numbers::pi);
+}
+
 }  // namespace
 
-void judge_foundations(const model::System& system, Suspicions& found) {
+void judge_foundations(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   std::map<std::size_t, const model::Element*> places;
   for (const model::Element& element : system.elements())
     if (element.is_foundation && element.k.foundation) places[element.k.foundation->foundation] = &element;
   for (const model::Element& mount : system.elements()) {
     if (mount.is_foundation || !mount.n.foundation) continue;
     const auto place = places.find(mount.n.foundation->foundation);
-    if (place == places.end()) continue;
+    const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) { return p.body == mount.k.body; });
+    if (place == places.end() || picture == pictures.end()) continue;
     const Eigen::Vector3d own = translation(mount, mount.n, 0).diagonal(),
                           below = translation(*place->second, place->second->k, 6).diagonal();
     for (int j = 0; j < 3; ++j) {
-      if (!(below(j) > 0) || below(j) >= softest * own(j)) continue;
+      if (!(below(j) > 0) || below(j) >= softest * own(j) || frequency_on(below(j), *picture) >= lowest_usual) continue;
       found.push_back({"stiffness", "foundations." + mount.name + ".translation",
           fmt::format("{:.6g} N/m along {}", below(j), "xyz"[j]),
-          fmt::format("the mount \"{}\" on it has {:.6g} N/m; a foundation is mostly the stiffer of both", mount.name,
-              own(j)),
+          fmt::format("the mount \"{}\" on it has {:.6g} N/m; on such springs alone \"{}\" would have {:.2g} Hz", mount.name,
+              own(j), system.bodies()[picture->body].name, frequency_on(below(j), *picture)),
           fmt::format("it would be {:.6g} N/m if typed in N/mm", 1000 * below(j))});
       break;
     }

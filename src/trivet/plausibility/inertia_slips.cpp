@@ -49,9 +49,6 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
     return InertiaSlip{"products of inertia",
         "suspicion \"products of inertia\": with the other sign of its products the body is possible: xy = ∫xy dm, "
         "and not the entry of the tensor"};
-  const spatial::MassProperties other_point =
-      inertia_about_pole ? spatial::MassProperties{mass.mass, mass.centre, typed}
-          : spatial::from_inertia_about_pole(mass.mass, mass.centre, typed);
   if (inertia_about_pole) {
     struct Unit {
       const char* kind;
@@ -67,7 +64,7 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
                                                    {"inertia", "inertia in g cm²", 1, 1, 1e-7},
                                                    {"mass", "mass in tonnes", 1e3, 1, 1}}};
     InertiaSlip slip;
-    if (is_real(other_point)) slip = {"inertia", "suspicion \"inertia\": about the centre of mass, not the pole, the body is possible"};
+    if (is_real({mass.mass, mass.centre, typed})) slip = {"inertia", "suspicion \"inertia\": about the centre of mass, not the pole, the body is possible"};
     for (const Unit& unit : units)
       if (is_real(with(unit.mass * mass.mass, unit.centre * mass.centre, unit.inertia * typed))) {
         slip.words += fmt::format("{}suspicion \"{}\": with the {} the body is possible", slip.words.empty() ? ""

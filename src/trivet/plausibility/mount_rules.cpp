@@ -53,6 +53,8 @@ std::map<Group, std::vector<Member>> groups(const model::System& system, const s
   return result;
 }
 
+bool is_percent(double scale) { return scale >= 30 && scale <= 300; }
+
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
   return values[values.size() / 2];
@@ -113,6 +115,7 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     const auto [low, high] = std::minmax_element(others.begin(), others.end());
     const double usual = median(others), ratio = m.translation / usual;
     const model::Element& element = system.elements()[m.element];
+    if (is_percent(element.law.scale)) continue;  // named as such
     const bool stands_out = (ratio > unequal || ratio < 1 / unequal) && *high < unequal * *low;
     if (stands_out && (members.size() > 2 || m.element < members[0].element + members[1].element - m.element)) {
       const double factor = std::max(ratio, 1 / ratio);
@@ -139,84 +142,72 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
   }
 }
 
-/// One of several equal mounts without any damping, the others with it.
-void find_undamped(const model::System& system, const std::vector<Member>& members, Suspicions& found) {
-  constexpr double equal = 1e-6;
-  if (members.size() < 3) return;
-  const auto is_damped = [&](const Member& m) { return !std::holds_alternative<std::monostate>(system.elements()[m.element].law.damping); };
-  const Member* undamped = nullptr;
-  for (const Member& m : members) {
-    if (std::abs(m.translation - members.front().translation) > equal * members.front().translation) return;
-    if (is_damped(m)) continue;
-    if (undamped) return;
-    undamped = &m;
-  }
-  if (!undamped) return;
-  const std::string& name = system.elements()[undamped->element].name;
-  found.push_back({"unequal mounts", "elements." + name, "it has no damping",
-      fmt::format("the {} others of its kind and stiffness have", members.size() - 1), "probably a line is missing"});
-}
-
 std::string and_more(std::size_t count) { return count > 1 ? fmt::format(", and so {} more", count - 1) : ""; }
 
-/// `scale` in percent.
-void find_scales(const model::System& system, Suspicions& found) {
-  constexpr double from = 30, to = 300;
-  std::vector<const model::Element*> scaled;
-  for (const model::Element& element : system.elements())
-    if (element.law.scale >= from && element.law.scale <= to) scaled.push_back(&element);
-  if (scaled.empty()) return;
-  const double scale = scaled.front()->law.scale;
-  found.push_back({"scale", "elements." + scaled.front()->name + ".scale", fmt::format("{:.6g}{}", scale, and_more(scaled.size())),
-      "a factor on stiffness and damping lies mostly between 0.1 and 10",
-      fmt::format("write \"{:.6g} %\" if percent are meant", scale)});
+/// `scale` in percent. Adds the elements to those blamed.
+void find_scales(const model::System& system, Suspicions& found, std::vector<std::size_t>& blamed) {
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    if (is_percent(system.elements()[e].law.scale)) blamed.push_back(e);
+  if (blamed.empty()) return;
+  const model::Element& first = system.elements()[blamed.front()];
+  found.push_back({"scale", "elements." + first.name + ".scale", fmt::format("{:.6g}{}", first.law.scale, and_more(blamed.size())),
+      "a factor on stiffness and damping is mostly between 0.1 and 10",
+      fmt::format("write \"{:.6g} %\" if percent are meant", first.law.scale)});
 }
 
-/// Mounts longer than the machine: the place of one end may be in another frame than its number.
-void find_long_mounts(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
-  constexpr double longest = 2.5;  // of the root mean square distance of the mass from its centre
+/// Mounts on the ground whose `from_at` was typed in the frame of the body: read so, they would be short.
+void find_ends_in_another_frame(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  constexpr double much_shorter = 1.0 / 3;
   for (const BodyPicture& picture : pictures) {
     std::vector<const model::Element*> mounts;
     for (const Attachment& a : picture.attachments) {
       const model::Element& element = system.elements()[a.element];
-      const double length = model::span(system.bodies(), element.n, element.k).arm.norm();
-      if (is_compact(element.type) && element.k.body == picture.body && length > longest * mass_radius(picture.mass)) mounts.push_back(&element);
+      if (!is_compact(element.type) || element.k.body != picture.body || element.n.body) continue;
+      const double length = model::span(system.bodies(), element.n, element.k).arm.norm(), meant = (element.k.at - element.n.at).norm();
+      if (length > mass_radius(picture.mass) && meant < much_shorter * length) mounts.push_back(&element);
     }
     if (mounts.empty()) continue;
     const model::Element& first = *mounts.front();
     found.push_back({"places", "elements." + first.name + ".from_at",
         fmt::format("its ends are {:.4g} m apart{}", model::span(system.bodies(), first.n, first.k).arm.norm(), and_more(mounts.size())),
-        fmt::format("a mount is shorter than its machine; the mass of \"{}\" is {:.3g} m from its centre (root mean square)",
-            system.bodies()[picture.body].name, mass_radius(picture.mass)),
-        first.n.body ? "from_at is in the frame of the body that `from` names; check it and its unit"
-                     : "from_at is in the frame of the ground; check it, its unit and the position of the body"});
+        "from_at is in the frame of the ground, and the body has a position",
+        fmt::format("they would be {:.4g} m apart if typed in the frame of \"{}\"", (first.k.at - first.n.at).norm(),
+            system.bodies()[picture.body].name)});
   }
 }
 
-/// Stiffnesses of one direction in another unit than those of the others.
+/// Stiffnesses of one direction in another unit than those of both others; under gravity that of the weight, since guides and
+/// bearings are soft in another one.
 void find_mixed_directions(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   constexpr double soft = 0.5;  // natural frequency of translation that machines on mounts hardly have [Hz]
+  const auto& gravity = system.description().gravity;
   for (const BodyPicture& picture : pictures) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     const Attachment* first = nullptr;
     bool alike = true;
     for (const Attachment& a : picture.attachments) {
       if (!a.elastic()) continue;
-      const Eigen::Vector3d k = a.translation.diagonal();
-      if (!first) first = &a;
-      alike = alike && a.typed && k.minCoeff() > 0 && k.maxCoeff() > thousand_from * k.minCoeff() && k.maxCoeff() < thousand_to * k.minCoeff();
+      Eigen::Vector3d k = a.translation.diagonal();
       sum += k;
+      if (!first) first = &a;
+      std::sort(k.begin(), k.end());
+      alike = alike && a.typed && k(0) > 0 && k(1) > thousand_from * k(0) && k(1) < thousand_to * k(0);
     }
     if (!first || !alike) continue;
-    const double frequency = std::sqrt(sum.minCoeff() / picture.mass.mass) / (2 * std::numbers::pi);
+    Eigen::Index softest = 0;
+    const double frequency = std::sqrt(sum.minCoeff(&softest) / picture.mass.mass) / (2 * std::numbers::pi);
+    constexpr double along = 0.9;
+    if (gravity && !gravity->isZero(0)) {
+      const Eigen::Vector3d down = system.bodies()[picture.body].pose.rotation.transpose() * gravity->normalized();
+      if (std::abs(down(softest)) < along) continue;
+    }
     if (frequency >= soft) continue;
     const model::Element& element = system.elements()[first->element];
+    const double least = first->translation.diagonal().minCoeff();
     found.push_back({"stiffness", "elements." + element.name + key(element.type, false),
-        fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", first->translation.diagonal().minCoeff(),
-            first->translation.diagonal().maxCoeff()),
+        fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", least, first->translation.diagonal().maxCoeff()),
         fmt::format("translations of \"{}\" begin at {:.3g} Hz", system.bodies()[picture.body].name, frequency),
-        fmt::format("the softest would be {:.6g} N/m if typed in N/mm; look at the other elements too",
-            1e3 * first->translation.diagonal().minCoeff())});
+        fmt::format("the softest would be {:.6g} N/m if typed in N/mm; look at the other elements too", 1e3 * least)});
   }
 }
 
@@ -225,15 +216,32 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
     Suspicions& found) {
   std::vector<std::size_t> blamed;
+  find_scales(system, found, blamed);
   for (const auto& [group, members] : groups(system, pictures)) {
     find_same_places(system, pictures, members, found);
     find_unequal(system, members, found, blamed);
-    find_undamped(system, members, found);
   }
   find_mixed_directions(system, pictures, found);
-  find_long_mounts(system, pictures, found);
-  find_scales(system, found);
+  find_ends_in_another_frame(system, pictures, found);
   return blamed;
+}
+
+void judge_undamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  constexpr double equal = 1e-6;
+  const auto is_damped = [&](std::size_t e) { return !std::holds_alternative<std::monostate>(system.elements()[e].law.damping); };
+  for (const auto& [group, members] : groups(system, pictures)) {
+    const bool with_dampers = std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& e) {
+      return e.type == "damper" && (e.k.body == std::get<0>(group) || e.n.body == std::get<0>(group));
+    });
+    const bool are_equal = std::all_of(members.begin(), members.end(), [&](const Member& m) {
+      return std::abs(m.translation - members.front().translation) <= equal * members.front().translation;
+    });
+    const auto undamped = std::count_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
+    if (members.size() < 3 || with_dampers || !are_equal || undamped != 1) continue;
+    const auto one = std::find_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
+    found.push_back({"unequal mounts", "elements." + system.elements()[one->element].name, "it has no damping",
+        fmt::format("the {} others of its kind and stiffness have", members.size() - 1), "probably a line is missing"});
+  }
 }
 
 void judge_rotation(const model::System& system, const BodyPicture& picture, Suspicions& found) {

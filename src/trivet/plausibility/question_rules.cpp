@@ -23,8 +23,11 @@ constexpr Eigen::Index most_coordinates = 300;
 /// A pulse has at most so many pieces; a longer history is a record, which may be cut behind its largest value.
 constexpr std::size_t most_pieces_of_pulse = 8;
 
-/// Periods of the lowest mode: a pulse that lasts longer is no shock.
-constexpr double most_periods_of_pulse = 20;
+/// Periods of the lowest mode: a pulse that lasts longer is no shock. In milliseconds it would be one.
+constexpr double most_periods_of_pulse = 20, shock_from = 0.05, shock_to = 5;
+
+/// Velocities that standards on vibration allow are mm/s [m/s].
+constexpr double fastest_allowed = 0.5;
 
 /// Natural frequencies above 0, ascending [rad/s]; empty if the system is too large or has no such modes.
 std::vector<double> natural_frequencies(const model::System& system) {
@@ -96,7 +99,8 @@ void judge_pulses(const model::System& system, const TimeQuestion& question, dou
         question.excitations.end(), excitation.name) != question.excitations.end();
     if (!history || !asked || !is_pulse(history->signal)) continue;
     const double duration = history->signal.pieces.back().start - history->signal.pieces.front().start;
-    if (duration * hertz(lowest) > most_periods_of_pulse)
+    const double periods = duration * hertz(lowest), meant = periods / 1000;
+    if (periods > most_periods_of_pulse && meant > shock_from && meant < shock_to)
       found.push_back({"pulse", "excitations." + excitation.name + ".history", fmt::format("it lasts {:.6g} s", duration),
           fmt::format("over more than {:.0f} periods of the lowest mode ({:.4g} Hz) a pulse acts like a constant force",
               most_periods_of_pulse, hertz(lowest)),
@@ -116,8 +120,8 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
     const double end = end_of(history->signal) + excitation.action.delay;
     if (name.empty() || end > latest) latest = end, name = excitation.name;
   }
-  const std::string finding = fmt::format("it ends at {:.6g} s", question.to);
-  if (question.to < latest) {
+  const std::string finding = fmt::format("it ends at {:.6g} s", question.to.value_or(0));
+  if (question.to && *question.to < latest) {
     found.push_back({"transient", "analyses.transient.to", finding, fmt::format("\"{}\" lasts to {:.6g} s", name,
         latest), "let it end some periods later"});
     return;
@@ -125,7 +129,7 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
   if (natural.empty()) return;
   judge_pulses(system, question, natural.front(), found);
   const double half_period = std::numbers::pi / natural.front();
-  if (question.to - latest < half_period)
+  if (question.to && *question.to - latest < half_period)
     found.push_back({"transient", "analyses.transient.to", finding,
                      fmt::format("half a period of the lowest mode ({:.4g} Hz) is {:.4g} s{}", hertz(natural.front()),
                          half_period, name.empty() ? "" : fmt::format(", after \"{}\" at {:.4g} s", name, latest)),
@@ -133,6 +137,47 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
 }
 
 }  // namespace
+
+void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits, const std::vector<BodyPicture>& pictures,
+    Suspicions& found) {
+  for (const AllowedMotion& limit : limits) {
+    const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) {
+      return system.bodies()[p.body].name == limit.body;
+    });
+    if (picture == pictures.end()) continue;
+    if (limit.is_velocity && limit.amplitude > fastest_allowed)
+      found.push_back({"limit", limit.subject, fmt::format("{:.6g} m/s allowed for {}", limit.amplitude, limit.answer),
+          fmt::format("limits of vibration are below {:.1g} m/s", fastest_allowed),
+          fmt::format("write \"{:.6g} mm/s\" if millimetres are meant", limit.amplitude)});
+    const double size = 2 * mass_radius(picture->mass);
+    if (limit.is_velocity || !(size > 0) || limit.amplitude <= size) continue;
+    found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
+        fmt::format("it is more than the size of \"{}\", {:.3g} m, so that it limits nothing", limit.body, size),
+        fmt::format("write \"{:.6g} mm\" if millimetres are meant", limit.amplitude)});
+  }
+}
+
+void judge_ground_motion(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  constexpr double farthest = 10, sizes = 10;  // [m], and sizes of the largest body: an earthquake moves the ground by 1 m
+  double size = 0;
+  for (const BodyPicture& picture : pictures) size = std::max(size, 2 * mass_radius(picture.mass));
+  for (const model::Excitation& excitation : system.description().excitations) {
+    const model::Action& action = excitation.action;
+    if (action.body || action.derivative != 0 || !(size > 0)) continue;
+    double amplitude = action.amplitude.head<3>().cwiseAbs().maxCoeff();
+    if (const auto* history = std::get_if<model::History>(&excitation.course)) {
+      double largest = 0;
+      for (const excitation::Piece& piece : history->signal.pieces)
+        largest = std::max({largest, std::abs(piece.value), piece.kappa > 0 ? std::abs(piece.rate) / piece.kappa : 0});
+      amplitude *= largest;
+    } else if (!std::holds_alternative<model::Harmonic>(excitation.course)) {
+      continue;
+    }
+    if (amplitude > farthest && amplitude > sizes * size)
+      found.push_back({"ground motion", "excitations." + excitation.name, fmt::format("the ground moves by {:.4g} m", amplitude),
+          fmt::format("the machine is {:.2g} m large", size), "add quantity = \"acceleration\" if that is meant"});
+  }
+}
 
 void judge_questions(const model::System& system, const Stated& stated, Suspicions& found) {
   if (stated.windows.empty() && !stated.transient) return;

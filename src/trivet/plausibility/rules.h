@@ -14,6 +14,9 @@ using Suspicions = std::vector<Suspicion>;
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
     Suspicions& found);
 
+/// One of several equal mounts without damping, the others with it.
+void judge_undamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+
 /// Rotational stiffnesses that mounts of this translational stiffness under this load cannot have. Call it for a body
 /// that is usual otherwise.
 void judge_rotation(const model::System& system, const BodyPicture& picture, Suspicions& found);
@@ -32,14 +35,24 @@ void judge_ratings(const model::System& system, const std::vector<BodyPicture>& 
 /// Modal ratios and loss factors in percent, Rayleigh's numbers exchanged, factors of proportional damping.
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
-/// Speeds that are usual in revolutions per minute, taken as rad/s.
+/// Bare speeds that are usual in revolutions per minute.
 void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found);
 
 /// Foundations far softer than the mounts on them.
-void judge_foundations(const model::System& system, Suspicions& found);
+void judge_foundations(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
-/// Allowed motions larger than the machine.
-void judge_limits(const std::vector<AllowedMotion>& limits, const std::vector<BodyPicture>& pictures, Suspicions& found);
+/// Allowed motions larger than the body that moves.
+void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits,
+    const std::vector<BodyPicture>& pictures, Suspicions& found);
+
+/// Pistons heavier than their machine.
+void judge_engines(const model::System& system, const std::vector<Engine>& engines, Suspicions& found);
+
+/// Motions of the ground far larger than the machine.
+void judge_ground_motion(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+
+/// Dampers of one kind of which one is far stronger or weaker.
+void judge_dampers(const model::System& system, Suspicions& found);
 
 /// Rotors that weigh more than their machine, run faster than steel holds or are balanced in another unit, unbalances
 /// that would throw the machine about.

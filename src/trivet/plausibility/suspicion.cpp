@@ -29,42 +29,64 @@ bool is_repeated(const BodyVerdict& verdict, const std::vector<BodyVerdict>& bef
 
 }  // namespace
 
+std::string table_of(const std::string& subject) {
+  const std::size_t dot = subject.find('.');
+  if (dot == std::string::npos) return "";
+  const std::string first = subject.substr(0, dot);
+  return first == "damping" || first == "limits" ? first : subject.substr(0, subject.find('.', dot + 1));
+}
+
 std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated) {
+  const auto casts_doubt = [&](const Suspicion& s) {
+    const std::pair<std::string, std::string> key{table_of(s.subject), s.kind};
+    return std::find(stated.accepted.begin(), stated.accepted.end(), key) == stated.accepted.end();
+  };
   Suspicions found;
   const std::vector<BodyPicture> all = pictures(system, stated.inertia_about_pole, stated.from_solids);
   const std::vector<std::size_t> blamed = judge_mounts(system, all, found);
+
   std::vector<BodyVerdict> verdicts;
   for (const BodyPicture& picture : all)
     if (auto verdict = judge(system, picture, stated.windows)) {
       const bool explained = touches(picture, blamed) && (!verdict->slip || verdict->slip->stiffness != 1);
       if (!explained && !is_repeated(*verdict, verdicts)) verdicts.push_back(std::move(*verdict));
     }
+  const auto doubted = [&](const BodyVerdict& v) { return casts_doubt(v.suspicion); };
+  const bool bodies_doubtful = std::any_of(verdicts.begin(), verdicts.end(), doubted);
   for (const BodyPicture& picture : all) {
-    const bool doubted = std::any_of(verdicts.begin(), verdicts.end(),
-        [&](const BodyVerdict& v) { return v.body == picture.body; });
+    const bool own = std::any_of(verdicts.begin(), verdicts.end(),
+        [&](const BodyVerdict& v) { return v.body == picture.body && doubted(v); });
     auto products = doubtful_products(system.bodies()[picture.body].name, picture);
-    if (products && !doubted) found.push_back(std::move(*products));
-    if (verdicts.empty() && blamed.empty()) judge_rotation(system, picture, found);
+    if (products && !own) found.push_back(std::move(*products));
+    if (!bodies_doubtful && blamed.empty()) judge_rotation(system, picture, found);
   }
-  const bool machine_doubtful = !found.empty() || !verdicts.empty();
-  const bool gravity_doubtful = judge_gravity(system, all, found);
+  const bool machine_doubtful = bodies_doubtful || std::any_of(found.begin(), found.end(), casts_doubt);
+  const std::size_t before_gravity = found.size();
+  const bool gravity_doubtful = judge_gravity(system, all, found) &&
+      std::any_of(found.begin() + static_cast<std::ptrdiff_t>(before_gravity), found.end(), casts_doubt);
   // What follows from a wrong mass, place, stiffness or gravity is not a suspicion of its own.
-  const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(), [](const BodyVerdict& v) { return v.slip
-      && v.slip->mass != 1; });
+  const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(),
+      [&](const BodyVerdict& v) { return v.slip && v.slip->mass != 1 && doubted(v); });
   if (!machine_doubtful && !gravity_doubtful) judge_balance(system, found);
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();
     judge_ratings(system, all, stated.ratings, found);
-    if (found.size() > before) std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
-         // too small a mount sags too far
+    if (found.size() > before)  // too small a mount sags too far
+      std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
   }
   for (const BodyVerdict& verdict : verdicts) found.push_back(verdict.suspicion);
+  if (!bodies_doubtful && blamed.empty()) judge_undamped(system, all, found);
   judge_damping(system, all, found);
-  judge_rotors(system, stated.rotors, found);
   judge_speeds(stated.speeds, found);
-  if (!machine_doubtful) judge_limits(stated.allowed_motions, all, found);
-  if (!machine_doubtful) judge_foundations(system, found);
-  if (verdicts.empty() && blamed.empty()) judge_questions(system, stated, found);
+  judge_rotors(system, stated.rotors, found);
+  judge_engines(system, stated.engines, found);
+  judge_dampers(system, found);
+  if (!machine_doubtful) {
+    judge_limits(system, stated.allowed_motions, all, found);
+    judge_foundations(system, all, found);
+    judge_ground_motion(system, all, found);
+  }
+  if (!bodies_doubtful && blamed.empty()) judge_questions(system, stated, found);
   return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/model/system.h"
@@ -31,6 +32,7 @@ inline constexpr const char* kinds[] = {
         "rayleigh",
     "rotor",         "transient",   "band",                "spectrum",       "points",       "viscous damping",
     "pulse",         "speed",       "scale",               "limit",
+    "ground motion",
 };
 
 /// A stretch of frequencies that was asked for, or over which a spectrum drives. [rad/s]
@@ -57,7 +59,7 @@ struct Rotor {
   std::optional<double> service_speed;      ///< [rad/s]
 };
 
-/// A speed of a shaft, as typed without a unit or with one.
+/// A speed of a shaft that was typed without a unit.
 struct Speed {
   std::string subject;  ///< "analyses.orders.speed"
   double value = 0;     ///< [rad/s]
@@ -65,14 +67,23 @@ struct Speed {
 
 /// Largest amplitude of a translation that is allowed.
 struct AllowedMotion {
-  std::string subject;    ///< "bodies.frame"
-  std::string answer;     ///< "frame.z"
-  double amplitude = 0;   ///< [m]
+  std::string body;         ///< "frame"
+  std::string subject;      ///< "limits.frame.z"
+  std::string answer;       ///< "frame.z"
+  double amplitude = 0;     ///< [m], [m/s]
+  bool is_velocity = false;
+};
+
+/// Pistons, with the oscillating part of their rods.
+struct Engine {
+  std::string subject;      ///< "excitations.crank.engine.oscillating_mass"
+  std::size_t body = 0;
+  double oscillating_mass = 0, cylinders = 0;  ///< [kg] of one
 };
 
 /// A question for a motion in time.
 struct TimeQuestion {
-  double to = 0;                         ///< [s]
+  std::optional<double> to;              ///< [s]; none: some periods after the last input
   std::vector<std::string> excitations;  ///< empty: all
 };
 
@@ -85,8 +96,17 @@ struct Stated {
   std::vector<Rotor> rotors;
   std::vector<Speed> speeds;
   std::vector<AllowedMotion> allowed_motions;
+  std::vector<Engine> engines;
   std::optional<TimeQuestion> transient;
+  /// Table and kind of what the user has accepted: it casts no doubt on the rest.
+  std::vector<std::pair<std::string, std::string>> accepted;
 };
+
+/// The table in which a suspicion of this subject is accepted: "bodies.machine", "damping", "limits", "" for the top of the file.
+[[nodiscard]] std::string table_of(const std::string& subject);
+
+/// Bodies so high above their mounts that gravity takes much of the stiffness against tilting, or all of it: one sentence for each.
+[[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system);
 
 /// Everything suspicious, one entry per cause, in the order body, layout, damping, loads, questions.
 [[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);

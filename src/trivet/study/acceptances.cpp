@@ -26,14 +26,6 @@ std::string header(const std::string& table) {
   return "in [" + table.substr(0, dot + 1) + (bare ? name : "\"" + name + "\"") + "]";
 }
 
-/// The table in which a suspicion is accepted.
-std::string table_of(const std::string& subject) {
-  const std::size_t dot = subject.find('.');
-  if (dot == std::string::npos) return "";
-  const std::string first = subject.substr(0, dot);
-  return first == "damping" ? first : subject.substr(0, subject.find('.', dot + 1));
-}
-
 void read_table(const Node& table, const std::string& path, std::vector<Acceptance>& found,
     foundation::Problems& problems) {
   const Node* accept = table.find("accept");
@@ -66,7 +58,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
 }  // namespace
 
 bool may_accept(const std::string& path) {
-  if (path == "damping") return true;
+  if (path == "damping" || path == "limits") return true;
   const std::size_t dot = path.find('.');
   return dot != std::string::npos && path.find('.', dot + 1) == std::string::npos &&
          std::find(std::begin(holders), std::end(holders), path.substr(0, dot)) != std::end(holders);
@@ -75,8 +67,9 @@ bool may_accept(const std::string& path) {
 std::vector<Acceptance> read_acceptances(const Node& document, foundation::Problems& problems) {
   std::vector<Acceptance> found;
   read_table(document, "", found, problems);
-  if (const Node* damping = document.find("damping"); damping
-      && damping->kind == Node::Kind::table) read_table(*damping, "damping", found, problems);
+  for (const char* single : {"damping", "limits"})
+    if (const Node* table = document.find(single); table && table->kind == Node::Kind::table)
+      read_table(*table, single, found, problems);
   for (const char* holder : holders) {
     const Node* things = document.find(holder);
     if (!things || things->kind != Node::Kind::table) continue;
@@ -93,7 +86,7 @@ foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Su
     if (known_.insert(key(a)).second) all_.push_back(a);
   foundation::Problems result;
   for (const plausibility::Suspicion& s : suspicions) {
-    const std::string table = table_of(s.subject);
+    const std::string table = plausibility::table_of(s.subject);
     const auto accepted = std::find_if(acceptances.begin(), acceptances.end(),
         [&](const Acceptance& a) { return a.table == table && a.kind == s.kind; });
     if (accepted != acceptances.end()) {

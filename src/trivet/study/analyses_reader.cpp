@@ -66,6 +66,7 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, cons
   if (!response && !mapped) root.error("limits", "no response to compare with", "limits hold over the band of analyses.response", "add response = {…} to [analyses]");
   TableReader reader(*table, "limits", root.problems());
   for (const std::string& name : table->keys) {
+    if (name == "accept") continue;
     const auto measured = names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
     if (!measured) {
       refuse_limit(reader, names, name);

@@ -53,18 +53,31 @@ void add_ratings(const Case& variant, plausibility::Stated& stated) {
   }
 }
 
+/// Pistons and rods that swing.
+void add_engine(const Node& table, const model::Excitation& excitation, plausibility::Stated& stated) {
+  const Node* engine = table.find("engine");
+  if (!engine || engine->kind != Node::Kind::table) return;
+  foundation::Problems ignored;
+  TableReader reader(*engine, "excitations." + excitation.name + ".engine", ignored);
+  const auto mass = reader.number("oscillating_mass", Quantity::mass);
+  const auto cylinders = reader.number("cylinders", Quantity::pure);
+  if (mass && cylinders)
+    stated.engines.push_back({"excitations." + excitation.name + ".engine.oscillating_mass", *excitation.action.body, *mass, *cylinders});
+}
+
 void add_rotors(const Case& variant, plausibility::Stated& stated) {
   for (const model::Excitation& excitation : variant.system.description().excitations) {
     const Node* table = find(variant.document, "excitations", excitation.name);
     if (!table || !excitation.action.body) continue;
     const Node* type = table->find("type");
+    add_engine(*table, excitation, stated);
     if (!type || type->text != "unbalance") continue;
     foundation::Problems ignored;
     TableReader reader(*table, "excitations." + excitation.name, ignored);
     const auto speed = reader.number("service_speed", Quantity::angular_frequency);
     stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
         reader.number("mass_eccentricity", Quantity::mass_length), reader.number("grade", Quantity::pure), speed});
-    if (speed) stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
+    if (speed && table->find("service_speed")->kind != Node::Kind::text) stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
   }
 }
 
@@ -72,12 +85,6 @@ void add_rotors(const Case& variant, plausibility::Stated& stated) {
 bool is_translation(const std::string& name) {
   const bool of_force = name.find(".force.") != std::string::npos || name.find(".moment.") != std::string::npos;
   return !of_force && (name.ends_with(".x") || name.ends_with(".y") || name.ends_with(".z"));
-}
-
-/// The table in which a suspicion of this answer is accepted.
-std::string holder(const Case& variant, const std::string& answer) {
-  const std::string name = answer.substr(0, answer.find('.'));
-  return (find(variant.document, "bodies", name) ? "bodies." : "elements.") + name;
 }
 
 void add_questions(const Case& variant, plausibility::Stated& stated) {
@@ -88,17 +95,20 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
   if (asked.response) add("analyses.response.band", asked.response->band);
   if (asked.transmissibility) add("analyses.transmissibility.band", asked.transmissibility->band);
   if (asked.power) add("analyses.power.band", asked.power->band);
-  const bool of_displacements = !asked.response || asked.response->wanted.quantity == assembly::Quantity::displacement;
+  const assembly::Quantity quantity = asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
   for (const Limit& limit : asked.limits)
-    if (of_displacements && is_translation(limit.name))
-      stated.allowed_motions.push_back({holder(variant, limit.name), limit.name, limit.amplitude});
-  if (asked.orders) stated.speeds.push_back({"analyses.orders.speed", asked.orders->speed.to});
+    if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)
+      stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name, limit.amplitude,
+                                        quantity == assembly::Quantity::velocity});
+  const Node* orders = find(variant.document, "analyses", "orders");
+  const Node* speeds = orders ? orders->find("speed") : nullptr;
+  if (asked.orders && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
+    stated.speeds.push_back({"analyses.orders.speed", asked.orders->speed.to});
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back({"excitations." + excitation.name + ".psd", random->spectrum.from(),
           random->spectrum.to(), true});
-  if (asked.transient && asked.transient->to) stated.transient = plausibility::TimeQuestion{*asked.transient->to,
-      asked.transient->wanted.excitations};
+  if (asked.transient) stated.transient = plausibility::TimeQuestion{asked.transient->to, asked.transient->wanted.excitations};
 }
 
 /// The impedance of a ground point has the name of the element above it; the file has that of the foundation.
@@ -113,12 +123,13 @@ void name_foundation(const Node& document, std::string& subject) {
 
 }  // namespace
 
-std::vector<plausibility::Suspicion> suspicions(const Case& variant) {
+std::vector<plausibility::Suspicion> suspicions(const Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted) {
   plausibility::Stated stated;
   add_bodies(variant, stated);
   add_ratings(variant, stated);
   add_rotors(variant, stated);
   add_questions(variant, stated);
+  stated.accepted = accepted;
   std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
   for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);
   return found;
