@@ -99,7 +99,7 @@ std::string peaks_text(const study::Answers& answers) {
                           answers.peaks->min_prominence, shown(curve.highest), curve.unit, shown(curve.highest_at));
   }
   if (std::isfinite(found.searched_to))
-    text += fmt::format("  searched from ω = {} to {} rad/s: with elements that depend on frequency in their own way, or with delays, there is no last resonance; `response.band` sets another end, up to that of the tables\n", shown(found.searched_from, 3), shown(found.searched_to, 4));
+    text += fmt::format("  searched from ω = {} to {} rad/s: with elements that depend on frequency in their own way, or with delays, there is no last resonance; a `response.band` that ends higher extends the search, up to the end of the tables\n", shown(found.searched_from, 3), shown(found.searched_to, 4));
   else if (found.searched_from > 0) text += fmt::format("  searched from ω = {} rad/s: below it the free motion rules\n", shown(found.searched_from, 3));
   return text;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <exception>
 #include <filesystem>
 #include <sstream>
@@ -47,7 +48,8 @@ CLI::App* add_strict(CLI::App* command, Options& options) {
 
 std::string at_least_one(const std::string& text) {
   int number = 0;
-  return CLI::detail::lexical_cast(text, number) && number >= 1 ? "" : "\"" + text + "\": it is a whole number from 1 on";
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() && number >= 1 ? "" : "\"" + text + "\": it is a whole number from 1 on";
 }
 
 void add_picture(CLI::App& command, const std::string& drawn, Options& options) {

@@ -126,6 +126,21 @@ class Extremes(InTemporaryFolder):
         self.assertIn("too far apart for partial fractions", done.stdout)
 
 
+    def test_six_mounts_with_a_fractional_law(self):
+        law = "damping = {fractional_zener = {ratio = 2, time = 1e-4, order = 0.5}}"
+        text = BODY + "".join(mount(f"m{i}").replace("damping = {loss_factor = 0.1}", law) for i in range(6)) + FORCE
+        done = trivet("peaks", self.file(text + '[analyses]\npeaks = {of = ["b.z"]}\n'))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("b.z", done.stdout)
+
+    def test_a_motion_in_space_under_an_accelerated_ground_has_no_largest_amplitude(self):
+        base = '[excitations.floor]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n[analyses]\nresponse = {of = ["b"], band = [5, 500]}\n[limits]\n"b.z" = 1\n"b.relative.z" = 1\n'
+        done = trivet("response", self.file(BODY + mount("m") + base))
+        rows = {line.split()[0]: line.split() for line in done.stdout.splitlines() if line.strip().startswith("b.") and "kept" in line}
+        self.assertEqual(rows["b.z"][4], "∞", done.stdout[-600:])
+        self.assertEqual(rows["b.relative.z"][4], rows["b.relative.z"][2])
+
+
 class Foundations(InTemporaryFolder):
     def test_a_mode_of_a_foundation_that_moves_no_mount_has_no_nan(self):
         text = BODY + mount("m", more='foundation = "deck"') + FORCE + '[foundations.deck]\ntype = "modal"\nmodes = [{frequency = "12 Hz", modal_mass = 800, damping = 0.02, shapes = {m = [0, 0, 0]}}]\n'

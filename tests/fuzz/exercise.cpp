@@ -72,13 +72,13 @@ void ask(const study::Case& variant, const std::function<void(study::Analyses&)>
 void ask_quick_questions(const study::Project& project) {
   for (std::size_t i = 0; i < std::min(project.cases.size(), most_cases); ++i) {
     const study::Case& variant = project.cases[i];
-    if (study::coordinates(variant.system.description()) > most_coordinates ||
+    if (study::coordinates(variant.system.description(), true) > most_coordinates ||
         variant.system.elements().size() > most_elements)
       continue;
     ask(variant, [](study::Analyses& a) { a.modes = a.roots = true; });
     ask(variant, [](study::Analyses& a) { a.response.emplace().at = {7.5}; });
     ask(variant, [](study::Analyses& a) { a.static_of = {"coordinates", "ground"}; });
-    if (study::coordinates(variant.system.description()) <= most_coordinates / 2)
+    if (study::coordinates(variant.system.description(), true) <= most_coordinates / 2)
       ask(variant, [](study::Analyses& a) { a.peaks.emplace(); });
     ask(variant, [&](study::Analyses& a) {
       if (variant.analyses.random) a.random.emplace();

@@ -83,6 +83,7 @@ TEST(ChildProcessOfAKilledOwner, EndsWithAllThatItStarted) {
   }
   ASSERT_GT(owner, 0);
   for (int waited = 0; !fs::exists(folder.path() / "begun") && waited < 20000; ++waited) usleep(1000);
+  ASSERT_TRUE(fs::exists(folder.path() / "begun"));
   kill(owner, SIGKILL);
   waitpid(owner, nullptr, 0);
   for (const char* name : {"begun", "inner"}) {

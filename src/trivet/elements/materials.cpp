@@ -76,7 +76,7 @@ foundation::Problems check_hardness(double hardness) {
   if (!(hardness > 0 && hardness < 100))
     problems.error("hardness", value, "a hardness lies between 0 and 100 degrees", "give Shore A or IRHD degrees");
   else if (hardness < softest || hardness > hardest)
-    problems.warning("hardness", value, "the relation to a modulus is tested for 30 … 80 degrees", "give a measured shear_modulus instead");
+    problems.warning("hardness", value, "the relation to a modulus is tested for 30 … 80 degrees", "give a measured shear modulus instead: G = \"0.8 MPa\"");
   return problems;
 }
 

@@ -12,7 +12,7 @@ namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
-/// Of the solution: what an answer below it has is round-off. The callers ask for 1e-12 of what is possible.
+/// Callers take an answer below 1e-12 of `possible` for 0. Of the largest coordinate 1e-14 is the round-off of a solution.
 constexpr double round_off_share = 1e-2;
 
 std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
@@ -24,24 +24,30 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
   return terms;
 }
 
+/// What an answer would be if all coordinates moved as much as the largest, as a share that is round-off of every solution: an answer that
+/// vanishes by symmetry is as small as its own terms.
+Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::MatrixXcd& q,
+                          const Eigen::RowVectorXd& omega) {
+  const Eigen::VectorXd unit = numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices).head(q.rows());
+  const Eigen::MatrixXd alike = unit * (unit.cwiseInverse().asDiagonal() * q.cwiseAbs()).colwise().maxCoeff();
+  Eigen::MatrixXd result(std::ssize(channels), q.cols());
+  for (Eigen::Index c = 0; c < result.rows(); ++c)
+    result.row(c) = round_off_share * numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, omega);
+  return result;
+}
+
 AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                             const assembly::Loading& loading, const std::vector<double>& omega) {
   const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
-  const Eigen::VectorXd unit = numerics::unit_scale(assembled.constant);
   for (Eigen::Index i = 0; i < points; ++i) {
-    const double at = omega[static_cast<std::size_t>(i)];
-    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), at);
+    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]);
     result.value.col(i) = exact.values;
     result.possible.col(i) = exact.possible;
-    // Round-off of a solution is a share of its largest coordinate: one that vanishes by symmetry is as small as its terms.
-    const Eigen::VectorXd alike = q.col(i).cwiseAbs().cwiseQuotient(unit).maxCoeff() * unit;
-    for (Eigen::Index c = 0; c < count; ++c) {
-      const double terms = numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, Eigen::RowVectorXd::Constant(1, at)).value();
-      result.possible(c, i) = std::max(result.possible(c, i), round_off_share * terms);
-    }
   }
+  const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
+  result.possible = result.possible.cwiseMax(round_off(assembled, channels, q, at));
   return result;
 }
 
@@ -61,6 +67,7 @@ AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector
     result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
     result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
   }
+  result.possible = result.possible.cwiseMax(round_off(assembled, channels, q, at));
   return result;
 }
 

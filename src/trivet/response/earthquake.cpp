@@ -54,10 +54,12 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
 /// Gives each mode its S_a and returns those that have one.
 std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spectrum, EarthquakeResponse& result) {
   std::vector<Eigen::Index> reached;
+  constexpr double negligible = 1e-3;  // of the moving mass: a mode that does not oscillate and has less is left out like one beyond the spectrum
   double all = 0, told = 0;
+  for (const ModalShare& mode : result.modes) all += mode.effective_mass;
   for (std::size_t i = 0; i < result.modes.size(); ++i) {
     ModalShare& mode = result.modes[i];
-    all += mode.effective_mass;
+    if (!(mode.damping_ratio < 1) && mode.effective_mass < negligible * all) continue;
     if (mode.angular_frequency < spectrum.angular_frequencies.front() || mode.angular_frequency > spectrum.angular_frequencies.back()) continue;
     if (!(mode.damping_ratio < 1))
       throw foundation::NotComputable(fmt::format("earthquake: the mode at {:.4g} Hz does not oscillate (damping ratio {:.3g}), so a response spectrum says nothing of it",

@@ -22,18 +22,17 @@ bool defined_at_rest(const assembly::Assembled& assembled) {
   return std::all_of(assembled.elements.begin(), assembled.elements.end(), [](const assembly::ElementMap& map) { return map.defined_from == 0; });
 }
 
-/// Frequency-dependent elements have no last pole: the search ends where the caller says, or well above the natural frequencies. Tables
-/// (a mobility with resonances of its own) are searched to their end, unless that is far beyond.
+/// Frequency-dependent elements have no last pole: the search ends where the caller says, but well above the natural frequencies. Tables
+/// (a mobility with resonances of its own) are searched to their end, unless that is far above.
 double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options) {
-  constexpr double well_above = 2;
+  constexpr double well_above = 2, far_above = 30;
   double highest = 0;
   for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
   for (const modal::Root& root : roots.list) highest = std::max(highest, root.exact ? root.damped_angular_frequency.value_or(0) : 0);
   double table_end = infinity;
   for (const assembly::ElementMap& map : assembled.elements) table_end = std::min(table_end, map.defined_to);
-  constexpr double far_beyond = 30;
-  const double end = std::max(options.search_to, well_above * highest);
-  return std::min(table_end, std::isfinite(table_end) ? far_beyond * end : end);
+  const double above = std::isfinite(table_end) ? far_above : well_above;
+  return std::min(table_end, std::max(options.search_to, above * highest));
 }
 
 /// Samples on circles, as far as every element is defined.

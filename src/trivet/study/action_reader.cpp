@@ -5,6 +5,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/excitation_parts.h"
+#include "trivet/study/idle_key.h"
 
 namespace trivet::study {
 namespace {
@@ -33,7 +34,7 @@ void read_six(TableReader& reader, const std::string& first, Quantity of_first, 
     reader.error(first, "neither " + first + " nor " + second, "an excitation has at least one of them", remedy);
   const bool readable = reader.errors() == before;
   if (factors && readable && six.isZero(0))
-    reader.error(reader.has(first) ? first : second, "all components are 0", "they are factors on the history or spectrum: this excitation moves nothing", "give a direction, for instance [0, 0, 1]");
+    warn_of_idle_key(reader, reader.has(first) ? first : second, "all components are 0", "they are factors on the history or spectrum: this excitation moves nothing", "give a direction, for instance [0, 0, 1]");
   if (factors && reader.has("phase"))
     reader.error("phase", "a phase", "only harmonic excitations have a phase", "remove it, or give a delay");
   static_cast<void>(reader.node("phase"));

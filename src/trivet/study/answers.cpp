@@ -313,6 +313,15 @@ class CaseStudy {
     return result;
   }
 
+  /// A motion in space under a ground given by its acceleration has no bound as ω → 0: the search begins above 0.
+  bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const Loaded& asked) const {
+    constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // of ω⁻¹ it is 4
+    const response::CurveSummary& summary = found.curves[curve];
+    if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
+    const auto still = response::frequency_response(assembled_, asked.channels, asked.load, {nearer * found.searched_from});
+    return std::abs(still.curves[curve].value(0)) > growth * summary.highest;
+  }
+
   /// The largest amplitude of one curve in a band stands at an end of the band or at a peak inside it.
   LimitAnswer judged(const Limit& limit, const Wanted& wanted, const response::Band& band) {
     const response::Peaks& found = peaks_of(wanted);
@@ -320,6 +329,7 @@ class CaseStudy {
         std::find_if(found.curves.begin(), found.curves.end(), [&](const response::CurveSummary& c) { return c.name == limit.name; }) - found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest, true};
     const Loaded asked = loaded(system_, assembled_, wanted);
+    if (grows_toward_rest(found, curve, asked)) answer.anywhere = std::numeric_limits<double>::infinity();
     const response::LargestAmplitude largest = response::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
     answer.in_band = largest.amplitude;
     answer.in_band_at = largest.angular_frequency;

@@ -89,10 +89,11 @@ struct TransmissibilityResult {
   response::Peaks peaks;
   std::vector<response::Crossover> crossovers;
   response::Band band;
+  bool of_force = false;           ///< forces on the ground, in total and of each mount; else motions
 
   /// The force of one of several mounts over the whole exciting force: a share, which says nothing of isolation.
   [[nodiscard]] bool is_share(std::size_t curve) const {
-    return curve > 0 && curves.curves.size() > 2 && curves.curves.front().name == "ground";
+    return of_force && curve > 0 && curves.curves.size() > 2;
   }
 };
 

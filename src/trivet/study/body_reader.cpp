@@ -40,7 +40,9 @@ void read_free(TableReader& reader, model::Body& body) {
   body.free.fill(false);
   for (const std::string& name : *names) {
     const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
-    if (found != model::coordinate_names.end()) body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
+    if (found != model::coordinate_names.end() && body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())])
+      reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
+    else if (found != model::coordinate_names.end()) body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
     else reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz", "name the coordinates that move");
   }
 }

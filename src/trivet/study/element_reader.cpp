@@ -154,10 +154,8 @@ class ElementReader {
 
   void read_matrix() {
     if (!reader_.has("stiffness")) reader_.missing("stiffness", "give the 6×6 of the moved end K, or the full 12×12 (N, K)");
-    if (const auto matrix = reader_.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12})) {
+    if (const auto matrix = reader_.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12}))
       element_.law.nominal_stiffness = full_matrix(*matrix, span_);
-      if (matrix->rows() == 6) warn_of_idle_orientation();
-    }
   }
 
   void read_bushing(bool with_rotation) {
@@ -170,14 +168,8 @@ class ElementReader {
     centre_ = reader_.number("center", Quantity::pure).value_or(0.5);
     if (reader_.has("center") && placed_ && span_.arm.isZero(0))
       warn_of_idle_key(reader_, "center", "center of an element without length", "it is a fraction of the way from end N to end K, and both are at one place", "give from_at, or remove it");
-    warn_of_idle_orientation();
     if (!(centre_ >= 0 && centre_ <= 1))
       reader_.error("center", fmt::format("{:.6g}", centre_), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
-  }
-
-  void warn_of_idle_orientation() {
-    if (reader_.has("from_orientation") && placed_)
-      warn_of_idle_key(reader_, "from_orientation", "from_orientation of a " + element_.type, "stiffness, damping and forces are in the axes of end K", "turn the element by axis or orientation, or remove it");
   }
 
   void read_damper() {

@@ -98,15 +98,37 @@ std::optional<Candidate> candidate(const Case& variant, std::size_t e, const Exp
   return std::nullopt;
 }
 
-/// What the parameter does to the peak: to its frequency and, per cent of both, to its height.
+/// Relative change of the peak's frequency or height, whichever is larger, per relative change of the parameter.
 double effect(const std::string& name, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
   for (const Sensitivity& s : peak.sensitivities)
     if (parameters[s.parameter].name == name) return std::max(std::abs(s.frequency.value_or(0)), std::abs(s.height.value_or(0)));
   return 0;
 }
 
-/// The element and direction with most of the strain energy. If that belongs to motions that the answer does not show, so that the peak
-/// would stay as it is, the direction of any element that changes it most.
+/// The stiffness that changes the peak most: of one element, or of all.
+std::optional<Candidate> strongest(const Case& variant, std::optional<std::size_t> of, const ExplainedPeak& peak,
+                                   const std::vector<response::Parameter>& parameters) {
+  std::optional<Candidate> found;
+  double most = 0;
+  const auto& elements = variant.system.elements();
+  const auto consider = [&](const std::string& name, const std::string& words) {
+    const double now = effect(name, peak, parameters);
+    if (now <= most) return;
+    most = now;
+    found = Candidate{name, words};
+  };
+  for (std::size_t e = of.value_or(0); e < (of ? *of + 1 : elements.size()); ++e) {
+    const std::string path = "elements." + elements[e].name + ".";
+    for (int j = 0; j < 6; ++j)
+      consider(path + fmt::format("stiffness.{}", model::coordinate_names[static_cast<std::size_t>(j)]),
+               fmt::format("the {} of \"{}\"", response::direction_words(elements[e], j), elements[e].name));
+    consider(path + "scale", fmt::format("the stiffness of \"{}\"", elements[e].name));
+  }
+  return found;
+}
+
+/// The element and direction with most of the strain energy. If they hardly change the peak, which shows another motion, the stiffness of
+/// that element that does, or of any element.
 std::optional<Trial> trial_of(const Case& variant, ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
   constexpr double idle = 0.01;  // of the strongest effect
   const auto& elements = variant.system.elements();
@@ -115,21 +137,15 @@ std::optional<Trial> trial_of(const Case& variant, ExplainedPeak& peak, const st
     if (peak.shares.elements[e].stored > peak.shares.elements[first].stored) first = e;
   if (elements.empty() || !(peak.shares.elements[first].stored > 0)) return std::nullopt;
   std::optional<Candidate> chosen = candidate(variant, first, peak, parameters);
-  if (!chosen || peak.sensitivities.empty()) return chosen ? std::optional(Trial{chosen->parameter, chosen->words, 0.1, {}, {}, {}, {}}) : std::nullopt;
-  const double of_chosen = effect(chosen->parameter, peak, parameters);
-  double most = of_chosen;
-  std::optional<Candidate> strongest = chosen;
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    for (int direction = 0; direction < 6; ++direction) {
-      const std::string name = fmt::format("elements.{}.stiffness.{}", elements[e].name, model::coordinate_names[static_cast<std::size_t>(direction)]);
-      if (const double found = effect(name, peak, parameters); found > most) {
-        most = found;
-        strongest = Candidate{name, fmt::format("the {} of \"{}\"", response::direction_words(elements[e], direction), elements[e].name)};
-      }
+  if (!chosen) return std::nullopt;
+  if (const auto best = strongest(variant, {}, peak, parameters)) {
+    const double enough = idle * effect(best->parameter, peak, parameters);
+    if (effect(chosen->parameter, peak, parameters) < enough) {
+      peak.notes.push_back(fmt::format("{} hardly changes this peak, though it has {:.3g} % of the strain energy", chosen->words,
+                                       100 * peak.shares.elements[first].by_direction.maxCoeff()));
+      chosen = strongest(variant, first, peak, parameters);
+      if (!chosen || effect(chosen->parameter, peak, parameters) < enough) chosen = best;
     }
-  if (of_chosen < idle * most) {
-    peak.notes.push_back(fmt::format("most of the energy at this frequency is in motions that {} does not show: {} hardly changes it", peak.name, chosen->words));
-    chosen = strongest;
   }
   return Trial{chosen->parameter, chosen->words, 0.1, {}, {}, {}, {}};
 }

@@ -163,6 +163,7 @@ TransmissibilityResult transmissibility_answer(const CaseContext& c, const Trans
   const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, request.force))
                                                     : response::displacement_transmission(c.system, c.assembled, request.of, request.direction);
   TransmissibilityResult result;
+  result.of_force = force;
   result.words = force ? "force on the ground over \"" + request.force + "\"" : "motion over a motion of the ground " + direction_words(request.direction);
   result.band = request.band ? *request.band : default_band(c);
   if (!(result.band.from < result.band.to)) throw foundation::NotComputable("transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");

@@ -94,8 +94,8 @@ Json transmissibility(const Answers& answers) {
       efficiency.push_back(number(response::isolation_efficiency(std::abs(value))));
     }
     one["level_db"] = std::move(level);
-    one["isolation_efficiency"] = std::move(efficiency);
-    one["isolates_from"] = optional(t.crossovers[i].angular_frequency);
+    one["isolation_efficiency"] = t.is_share(i) ? Json() : std::move(efficiency);
+    one["isolates_from"] = t.is_share(i) ? Json() : optional(t.crossovers[i].angular_frequency);
     result["results"].push_back(std::move(one));
   }
   for (const response::Peak& peak : t.peaks.list)

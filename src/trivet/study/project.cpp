@@ -8,6 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/transmissibility.h"
 #include "trivet/study/acceptances.h"
 #include "trivet/study/changes.h"
 #include "trivet/study/design_parameter.h"
@@ -113,6 +115,15 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, foundatio
   }
 }
 
+/// A transmissibility needs a force along one direction.
+void check_force(const model::System& system, const std::string& force, foundation::Problems& problems) {
+  try {
+    static_cast<void>(response::applied_force(system, force));
+  } catch (const foundation::InvalidInput& reason) {
+    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(), "name a harmonic force along one direction");
+  }
+}
+
 /// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
 std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
                               foundation::Problems& problems, const Questions& questions, const Case* base) {
@@ -139,6 +150,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   if (!system) name_slips(bodies, document, physical);
   if (system) physical.add(too_large(system->description(), analyses));
+  if (system && !reading.has_errors() && analyses.transmissibility && !analyses.transmissibility->force.empty()) check_force(*system, analyses.transmissibility->force, physical);
   locate(physical, document);
   all.add(physical);
   all = without_unwanted(all, questions, name, analyses);
@@ -156,7 +168,9 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
 /// Adds the suspicions of a case to its warnings, except those accepted.
 void judge(Case& variant, AcceptanceBook& book, foundation::Problems& problems) {
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
-  const foundation::Problems warnings = book.warnings(suspicions(variant), accepted, variant.document);
+  std::vector<std::pair<std::string, std::string>> kinds;
+  for (const Acceptance& one : accepted) kinds.emplace_back(one.table, one.kind);
+  const foundation::Problems warnings = book.warnings(suspicions(variant, kinds), accepted, variant.document);
   problems.add(warnings);
   variant.warnings.add(warnings);
   variant.warnings.sort_by_origin();
@@ -240,17 +254,6 @@ Settings read_settings(const std::vector<std::string>& settings, foundation::Pro
     result.changes.push_back(std::move(*change));
   }
   return result;
-}
-
-/// Every value of the change is in the document already.
-bool changes_nothing(const Node& document, const Node& change) {
-  if (change.kind != Node::Kind::table) return canonical(document) == canonical(change);
-  if (document.kind != Node::Kind::table) return false;
-  for (std::size_t i = 0; i < change.keys.size(); ++i) {
-    const Node* there = document.find(change.keys[i]);
-    if (!there || !changes_nothing(*there, change.items[i])) return false;
-  }
-  return true;
 }
 
 /// Does the document hold this number, after all changes?
@@ -348,8 +351,6 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       if (variant_case) judge(*variant_case, book, of_case);
       add_of_case(of_case, known, name, problems);
       if (!variant_case || project.cases.empty()) continue;
-      if (!change.keys.empty() && changes_nothing(as_written, change))
-        variant_case->warnings.warning("cases." + name, "every value is that of the base model", "a case changes something", "change a value, or remove the case").origin = change.origin;
       variant_case->changes = change_lines(&change, settings, variant);
       project.cases.push_back(std::move(*variant_case));
     }

@@ -99,12 +99,13 @@ void check_inputs(Sizes& sizes, const model::Description& description) {
 
 }  // namespace
 
-std::size_t coordinates(const model::Description& description) {
+std::size_t coordinates(const model::Description& description, bool with_laws) {
   std::size_t count = 0;
   for (const model::Body& body : description.bodies)
     count += static_cast<std::size_t>(std::count(body.free.begin(), body.free.end(), true));
   for (const model::Element& element : description.elements)
-    count += static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
+    if (with_laws || !elements::is_frequency_dependent(element.law))
+      count += static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
   for (const model::Foundation& foundation : description.foundations)
     count += static_cast<std::size_t>(foundation.mass.rows());
   return count;
@@ -117,6 +118,12 @@ foundation::Problems too_large(const model::Description& description, const Anal
         "bodies", fmt::format("{} free coordinates", count),
         fmt::format("at most {} are computed: a hundred free bodies", most_coordinates),
         "guide bodies by `free` where they cannot move, join bodies that move together, or split the model");
+    return sizes.problems;
+  }
+  if (const std::size_t count = coordinates(description, true); count > most_with_laws) {
+    sizes.problems.error("elements", fmt::format("{} coordinates with those of their laws", count),
+                         fmt::format("at most {} are computed; a fractional law takes 21 for each direction", most_with_laws),
+                         "take kelvin_voigt, zener or maxwell laws for some elements, or split the model");
     return sizes.problems;
   }
   check_inputs(sizes, description);

@@ -11,6 +11,9 @@ namespace trivet::study {
 /// have as many.
 inline constexpr std::size_t most_coordinates = 600;
 
+/// The same with those that stand for laws of their own in modes and roots: 21 per direction of a fractional law, so 126 of such a mount.
+inline constexpr std::size_t most_with_laws = 2000;
+
 /// Curves of one question: tables, figures and a page of more are read by nobody.
 inline constexpr std::size_t most_curves = 2000;
 
@@ -18,7 +21,8 @@ inline constexpr std::size_t most_curves = 2000;
 inline constexpr std::size_t most_things_of_cases = 50'000;
 
 /// Of bodies, elements with inner coordinates and foundations.
-[[nodiscard]] std::size_t coordinates(const model::Description& description);
+/// @param with_laws  also those that stand for frequency-dependent laws in modes and roots
+[[nodiscard]] std::size_t coordinates(const model::Description& description, bool with_laws = false);
 
 /// An error for each question that is too large for this program, with its size, the limit and what to do.
 [[nodiscard]] foundation::Problems too_large(const model::Description& description, const Analyses& asked);
