@@ -229,6 +229,17 @@ class Acceptances(InTemporaryFolder):
         done = self.check(self.machine)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_of_a_mount_do_not_silence_the_questions(self):
+        self.machine["analyses"] = {"response": {"band": ["900 Hz", "2000 Hz"]}}
+        self.machine["cases"] = {}
+        self.machine.pop("limits", None), self.machine.pop("limit_lines", None)
+        mounts = [e for e in self.machine["elements"].values() if e["type"] == "bushing"]
+        for mount in mounts:
+            mount["scale"] = 100
+        self.assertEqual(reported_kinds(self.check(self.machine)), ["scale"])
+        mounts[0]["accept"] = {"scale": "stops"}
+        self.assertIn("band", reported_kinds(self.check(self.machine)))
+
     def test_of_a_foundation_are_accepted_there(self):
         mount = next(iter(self.machine["elements"].values()))
         mount["foundation"] = "deck"

@@ -170,6 +170,33 @@ TEST(Plausibility, TellsAMachineThatFallsOver) {
   EXPECT_THAT(rack(-1), IsEmpty());
 }
 
+TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
+  // 300 kg on four feet of 25.6 kN/m at ±0.2 m (k = 4096 N m/rad) and a lateral guide at another height, which bears nothing: only the feet count.
+  const auto guided = [](double feet, double guide) {
+    std::string text = "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ninertia = {about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}\n";
+    int number = 0;
+    for (const double x : {-0.2, 0.2})
+      for (const double y : {-0.2, 0.2}) text += fmt::format("[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, {}]\ntranslation = [1, 1, 25600]\n", ++number, x, y, feet);
+    text += fmt::format("[elements.guide]\ntype = \"bushing\"\non = \"rack\"\nat = [0, 0, {}]\ntranslation = [1e6, 1e6, 0]\nrotation = [0, 0, 1e4]\n", guide);
+    return plausibility::overturning_notes(test::project(text).base().system);
+  };
+  EXPECT_THAT(guided(0, -1.2), IsEmpty());
+  EXPECT_THAT(guided(-1.2, 0.3), ElementsAre(testing::HasSubstr("turns it on by 3532 N m/rad")));  // m g · 1.2 m
+}
+
+TEST(Plausibility, FindsTheWorstAxisOfTilting) {
+  // Feet at ±0.2 m along an axis turned by any angle and ±0.5 m across: the narrow side counts, whatever the axes of the body.
+  for (const double angle : {0.0, 0.4, 1.0}) {
+    std::string text = "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, 0.9]\ninertia = {about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}\n";
+    int number = 0;
+    for (const double along : {-0.2, 0.2})
+      for (const double across : {-0.5, 0.5})
+        text += fmt::format("[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n", ++number,
+                            along * std::cos(angle) - across * std::sin(angle), along * std::sin(angle) + across * std::cos(angle));
+    EXPECT_THAT(plausibility::overturning_notes(test::project(text).base().system), ElementsAre(testing::HasSubstr("by 2649 N m/rad, its mounts hold it by 3200 N m/rad: 83 %")));
+  }
+}
+
 TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
   const std::string push = "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());

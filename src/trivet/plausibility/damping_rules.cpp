@@ -112,23 +112,25 @@ void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<Bo
 
 void judge_dampers(const model::System& system, Suspicions& found) {
   constexpr double unequal = 50;
-  std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<std::pair<double, std::size_t>>> groups;
+  using Bodies = std::pair<std::optional<std::size_t>, std::optional<std::size_t>>;
+  std::map<Bodies, std::vector<std::pair<double, std::size_t>>> groups;
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
-    if (element.type != "damper" || !element.k.body) continue;
     const double coefficient = elements::viscous_damping(element.law).block<3, 3>(6, 6).trace();
-    if (coefficient > 0) groups[{*element.k.body, element.n.body}].emplace_back(coefficient, e);
+    const Bodies bodies = std::minmax(element.k.body, element.n.body);
+    if (element.type == "damper" && coefficient > 0) groups[bodies].emplace_back(coefficient, e);
   }
   for (auto& [bodies, dampers] : groups) {
     if (dampers.size() < 3) continue;
     std::sort(dampers.begin(), dampers.end());
-    const double median = dampers[dampers.size() / 2].first;
-    for (const auto& [coefficient, e] : {dampers.front(), dampers.back()}) {
-      const double ratio = coefficient / median;
-      if (ratio < unequal && ratio > 1 / unequal) continue;
-      found.push_back({"viscous damping", "elements." + system.elements()[e].name + ".coefficient", fmt::format("{:.6g} N s/m", coefficient),
-          fmt::format("the others between these bodies have {:.6g} N s/m in the median", median), "check its digits and its unit"});
-    }
+    const auto judge_one = [&](std::size_t which, std::size_t least, std::size_t most) {  // the others reach from least to most
+      const double low = dampers[least].first, high = dampers[most].first, own = dampers[which].first;
+      if (high > unequal * low || (own < unequal * high && unequal * own > low)) return;
+      found.push_back({"viscous damping", "elements." + system.elements()[dampers[which].second].name + ".coefficient", fmt::format("{:.6g} N s/m", own),
+          fmt::format("the {} others between these bodies have {:.6g} … {:.6g} N s/m", dampers.size() - 1, low, high), "check its digits and its unit"});
+    };
+    judge_one(0, 1, dampers.size() - 1);
+    judge_one(dampers.size() - 1, 0, dampers.size() - 2);
   }
 }
 

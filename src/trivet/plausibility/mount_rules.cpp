@@ -53,8 +53,6 @@ std::map<Group, std::vector<Member>> groups(const model::System& system, const s
   return result;
 }
 
-bool is_percent(double scale) { return scale >= 30 && scale <= 300; }
-
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
   return values[values.size() / 2];
@@ -115,7 +113,7 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     const auto [low, high] = std::minmax_element(others.begin(), others.end());
     const double usual = median(others), ratio = m.translation / usual;
     const model::Element& element = system.elements()[m.element];
-    if (is_percent(element.law.scale)) continue;  // named as such
+    if (is_scale_in_percent(element.law.scale)) continue;  // named as such
     const bool stands_out = (ratio > unequal || ratio < 1 / unequal) && *high < unequal * *low;
     if (stands_out && (members.size() > 2 || m.element < members[0].element + members[1].element - m.element)) {
       const double factor = std::max(ratio, 1 / ratio);
@@ -147,7 +145,7 @@ std::string and_more(std::size_t count) { return count > 1 ? fmt::format(", and 
 /// `scale` in percent. Adds the elements to those blamed.
 void find_scales(const model::System& system, Suspicions& found, std::vector<std::size_t>& blamed) {
   for (std::size_t e = 0; e < system.elements().size(); ++e)
-    if (is_percent(system.elements()[e].law.scale)) blamed.push_back(e);
+    if (is_scale_in_percent(system.elements()[e].law.scale)) blamed.push_back(e);
   if (blamed.empty()) return;
   const model::Element& first = system.elements()[blamed.front()];
   found.push_back({"scale", "elements." + first.name + ".scale", fmt::format("{:.6g}{}", first.law.scale, and_more(blamed.size())),
@@ -212,6 +210,8 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
 }
 
 }  // namespace
+
+bool is_scale_in_percent(double scale) { return scale >= 30 && scale <= 300; }
 
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
     Suspicions& found) {

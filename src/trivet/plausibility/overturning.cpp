@@ -1,32 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "trivet/plausibility/body_picture.h"
 #include "trivet/plausibility/suspicion.h"
+#include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::plausibility {
 namespace {
 
 /// Share of the stiffness against tilting that gravity may take before it is named: the frequency of tilting is 13 % lower then.
 constexpr double worth_a_word = 0.25;
+/// Share of the stiffest direction below which one is not held.
+constexpr double unheld = 1e-9;
 
-/// An inverted pendulum: tilting by θ about a horizontal axis takes (k − m g h) θ, with h the height of the centre of mass over the
-/// point about which the mounts let it turn.
-struct Tilt {
-  double stiffness = 0;   ///< k [N m/rad]
-  double overturning = 0; ///< m g h [N m/rad]
-};
+using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-/// Of a body alone on its elements, about one horizontal axis; body frame.
-Tilt tilt(const spatial::Matrix6& k, const Eigen::Vector3d& axis, const Eigen::Vector3d& up, double weight) {
-  const Eigen::Matrix3d translation = k.topLeftCorner<3, 3>(), coupling = k.topRightCorner<3, 3>();
-  const Eigen::Matrix3d free = k.bottomRightCorner<3, 3>() - coupling.transpose() * translation.inverse() * coupling;
-  const Eigen::Vector3d moved = -translation.inverse() * coupling * axis;  // of the centre of mass, per unit of the angle
-  return {axis.dot(free * axis), weight * moved.dot(axis.cross(up))};
+/// What the weight adds to the stiffness against rotations: mounts at r_i from the centre of mass bear it by forces F_i, and a rotation θ moves
+/// their ends by ½ θ × (θ × r_i) in addition, so that Σ [(F_i·r_i) I − sym(F_i r_iᵀ)] is added. Body frame.
+Eigen::Matrix3d geometric_stiffness(const BodyPicture& picture, const spatial::Vector6& sag) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d shift = sag.head<3>(), turn = sag.tail<3>();
+  for (const Attachment& a : picture.attachments) {
+    if (!a.elastic()) continue;
+    const Eigen::Vector3d r = a.at - picture.mass.centre;
+    const Eigen::Vector3d force = -(a.translation * (shift + turn.cross(r)) + a.coupling * turn);
+    const Eigen::Matrix3d outer = force * r.transpose();
+    sum += force.dot(r) * Eigen::Matrix3d::Identity() - 0.5 * (outer + outer.transpose());
+  }
+  return sum;
+}
+
+/// Bodies whose elements all stand on rigid ground without preload, which would bring gravity's part.
+bool is_alone(const model::System& system, const BodyPicture& picture) {
+  return std::all_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
+    const model::Element& element = system.elements()[a.element];
+    return !element.law.preload && !(element.n.body && element.k.body) && !element.n.foundation && !element.k.foundation;
+  });
 }
 
 }  // namespace
@@ -36,29 +50,29 @@ std::vector<std::string> overturning_notes(const model::System& system) {
   const auto& gravity = system.description().gravity;
   if (!gravity || gravity->isZero(0)) return notes;
   for (const BodyPicture& picture : pictures(system, {}, {})) {
-    const bool preloaded = std::any_of(picture.attachments.begin(), picture.attachments.end(),
-        [&](const Attachment& a) { return system.elements()[a.element].law.preload.has_value(); });
-    const bool on_bodies = std::any_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
-      return system.elements()[a.element].n.body && system.elements()[a.element].k.body;
-    });
-    if (preloaded || on_bodies) continue;  // preloads bring gravity's part, and other bodies move as well
+    if (!is_alone(system, picture)) continue;
     const spatial::Matrix6 k = stiffness_about_centre(picture);
-    if (!(k.topLeftCorner<3, 3>().determinant() > 0)) continue;
-    const Eigen::Vector3d up = -(system.bodies()[picture.body].pose.rotation.transpose() * gravity->normalized());
-    const Eigen::Vector3d e1 = up.unitOrthogonal(), e2 = up.cross(e1);
-    Tilt worst;
-    double share = 0;
-    for (const Eigen::Vector3d& axis : {e1, e2, Eigen::Vector3d((e1 + e2).normalized()), Eigen::Vector3d((e1 - e2).normalized())}) {
-      const Tilt one = tilt(k, axis, up, picture.mass.mass * gravity->norm());
-      if (!(one.stiffness > 0) || one.overturning <= share * one.stiffness) continue;
-      worst = one;
-      share = one.overturning / one.stiffness;
-    }
-    if (share <= worth_a_word) continue;
+    const Eigen::FullPivLU<spatial::Matrix6> factors(k);
+    if (!k.allFinite() || !factors.isInvertible()) continue;
+    const Eigen::Vector3d down = system.bodies()[picture.body].pose.rotation.transpose() * *gravity;
+    spatial::Vector6 weight = spatial::Vector6::Zero();
+    weight.head<3>() = picture.mass.mass * down;
+    Matrix32 horizontal;  // axes of tilting
+    horizontal.col(0) = down.unitOrthogonal();
+    horizontal.col(1) = down.normalized().cross(horizontal.col(0));
+    const Eigen::Matrix3d condensed = k.bottomRightCorner<3, 3>() - k.bottomLeftCorner<3, 3>() * k.topLeftCorner<3, 3>().inverse() * k.topRightCorner<3, 3>();
+    const Eigen::Matrix2d held = horizontal.transpose() * condensed * horizontal,
+                          taken = -(horizontal.transpose() * geometric_stiffness(picture, factors.solve(weight)) * horizontal);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> alone(held);
+    if (!(alone.eigenvalues()(0) > unheld * alone.eigenvalues()(1))) continue;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> both(taken, held);
+    const double share = both.eigenvalues()(1);
+    if (!(share > worth_a_word)) continue;
+    const Eigen::Vector2d axis = both.eigenvectors().col(1).normalized();
     notes.push_back(fmt::format(
         "body {}: tilted by an angle, its weight turns it on by {:.4g} N m/rad, its mounts hold it by {:.4g} N m/rad: {}. Elements without preload have no "
         "geometric stiffness, so natural frequencies of tilting {}",
-        system.bodies()[picture.body].name, worst.overturning, worst.stiffness,
+        system.bodies()[picture.body].name, axis.dot(taken * axis), axis.dot(held * axis),
         share >= 1 ? "it falls over" : fmt::format("{:.0f} % of the stiffness are lost", 100 * share),
         share >= 1 ? "are computed that it does not have" : "are computed too high"));
   }

@@ -65,7 +65,7 @@ void judge_window(const Window& window, const std::vector<double>& natural, Susp
       hertz(window.from), hertz(window.to)),
                    fmt::format("no natural frequency lies in it: the machine has {:.4g} … {:.4g} Hz",
                        hertz(natural.front()), hertz(natural.back())),
-                   "a number without a unit is in rad/s; change the band, "
+                   std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s" : "a number without a unit is in rad/s") + "; change the band, "
                    "or look at masses and stiffnesses if you know where the resonances are" + stiffness});
 }
 

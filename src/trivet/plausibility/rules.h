@@ -9,6 +9,9 @@ namespace trivet::plausibility {
 
 using Suspicions = std::vector<Suspicion>;
 
+/// `scale` of an element that is probably meant in percent.
+[[nodiscard]] bool is_scale_in_percent(double scale);
+
 /// Two mounts at one place; one mount of a group far stiffer or softer than the others. Returns the elements blamed
 /// for that.
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,

@@ -43,7 +43,13 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   };
   Suspicions found;
   const std::vector<BodyPicture> all = pictures(system, stated.inertia_about_pole, stated.from_solids);
-  const std::vector<std::size_t> blamed = judge_mounts(system, all, found);
+  std::vector<std::size_t> blamed = judge_mounts(system, all, found);
+  const bool scales_accepted = std::any_of(found.begin(), found.end(), [&](const Suspicion& s) { return s.kind == std::string("scale") && !casts_doubt(s); });
+  std::erase_if(blamed, [&](std::size_t e) {
+    if (is_scale_in_percent(system.elements()[e].law.scale)) return scales_accepted;  // one entry for all of them
+    const std::string table = "elements." + system.elements()[e].name;
+    return std::any_of(found.begin(), found.end(), [&](const Suspicion& s) { return table_of(s.subject) == table && !casts_doubt(s); });
+  });
 
   std::vector<BodyVerdict> verdicts;
   for (const BodyPicture& picture : all)
@@ -71,7 +77,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();
     judge_ratings(system, all, stated.ratings, found);
-    if (found.size() > before)  // too small a mount sags too far
+    if (std::any_of(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), casts_doubt))  // too small a mount sags too far
       std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
   }
   for (const BodyVerdict& verdict : verdicts) found.push_back(verdict.suspicion);
