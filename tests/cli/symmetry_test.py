@@ -96,6 +96,15 @@ class SymmetricTable(unittest.TestCase):
             self.assertTrue(any(abs(f / natural - 1) < MOVED_BY_MOUNTS for f in found), (natural, found))
 
 
+    def test_limits_are_judged_where_the_table_begins_above_rest(self):
+        more = ('response = {of = ["table.z"], excitations = ["shaken"]}\n[limits]\n"table.z" = 1\n'
+                '[excitations.shaken]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n')
+        (self.folder / "table.toml").write_text(project(0) + more)
+        done = subprocess.run([TRIVET, "response", "table.toml"], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("largest anywhere", done.stdout)
+
+
 class SymmetricBox(unittest.TestCase):
     def test_on_equal_mounts_with_relaxation(self):
         mounts = "".join(f"""[elements.r{i}]

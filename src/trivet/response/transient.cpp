@@ -183,7 +183,7 @@ TransientResponse transient_response(const model::System& system, const assembly
                                      const std::vector<TimeInput>& inputs, const TransientOptions& options, const foundation::Progress& progress) {
   if (inputs.empty() && !options.initial) throw foundation::InvalidInput("transient: neither an input nor an initial state drives the model");
   const bool at_rest = std::all_of(inputs.begin(), inputs.end(), [](const TimeInput& input) { return input.loading.vanishes(); });
-  if (at_rest && !options.initial && !options.to) throw foundation::InvalidInput("transient: all components of its excitations are 0, nothing moves: give the end of the time");
+  if (at_rest && !options.initial && !options.to) throw foundation::InvalidInput("transient: all components of its excitations are 0, nothing moves; give a direction");
   require_constant_coefficients(system, assembled, inputs, options.nearest_linear_system);
   if (!assembled.frequency_dependent()) return response_of(assembled, channels, inputs, options, progress);
   std::vector<assembly::Channel> own;

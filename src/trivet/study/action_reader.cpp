@@ -5,7 +5,6 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/excitation_parts.h"
-#include "trivet/study/idle_key.h"
 
 namespace trivet::study {
 namespace {
@@ -26,15 +25,11 @@ spatial::Vector6 read_phase(TableReader& reader) {
 void read_six(TableReader& reader, const std::string& first, Quantity of_first, const std::string& second, Quantity of_second, const std::string& remedy,
               ActionNumbers numbers, model::Action& action) {
   const bool factors = numbers == ActionNumbers::factors;
-  const std::size_t before = reader.errors();
   spatial::Vector6 six;
   six << reader.vector(first, factors ? Quantity::pure : of_first).value_or(Eigen::Vector3d::Zero()),
       reader.vector(second, factors ? Quantity::pure : of_second).value_or(Eigen::Vector3d::Zero());
   if (!reader.has(first) && !reader.has(second))
     reader.error(first, "neither " + first + " nor " + second, "an excitation has at least one of them", remedy);
-  const bool readable = reader.errors() == before;
-  if (factors && readable && six.isZero(0))
-    warn_of_idle_key(reader, reader.has(first) ? first : second, "all components are 0", "they are factors on the history or spectrum: this excitation moves nothing", "give a direction, for instance [0, 0, 1]");
   if (factors && reader.has("phase"))
     reader.error("phase", "a phase", "only harmonic excitations have a phase", "remove it, or give a delay");
   static_cast<void>(reader.node("phase"));

@@ -317,6 +317,8 @@ class CaseStudy {
   bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const Loaded& asked) const {
     constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // of ω⁻¹ it is 4
     const response::CurveSummary& summary = found.curves[curve];
+    const bool from_tables = std::any_of(assembled_.elements.begin(), assembled_.elements.end(), [](const assembly::ElementMap& map) { return map.defined_from > 0; });
+    if (from_tables) return false;  // nothing is known below them
     if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
     const auto still = response::frequency_response(assembled_, asked.channels, asked.load, {nearer * found.searched_from});
     return std::abs(still.curves[curve].value(0)) > growth * summary.highest;

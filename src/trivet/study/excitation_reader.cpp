@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/study/excitation_parts.h"
+#include "trivet/study/idle_key.h"
 
 namespace trivet::study {
 namespace {
@@ -55,6 +56,16 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
   return partners;
 }
 
+constexpr const char* zero_factors = "all components are 0";
+constexpr const char* rule_of_factors = "they are factors on the history or spectrum: this excitation moves nothing";
+constexpr const char* remedy_of_factors = "give a direction, for instance [0, 0, 1]";
+
+const char* key_of_factors(const TableReader& reader) {
+  for (const char* key : {"force", "moment", "translation", "rotation"})
+    if (reader.has(key)) return key;
+  return "force";
+}
+
 void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "excitations." + name, problems);
   reader.required_text("type");
@@ -87,12 +98,14 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   }
   if (type == "random") {
     const auto action = read_directed(reader, description, mentioned);
+    if (action && action->amplitude.isZero(0)) reader.error(key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);
     auto spectrum = read_spectrum(reader, "psd", action.value_or(model::Action{}));
     auto partners = read_partners(reader);
     if (spectrum) add(action, model::Random{std::move(*spectrum), std::move(partners)});
   }
   if (type == "time") {
     const auto action = read_directed(reader, description, mentioned);
+    if (action && action->amplitude.isZero(0)) warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);  // a case may switch it off
     if (auto signal = read_history(reader, "history", action.value_or(model::Action{}))) add(action, model::History{std::move(*signal)});
   }
   reader.finish();

@@ -141,8 +141,10 @@ std::optional<Trial> trial_of(const Case& variant, ExplainedPeak& peak, const st
   if (const auto best = strongest(variant, {}, peak, parameters)) {
     const double enough = idle * effect(best->parameter, peak, parameters);
     if (effect(chosen->parameter, peak, parameters) < enough) {
+      const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness");
+      const auto& shares = peak.shares.elements[first];
       peak.notes.push_back(fmt::format("{} hardly changes this peak, though it has {:.3g} % of the strain energy", chosen->words,
-                                       100 * peak.shares.elements[first].by_direction.maxCoeff()));
+                                       100 * (whole ? shares.stored : shares.by_direction.maxCoeff())));
       chosen = strongest(variant, first, peak, parameters);
       if (!chosen || effect(chosen->parameter, peak, parameters) < enough) chosen = best;
     }
