@@ -122,9 +122,12 @@ std::vector<std::string> asked_by(const std::string& which) {
   return {which};
 }
 
-/// Which excitations act together, if there are several.
-std::string excited_by(const study::Case& variant) {
-  const std::vector<std::string> chosen = variant.analyses.response ? variant.analyses.response->wanted.excitations : std::vector<std::string>();
+/// Which excitations act together in the response or the peaks, if there are several.
+std::string excited_by(const study::Case& variant, const std::string& question) {
+  const study::Analyses& asked = variant.analyses;
+  const std::vector<std::string> chosen = question == "peaks" && asked.peaks ? asked.peaks->wanted.excitations
+                                          : asked.response                   ? asked.response->wanted.excitations
+                                                                             : std::vector<std::string>();
   std::string names;
   int count = 0;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
@@ -132,7 +135,7 @@ std::string excited_by(const study::Case& variant) {
     if (!acts || !std::holds_alternative<model::Harmonic>(excitation.course)) continue;
     names += (count++ > 0 ? ", " : "") + excitation.name;
   }
-  return count > 1 ? "Excited at once by " + names + " (`excitations` of the response selects some)\n" : "";
+  return count > 1 ? "Excited at once by " + names + " (`excitations` of the question selects some)\n" : "";
 }
 
 std::string rendered(const std::string& which, const study::Case& variant, const study::Answers& answers, const Options& options) {
@@ -141,8 +144,8 @@ std::string rendered(const std::string& which, const study::Case& variant, const
   if (which == "response")
     return options.json  ? study::response_json(answers)
            : options.csv ? study::response_csv(answers)
-                         : excited_by(variant) + response_text(answers) + limits_text(answers) + limit_lines_text(answers);
-  if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : excited_by(variant) + peaks_text(answers);
+                         : excited_by(variant, which) + response_text(answers) + limits_text(answers) + limit_lines_text(answers);
+  if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : excited_by(variant, which) + peaks_text(answers);
   if (which == "random") return options.json ? study::random_json(answers) : options.csv ? study::random_csv(answers) : random_text(answers);
   if (which == "transient") return options.json ? study::transient_json(answers) : options.csv ? study::transient_csv(answers) : transient_text(answers);
   if (which == "orders") return options.json ? study::orders_json(answers) : options.csv ? study::orders_csv(answers) : orders_text(answers);

@@ -164,6 +164,33 @@ class Unused(InTemporaryFolder):
         second = '[excitations.unit]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n'
         self.assertIn("Excited at once by push, unit", trivet("response", self.file(MACHINE + second)).stdout)
         self.assertNotIn("Excited", trivet("response", self.file(MACHINE)).stdout)
+        one = '[analyses]\nresponse = {}\npeaks = {excitations = ["unit"]}\n'
+        self.assertIn("Excited at once", trivet("response", self.file(MACHINE + second + one)).stdout)
+        self.assertNotIn("Excited", trivet("peaks", self.file(MACHINE + second + one)).stdout)
+
+    def test_the_force_of_one_of_several_mounts_is_a_share(self):
+        other = MACHINE[MACHINE.index("[elements.mount]"):MACHINE.index("[excitations.push]")].replace("mount", "other").replace("at = [0, 0, 0]", "at = [1, 0, 0]")
+        ask = '[analyses]\ntransmissibility = {force = "push"}\n'
+        found = {one["name"]: one for one in answer("transmissibility", self.file(MACHINE + other + ask))["results"]}
+        self.assertIsNotNone(found["ground"]["isolates_from"])
+        for name in ("mount", "other"):
+            self.assertEqual((found[name]["isolates_from"], found[name]["isolation_efficiency"]), (None, None))
+        alone = {one["name"]: one for one in answer("transmissibility", self.file(MACHINE + ask))["results"]}
+        self.assertIsNotNone(alone["mount"]["isolates_from"])
+
+    def test_an_overdamped_mode_of_little_mass_does_not_stop_an_earthquake(self):
+        small = ('[bodies.small]\nmass = 0.001\ninertia = {about = "center_of_mass", xx = 1e-6, yy = 1e-6, zz = 1e-6}\n'
+                 '[elements.link]\ntype = "bushing"\non = "small"\nfrom = "machine"\nat = [0, 0, 0]\ntranslation = [100, 100, 100]\nrotation = [1, 1, 1]\n'
+                 'damping = {translation = [1, 1, 1], rotation = [1, 1, 1]}\n')
+        ask = '[analyses]\nearthquake = {rows = [[0.1, 5], [100, 5]], direction = "x", of = ["machine.x"]}\n'
+        values = []
+        for more in ("", small):
+            done = trivet("run", self.file(MACHINE + more + ask), "-o", self.folder / "out")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            text = (self.folder / "out/results.json").read_text()
+            values.append(json.loads(text)["cases"][0]["earthquake"]["results"][0])
+        neglected = 1e-4  # ten times the share of the mass
+        self.assertAlmostEqual(values[0]["cqc"] / values[1]["cqc"], 1, delta=neglected)
 
     def test_limit_lines_beside_the_response(self):
         line = ('[analyses]\nresponse = {of = ["machine.seat"]}\n'

@@ -133,6 +133,42 @@ TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
   EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 5e4)}.text()), ElementsAre("lift-off"));
 }
 
+TEST(Plausibility, KnowsProportionalDampingThatOverdamps) {
+  const double frequency = std::sqrt(4 * 2e6 / 7850) / (2 * pi);  // π f δ = 2
+  const auto damped = [&](double ratio) { return Cube{.damping = fmt::format("damping = {{proportional = {}}}", ratio / (pi * frequency))}.text(); };
+  EXPECT_THAT(kinds(damped(1.99)), IsEmpty());
+  EXPECT_THAT(kinds(damped(2.01)), ElementsAre("proportional damping"));
+}
+
+TEST(Plausibility, KnowsScalesInPercent) {
+  EXPECT_THAT(kinds(Cube{.stiffness = 2e6 / 29, .of_mount = "scale = 29"}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.stiffness = 2e6 / 30, .of_mount = "scale = 30"}.text()), ElementsAre("scale"));
+}
+
+TEST(Plausibility, KnowsLimitsLargerThanTheBody) {
+  const double size = 2 * std::sqrt(3 * (7850.0 / 6) / (2 * 7850));  // twice the root mean square distance of the mass
+  const auto limited = [](double amplitude) {
+    return Cube{.more = fmt::format("[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\nresponse = {{of = \"cube\"}}\n[limits]\n\"cube.z\" = {}\n", amplitude)}.text();
+  };
+  EXPECT_THAT(kinds(limited(0.99 * size)), IsEmpty());
+  EXPECT_THAT(kinds(limited(1.01 * size)), ElementsAre("limit"));
+}
+
+TEST(Plausibility, KnowsOneDamperOfThree) {
+  const auto dampers = [](double last) {
+    std::string text;
+    for (int i = 0; i < 3; ++i)
+      text += fmt::format("[elements.d{}]\ntype = \"damper\"\non = \"cube\"\nat = [{}, 0, 0]\naxis = \"z\"\ncoefficient = {}\n", i, i, i == 2 ? last : 1e4);
+    return Cube{.more = text}.text();
+  };
+  EXPECT_THAT(kinds(dampers(1e4 / 49)), IsEmpty());
+  EXPECT_THAT(kinds(dampers(1e4 / 51)), ElementsAre("viscous damping"));
+}
+
+TEST(Plausibility, UndoesStiffnessTogetherWithTheDampingOfItsLaw) {
+  EXPECT_THAT(kinds(Cube{.stiffness = 2e3, .damping = "damping = {kelvin_voigt = {time = \"0.6 ms\"}}"}.text()), ElementsAre("stiffness"));
+}
+
 TEST(Plausibility, KnowsRimsThatBurst) {
   // A steel cylinder twice as long as thick, r³ = m / 4πρ: 100 kg have 0.1004 m, 600 m/s are 5975 rad/s.
   const double radius = std::cbrt(100 / (4 * pi * 7850));

@@ -214,35 +214,34 @@ double static_force(const model::System& system, const std::vector<BodyPicture>&
 
 }  // namespace
 
-bool judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+void judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   const auto& given = system.description().gravity;
-  if (!given || given->isZero(0)) return false;
+  if (!given || given->isZero(0)) return;
   const double length = given->norm();
   const std::string finding = fmt::format("({:.6g}, {:.6g}, {:.6g}) m/s²", given->x(), given->y(), given->z());
   for (const GravityUnit& unit : gravity_units)
     if (std::abs(length / unit.length - 1) < unit.within) {
       found.push_back({"gravity", "gravity", finding, "gravity is 9.81 m/s²",
           fmt::format("it would be {:.4g} m/s² if {}", unit.factor * length, unit.words)});
-      return true;
+      return;
     }
   if (length < least_gravity || length > most_gravity) {
     found.push_back({"gravity", "gravity", finding,
         fmt::format("gravity is 9.81 m/s² on earth, {:.3g} … {:.3g} m/s² anywhere", least_gravity, most_gravity),
             "check its unit"});
-    return true;
+    return;
   }
   const Eigen::Vector3d down = *given / length;
-  if (!(down.y() > along_axis || down.z() > along_axis)) return false;
+  if (!(down.y() > along_axis || down.z() > along_axis)) return;
   // Upwards in the usual frames. In a frame whose z points down a machine that stands has its mounts where gravity
   // points.
   double deepest = -1;
   for (const BodyPicture& picture : pictures)
     deepest = std::max(deepest, depth_of_mounts(system, picture, down).value_or(-1));
   constexpr double clearly = 0.1;
-  if (deepest > clearly) return false;
+  if (deepest > clearly) return;
   found.push_back({"gravity", "gravity", finding, "gravity points down, and z (or y) mostly up",
       "it would point down with the other sign"});
-  return true;
 }
 
 void judge_balance(const model::System& system, Suspicions& found) {

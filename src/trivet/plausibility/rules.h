@@ -24,8 +24,8 @@ void judge_undamped(const model::System& system, const std::vector<BodyPicture>&
 /// that is usual otherwise.
 void judge_rotation(const model::System& system, const BodyPicture& picture, Suspicions& found);
 
-/// Gravity in another unit or upwards. Returns whether it is doubtful.
-bool judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+/// Gravity in another unit or upwards.
+void judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
 /// Centre of mass outside of the mounts, mounts that are lifted. Call it for a machine and a gravity that are beyond
 /// suspicion.

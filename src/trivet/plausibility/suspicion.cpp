@@ -42,6 +42,9 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
     return std::find(stated.accepted.begin(), stated.accepted.end(), key) == stated.accepted.end();
   };
   Suspicions found;
+  const auto doubt_since = [&](std::size_t count) {
+    return std::any_of(found.begin() + static_cast<std::ptrdiff_t>(count), found.end(), casts_doubt);
+  };
   const std::vector<BodyPicture> all = pictures(system, stated.inertia_about_pole, stated.from_solids);
   std::vector<std::size_t> blamed = judge_mounts(system, all, found);
   const bool scales_accepted = std::any_of(found.begin(), found.end(), [&](const Suspicion& s) { return s.kind == std::string("scale") && !casts_doubt(s); });
@@ -66,10 +69,10 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
     if (products && !own) found.push_back(std::move(*products));
     if (!bodies_doubtful && blamed.empty()) judge_rotation(system, picture, found);
   }
-  const bool machine_doubtful = bodies_doubtful || std::any_of(found.begin(), found.end(), casts_doubt);
+  const bool machine_doubtful = bodies_doubtful || doubt_since(0);
   const std::size_t before_gravity = found.size();
-  const bool gravity_doubtful = judge_gravity(system, all, found) &&
-      std::any_of(found.begin() + static_cast<std::ptrdiff_t>(before_gravity), found.end(), casts_doubt);
+  judge_gravity(system, all, found);
+  const bool gravity_doubtful = doubt_since(before_gravity);
   // What follows from a wrong mass, place, stiffness or gravity is not a suspicion of its own.
   const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(),
       [&](const BodyVerdict& v) { return v.slip && v.slip->mass != 1 && doubted(v); });
@@ -77,7 +80,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();
     judge_ratings(system, all, stated.ratings, found);
-    if (std::any_of(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), casts_doubt))  // too small a mount sags too far
+    if (doubt_since(before))  // too small a mount sags too far
       std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
   }
   for (const BodyVerdict& verdict : verdicts) found.push_back(verdict.suspicion);

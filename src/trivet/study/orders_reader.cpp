@@ -198,7 +198,7 @@ void read_unbalance(TableReader& reader, model::Action& action) {
                  speed = reader.required_number("service_speed", Quantity::angular_frequency);
     if (reader.has("mass_eccentricity")) reader.error("mass_eccentricity", "beside a grade", "one of them says how large the unbalance is", "remove one");
     for (const auto& [key, value] : {std::pair{"grade", grade}, {"rotor_mass", mass}, {"service_speed", speed}})
-      if (reader.errors() == before && reader.has(key) && !(value > 0)) reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "mend it");
+      if (reader.errors() == before && reader.has(key) && !(value > 0)) reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
   } else {
     const bool called_unbalance = !reader.has("mass_eccentricity") && reader.has("unbalance");
