@@ -102,7 +102,7 @@ HWY_INLINE LaneMask solve_pivoted_pack(const PackSystem& s, PackArray& z, PackAr
     q.set(i, x);
     s.store(i, x);
   }
-  return hn::Gt(smallest, hn::Mul(all(sweep_kernels::negligible_pivot(n)), norm));
+  return hn::Gt(smallest, hn::Mul(all(negligible_pivot(n)), norm));
 }
 
 HWY_INLINE Pack backward_error(const PackSystem& s, PackArray& q) {

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "trivet/numerics/sweep_kernels.h"
 
 namespace trivet::numerics {
 
@@ -14,7 +13,7 @@ PivotedSolution pivoted_solution(const Eigen::MatrixXcd& Z, const Eigen::VectorX
   Eigen::VectorXcd& x = result.x;
   x += lu.solve(h - Z * x);
   const double norm = Z.cwiseAbs().rowwise().sum().maxCoeff();
-  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= sweep_kernels::negligible_pivot(static_cast<int>(Z.rows())) * norm) {
+  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= negligible_pivot(static_cast<int>(Z.rows())) * norm) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     x.setConstant({nan, nan});
     return {x, nan, std::numeric_limits<double>::infinity()};

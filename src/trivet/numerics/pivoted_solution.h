@@ -2,8 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace trivet::numerics {
+
+/// Share of the norm below which a pivot is nothing but round-off.
+constexpr double negligible_pivot(int n) { return 16 * n * std::numeric_limits<double>::epsilon(); }
 
 /// Z x = h by LU with partial pivoting and one step of refinement.
 struct PivotedSolution {

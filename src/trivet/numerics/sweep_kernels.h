@@ -3,10 +3,10 @@
 // number of all frequencies of a batch side by side; omega and planes are filled up to whole packs by repeating the last frequency.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/pivoted_solution.h"
 #include "trivet/numerics/planes.h"
 
 namespace trivet::numerics::sweep_kernels {
@@ -20,8 +20,6 @@ inline constexpr int most_fixed = 6;
 
 /// Most √Σ_j (|d_j| ‖l_j‖²)² / ‖Z‖_F over the columns of L and pivots d for which a factorisation without pivoting is trusted: docs/decisions/no-pivoting-first.md.
 inline constexpr double growth_allowed = 16;
-/// Share of the norm below which a pivot is nothing but round-off.
-constexpr double negligible_pivot(int n) { return 16 * n * std::numeric_limits<double>::epsilon(); }
 
 /// Z(ω) = K + iK_loss + iωB − ω²A in scaled coordinates, all n × n in rows.
 struct Coefficients {

@@ -34,7 +34,7 @@ HWY_INLINE Pack polynomial(const double* c, const Pack& omega, const Pack& squar
 
 /// False, too, where anything is not a number.
 HWY_INLINE LaneMask trusted(const Growth& growth, const Pack& norm, int n) {
-  const double negligible = sweep_kernels::negligible_pivot(n), most = sweep_kernels::growth_allowed;
+  const double negligible = negligible_pivot(n), most = sweep_kernels::growth_allowed;
   return hn::And(hn::Le(growth.squares, hn::Mul(all(most * most), norm)), hn::Lt(hn::Mul(growth.reciprocals, norm), all(1 / (negligible * negligible))));
 }
 

@@ -5,6 +5,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/excitation_parts.h"
+#include "trivet/study/mentioned.h"
 
 namespace trivet::study {
 namespace {

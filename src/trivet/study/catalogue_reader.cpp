@@ -3,6 +3,7 @@
 
 #include "trivet/study/catalogue.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 

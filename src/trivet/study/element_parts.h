@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -25,9 +24,6 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
 
 /// `damping = {loops = "file.csv", law = "best"}`: the law of the element out of measured hysteresis loops.
 void read_loops(TableReader& damping, model::Element& element);
-
-/// A file that a project file names, relative to its own folder. A missing key is a problem.
-[[nodiscard]] std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key);
 
 /// A law that knows its own size: it fills law and facts, in local axes with e3 from N to K, and returns the distance from N to K [m],
 /// or nothing after reporting what is wrong.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/element_reader.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -11,7 +13,7 @@
 #include "trivet/study/element_parts.h"
 #include "trivet/study/idle_key.h"
 #include "trivet/study/outside_features.h"
-#include "trivet/study/part_readers.h"
+#include "trivet/study/mentioned.h"
 
 namespace trivet::study {
 namespace {

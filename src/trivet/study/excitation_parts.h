@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "trivet/study/part_readers.h"
+#include "trivet/study/mentioned.h"
 
 /// One function per part of an excitation's table.
 namespace trivet::study {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/excitation_reader.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

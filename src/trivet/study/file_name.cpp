@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/study/part_readers.h"
+#include "trivet/study/mentioned.h"
 
 namespace trivet::study {
 

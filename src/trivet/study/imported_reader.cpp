@@ -8,6 +8,7 @@
 #include "trivet/exchange/matrix_file.h"
 #include "trivet/study/complex_stiffness.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

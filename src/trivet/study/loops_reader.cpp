@@ -10,6 +10,7 @@
 #include "trivet/identification/law_fit.h"
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

@@ -9,6 +9,7 @@
 #include "trivet/identification/stiffness_fit.h"
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

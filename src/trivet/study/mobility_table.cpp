@@ -15,6 +15,7 @@
 #include "trivet/study/csv_table.h"
 #include "trivet/study/element_parts.h"
 #include "trivet/study/stiffness_column.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 #include "trivet/study/idle_key.h"
 
 namespace trivet::study {

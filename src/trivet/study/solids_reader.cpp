@@ -7,6 +7,7 @@
 
 #include "trivet/solids/rigid_solid.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

@@ -8,7 +8,7 @@
 #include "trivet/study/admissible_range.h"
 #include "trivet/study/excitation_parts.h"
 #include "trivet/study/pairs_reader.h"
-#include "trivet/study/wanted_reader.h"
+#include "trivet/study/band_reader.h"
 
 namespace trivet::study {
 namespace {

@@ -11,6 +11,7 @@
 #include "trivet/study/condensed_solid.h"
 #include "trivet/study/element_cache.h"
 #include "trivet/study/material_reader.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

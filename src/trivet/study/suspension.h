@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "trivet/modal/suspension.h"
@@ -21,9 +20,5 @@ struct SuspensionAnswer {
 /// @param excitations  angular frequencies to hold against the natural ones [rad/s], > 0
 [[nodiscard]] SuspensionAnswer suspension(const Case& variant, const std::vector<Eigen::Vector3d>& torques = {},
                                           const std::vector<double>& excitations = {});
-
-/// JSON (docs/json.md), and one CSV row per body and mode.
-[[nodiscard]] std::string suspension_json(const Case& variant, const SuspensionAnswer& answer);
-[[nodiscard]] std::string suspension_csv(const Case& variant, const SuspensionAnswer& answer);
 
 }  // namespace trivet::study

@@ -7,6 +7,7 @@
 #include "trivet/plausibility/inertia_slips.h"
 #include "trivet/study/catalogue.h"
 #include "trivet/study/element_parts.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

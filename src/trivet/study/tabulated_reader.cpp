@@ -13,6 +13,7 @@
 #include "trivet/study/element_parts.h"
 #include "trivet/study/matrix_table.h"
 #include "trivet/study/stiffness_column.h"
+#include "trivet/study/file_name.h"
 
 namespace trivet::study {
 namespace {

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/part_readers.h"
+#include "trivet/study/analyses.h"
+#include "trivet/study/band_reader.h"
+#include "trivet/study/mentioned.h"
 
 namespace trivet::study {
 
@@ -56,9 +58,6 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
 
 /// What the model has in place of harmonic excitations: "engine" is of type orders, …; empty if nothing.
 [[nodiscard]] std::string other_excitations(const Mentioned& mentioned);
-
-/// `key = [from, to]` in rad/s or with units, 0 ≤ from < to.
-[[nodiscard]] std::optional<response::Band> read_band(TableReader& reader, const std::string& key);
 
 /// The analyses beyond response, peaks and static answers.
 void read_further_analyses(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result);

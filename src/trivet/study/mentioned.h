@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "trivet/model/system.h"
-#include "trivet/study/analyses.h"
 #include "trivet/study/table_reader.h"
 
-/// One function per part of a project file; each adds to the description and reports its problems.
 namespace trivet::study {
 
 /// Names that stand in the file, whether what they name could be read or not: a reference to an unreadable thing is no
@@ -21,12 +23,6 @@ struct Mentioned {
   std::vector<Standing> stands_on;  ///< elements and the foundations that they name
   std::vector<std::string> guided;  ///< "body.y": coordinates that do not move
 };
-
-void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned);
-void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned);
-void read_system_damping(TableReader& root, model::Description& description);
-void read_excitations(TableReader& root, model::Description& description, Mentioned& mentioned);
-[[nodiscard]] Analyses read_analyses(TableReader& root, const Mentioned& mentioned);
 
 /// The body of that name, if it was read; a name that stands nowhere is a problem at `key`.
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description,
