@@ -9,8 +9,8 @@
 #include "rival.h"
 #include "rivals/fixed_lu.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/pole_sweep.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/sweep/pole_sweep.h"
 
 namespace {
 

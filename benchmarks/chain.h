@@ -3,7 +3,7 @@
 #pragma once
 
 #include "paper_machine.h"
-#include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
 
 namespace trivet::benchmarks {
 

@@ -8,8 +8,8 @@
 #include "measure.h"
 #include "quad.h"
 #include "rivals/lapack.h"
-#include "trivet/numerics/block_sweep.h"
-#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/sweep/block_sweep.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long do natural frequencies and mode shapes of many designs take? Beside Octave, SciPy, NumPy batched, Eigen's fixed-size solver and LAPACK.
-#include "trivet/numerics/design_modes.h"
+#include "trivet/numerics/roots/design_modes.h"
 
 #include <array>
 

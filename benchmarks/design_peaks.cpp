@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long do the highest amplitudes of all six coordinates of a design take, exactly? Beside loops over 10,000 frequencies, which miss them where
 // damping is light.
-#include "trivet/numerics/design_peaks.h"
+#include "trivet/numerics/batch/design_peaks.h"
 
 #include <algorithm>
 #include <array>

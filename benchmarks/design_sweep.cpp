@@ -13,7 +13,7 @@
 #include "rivals/fixed_lu.h"
 #include "rivals/lapack.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/numerics/sweep_maxima.h"
+#include "trivet/numerics/batch/sweep_maxima.h"
 
 namespace {
 

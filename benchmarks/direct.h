@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/sweep_workspace.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/sweep/sweep_workspace.h"
 
 namespace trivet::benchmarks {
 

@@ -5,7 +5,7 @@
 #include "rivals/fixed_lu.h"
 #include "rivals/lapack.h"
 #include "sweep_problem.h"
-#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 int main() {
   using namespace trivet;

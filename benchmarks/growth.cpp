@@ -8,8 +8,8 @@
 #include "direct.h"
 #include "measure.h"
 #include "random_designs.h"
-#include "trivet/numerics/design_modes.h"
-#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/roots/design_modes.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What does each instruction set give? One binary, told to use one after the other; the answers are compared first.
-#include "trivet/numerics/instruction_set.h"
+#include "trivet/numerics/lanes/instruction_set.h"
 
 #include "chain.h"
 #include "direct.h"
 #include "measure.h"
 #include "random_designs.h"
-#include "trivet/numerics/design_modes.h"
-#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/roots/design_modes.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace {
 

@@ -44,7 +44,7 @@ HWY_AFTER_NAMESPACE();
 #include <cstdlib>
 
 #include "measure.h"
-#include "trivet/numerics/dispatch.h"
+#include "trivet/numerics/lanes/dispatch.h"
 
 namespace trivet::benchmarks {
 

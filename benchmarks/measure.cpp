@@ -14,7 +14,7 @@
 #include <sstream>
 #include <thread>
 
-#include "trivet/numerics/instruction_set.h"
+#include "trivet/numerics/lanes/instruction_set.h"
 
 namespace trivet::benchmarks {
 namespace {

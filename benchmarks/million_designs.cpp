@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long do the highest amplitudes (or also the peaks) of a million designs take, and are they right? Usage: million_designs [designs] [highest|peaks]
-#include "trivet/numerics/design_peaks.h"
+#include "trivet/numerics/batch/design_peaks.h"
 
 #include <fmt/format.h>
 #include <time.h>
@@ -12,7 +12,7 @@
 #include <string>
 
 #include "support/random_designs.h"
-#include "trivet/numerics/instruction_set.h"
+#include "trivet/numerics/lanes/instruction_set.h"
 
 using namespace trivet;
 

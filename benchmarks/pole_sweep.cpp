@@ -5,7 +5,7 @@
 
 #include "rivals/lapack.h"
 #include "sweep_problem.h"
-#include "trivet/numerics/pole_sweep.h"
+#include "trivet/numerics/sweep/pole_sweep.h"
 
 namespace {
 

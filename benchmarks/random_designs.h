@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "paper_machine.h"
-#include "trivet/numerics/designs.h"
+#include "trivet/numerics/roots/designs.h"
 
 namespace trivet::benchmarks {
 

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <random>
 
-#include "trivet/numerics/lyapunov.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/response/random_response.h"
+#include "trivet/numerics/linalg/lyapunov.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/random/random_response.h"
 
 namespace {
 

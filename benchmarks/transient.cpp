@@ -15,8 +15,8 @@
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/foundation/child_process.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/response/transient.h"
-#include "trivet/study/project.h"
+#include "trivet/response/transient/transient.h"
+#include "trivet/project/project.h"
 
 namespace {
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # add_floor(NAME [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
-# The floor's CMakeLists.txt lists its sources and its public headers. The arrows are written to floors.txt for the test
-# that holds all #include lines to them.
+# All .cpp files of the folder are its sources; all headers are public and installed, but for kernels (-inl.h) and those that its
+# CMakeLists.txt names private. The arrows between floors and between the rooms of a floor, and the private headers, are
+# written to floors.txt for the test that holds all #include lines to them.
 file(WRITE ${PROJECT_BINARY_DIR}/floors.txt "")
 set_property(GLOBAL PROPERTY TRIVET_FLOORS "")
 
@@ -22,9 +23,29 @@ function(add_floor name)
   add_subdirectory(src/trivet/${name})
 endfunction()
 
-# floor_files(NAME SOURCES ... PUBLIC_HEADERS ...)
+# floor_files(NAME [PRIVATE_HEADERS ...])
 function(floor_files name)
-  cmake_parse_arguments(FILES "" "" "SOURCES;PUBLIC_HEADERS" ${ARGN})
-  target_sources(trivet_${name} PRIVATE ${FILES_SOURCES})
-  target_sources(trivet_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${FILES_PUBLIC_HEADERS})
+  cmake_parse_arguments(FILES "" "" "PRIVATE_HEADERS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS *.h)
+  list(FILTER headers EXCLUDE REGEX "-inl\\.h$")
+  list(TRANSFORM FILES_PRIVATE_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE private)
+  foreach(header IN LISTS private)
+    if(NOT EXISTS ${header})
+      message(FATAL_ERROR "${header} is named private and does not exist")
+    endif()
+  endforeach()
+  list(REMOVE_ITEM headers ${private} "")
+  target_sources(trivet_${name} PRIVATE ${sources})
+  target_sources(trivet_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+  string(REPLACE ";" " " listed "${FILES_PRIVATE_HEADERS}")
+  file(APPEND ${PROJECT_BINARY_DIR}/floors.txt "private ${name}: ${listed}\n")
+endfunction()
+
+# add_room(FLOOR/ROOM [USES ROOM...]): a sub-folder of a floor. It includes itself and the rooms named here; files beside the rooms
+# may include all of them, and none includes those.
+function(add_room name)
+  cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
+  string(REPLACE ";" " " uses "${ROOM_USES}")
+  file(APPEND ${PROJECT_BINARY_DIR}/floors.txt "room ${name}: ${uses}\n")
 endfunction()

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "trivet/study/answers.h"
-#include "trivet/study/project_json.h"
+#include "trivet/results/project_json.h"
 
 /// Answers as text for reading.
 namespace trivet::cli {

@@ -15,11 +15,11 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/plausibility/suspicion.h"
-#include "trivet/study/admissible_range.h"
-#include "trivet/study/answers_json.h"
-#include "trivet/study/further_json.h"
-#include "trivet/study/tables_csv.h"
-#include "trivet/study/units.h"
+#include "trivet/project/text/admissible_range.h"
+#include "trivet/results/answers_json.h"
+#include "trivet/results/further_json.h"
+#include "trivet/results/tables_csv.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::cli {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/picture_file.h"
-#include "trivet/study/project.h"
-#include "trivet/study/questions.h"
+#include "trivet/results/picture_file.h"
+#include "trivet/project/project.h"
+#include "trivet/project/questions.h"
 
 namespace trivet::cli {
 

@@ -9,8 +9,8 @@
 #include "cli/element_text.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/element_picture.h"
-#include "trivet/study/element_json.h"
-#include "trivet/study/questions.h"
+#include "trivet/results/element_json.h"
+#include "trivet/project/questions.h"
 
 namespace trivet::cli {
 namespace {

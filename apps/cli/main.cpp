@@ -12,8 +12,8 @@
 #include "cli/console.h"
 #include "cli/signals.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/study/embedded_text.h"
-#include "trivet/study/version.h"
+#include "trivet/project/text/embedded_text.h"
+#include "trivet/foundation/version.h"
 
 namespace {
 

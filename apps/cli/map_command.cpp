@@ -12,7 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/map_figure.h"
 #include "trivet/study/answers.h"
-#include "trivet/study/map_json.h"
+#include "trivet/results/map_json.h"
 
 namespace trivet::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "cli/text_table.h"
-#include "trivet/study/axis_words.h"
-#include "trivet/study/map_summary.h"
-#include "trivet/study/map_verdicts.h"
-#include "trivet/study/shown_apart.h"
+#include "trivet/results/axis_words.h"
+#include "trivet/results/map_summary.h"
+#include "trivet/results/map_verdicts.h"
+#include "trivet/results/shown_apart.h"
 
 namespace trivet::cli {
 namespace {

@@ -14,10 +14,10 @@
 #include "trivet/report/report_page.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/study/further_json.h"
-#include "trivet/study/map_json.h"
-#include "trivet/study/result_folder.h"
-#include "trivet/study/tables_csv.h"
+#include "trivet/results/further_json.h"
+#include "trivet/results/map_json.h"
+#include "trivet/results/result_folder.h"
+#include "trivet/results/tables_csv.h"
 
 namespace trivet::cli {
 namespace {

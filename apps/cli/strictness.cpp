@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
-#include "trivet/response/design_rules.h"
+#include "trivet/design/design_rules.h"
 
 namespace trivet::cli {
 namespace {

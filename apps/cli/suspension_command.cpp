@@ -13,7 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/study/suspension.h"
-#include "trivet/study/suspension_json.h"
+#include "trivet/results/suspension_json.h"
 
 namespace trivet::cli {
 namespace {

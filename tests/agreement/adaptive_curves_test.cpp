@@ -8,8 +8,8 @@
 
 #include "support/projects.h"
 #include "support/random_system.h"
-#include "trivet/response/curve_model.h"
-#include "trivet/response/frequency_grid.h"
+#include "trivet/response/steady/curve_model.h"
+#include "trivet/response/steady/frequency_grid.h"
 
 namespace {
 

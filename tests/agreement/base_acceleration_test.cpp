@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/response/peaks.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/steady/peaks.h"
 #include "trivet/study/design_map.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/design_peaks.h"
+#include "trivet/numerics/batch/design_peaks.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "support/random_designs.h"
-#include "trivet/numerics/disc_search.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/instruction_set.h"
-#include "trivet/numerics/peak_count.h"
-#include "trivet/numerics/system_roots.h"
+#include "trivet/numerics/peaks/disc_search.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/peaks/peak_count.h"
+#include "trivet/numerics/linalg/system_roots.h"
 
 namespace trivet {
 namespace {

@@ -12,10 +12,10 @@
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/roots.h"
-#include "trivet/response/deep_check.h"
-#include "trivet/response/exact_response.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/response/peaks.h"
+#include "trivet/response/steady/deep_check.h"
+#include "trivet/response/steady/exact_response.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/steady/peaks.h"
 
 namespace {
 

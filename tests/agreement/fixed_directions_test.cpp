@@ -15,8 +15,8 @@
 #include "support/projects.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/response/deep_check.h"
-#include "trivet/response/model_parameters.h"
+#include "trivet/response/steady/deep_check.h"
+#include "trivet/response/sensitivity/model_parameters.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {

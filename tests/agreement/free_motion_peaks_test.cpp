@@ -8,7 +8,7 @@
 #include "support/projects.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/roots.h"
-#include "trivet/response/peaks.h"
+#include "trivet/response/steady/peaks.h"
 
 namespace {
 

@@ -6,11 +6,11 @@
 
 #include "support/hard_cases.h"
 #include "support/matchers.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/peak_refinement.h"
-#include "trivet/numerics/refined_solution.h"
-#include "trivet/response/peaks.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/peaks/peak_refinement.h"
+#include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/response/steady/peaks.h"
 
 namespace {
 

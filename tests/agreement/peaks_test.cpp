@@ -10,8 +10,8 @@
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/roots.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/response/peaks.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/steady/peaks.h"
 
 namespace {
 

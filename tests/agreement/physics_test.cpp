@@ -11,9 +11,9 @@
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/modal/roots.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/response/deep_check.h"
-#include "trivet/response/frequency_response.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/response/steady/deep_check.h"
+#include "trivet/response/steady/frequency_response.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {

@@ -6,9 +6,9 @@
 
 #include "support/hard_cases.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/instruction_set.h"
-#include "trivet/numerics/pole_sweep.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/sweep/pole_sweep.h"
 
 namespace {
 

@@ -8,10 +8,10 @@
 
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/lyapunov.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/response/random_response.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/lyapunov.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/random/random_response.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/channels.h"
 #include "trivet/modal/roots.h"
-#include "trivet/response/static_response.h"
+#include "trivet/response/steady/static_response.h"
 
 namespace {
 

@@ -9,11 +9,11 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/elements/viscoelastic.h"
-#include "trivet/response/deflection_shape.h"
-#include "trivet/response/limit_line.h"
-#include "trivet/response/power.h"
-#include "trivet/response/run_up.h"
-#include "trivet/response/transmissibility.h"
+#include "trivet/response/machinery/deflection_shape.h"
+#include "trivet/response/machinery/limit_line.h"
+#include "trivet/response/machinery/power.h"
+#include "trivet/response/machinery/run_up.h"
+#include "trivet/response/machinery/transmissibility.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {

@@ -7,11 +7,11 @@
 #include <random>
 
 #include "support/hard_cases.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/instruction_set.h"
-#include "trivet/numerics/refined_solution.h"
-#include "trivet/numerics/sweep_kernels.h"
-#include "trivet/numerics/sweep_plan.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/numerics/sweep/sweep_kernels.h"
+#include "trivet/numerics/sweep/sweep_plan.h"
 
 namespace {
 

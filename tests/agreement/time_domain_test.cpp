@@ -8,7 +8,7 @@
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/numerics/frequency_sweep.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace {
 

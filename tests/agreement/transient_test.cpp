@@ -13,7 +13,7 @@
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/frequency_response.h"
+#include "trivet/response/steady/frequency_response.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "trivet/numerics/design_peaks.h"
-#include "trivet/numerics/sweep_maxima.h"
+#include "trivet/numerics/batch/design_peaks.h"
+#include "trivet/numerics/batch/sweep_maxima.h"
 
 namespace {
 

@@ -1,19 +1,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds every #include between floors to the arrows declared in CMake."""
+"""Holds every #include to the arrows between floors, and between the rooms of a floor, that CMake declares; a header that its
+floor calls private is included by no other floor."""
 import pathlib
 import re
 import sys
 
 source, floors_file = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-uses = {}
+floors, rooms, private = {}, {}, set()
 for line in floors_file.read_text().splitlines():
-    floor, _, lower = line.partition(":")
-    uses[floor] = lower.split()
+    name, _, listed = line.partition(":")
+    kind, _, rest = name.rpartition(" ")
+    if kind == "room":
+        floor = rest.split("/")[0]
+        rooms[rest] = {f"{floor}/{room}" for room in listed.split()} | {rest}
+    elif kind == "private":
+        private |= {f"{rest}/{header}" for header in listed.split()}
+    else:
+        floors[name] = listed.split()
 
 
 def below(floor):
     """The floor itself and all it may see: arrows reach through."""
-    return {floor}.union(*(below(lower) for lower in uses[floor]))
+    return {floor}.union(*(below(lower) for lower in floors[floor]))
+
+
+def room_of(path):
+    """ "numerics/sweep" of numerics/sweep/planes.h; "numerics" of a file beside the rooms."""
+    return str(pathlib.PurePosixPath(path).parent)
 
 
 wrong = []
@@ -21,15 +34,30 @@ includes = 0
 for path in sorted((source / "trivet").rglob("*")):
     if path.suffix not in (".h", ".cpp", ".in"):
         continue
-    floor = path.relative_to(source).parts[1]
-    if floor not in uses:
+    name = path.relative_to(source / "trivet").as_posix()
+    floor, room = name.split("/")[0], room_of(name)
+    if floor not in floors:
         wrong.append(f"{path}: the folder {floor} is no declared floor")
         continue
+    if room != floor and room not in rooms:
+        wrong.append(f"{path}: the folder {room} is no declared room")
+        continue
+    if room == floor and any(declared.startswith(floor + "/") for declared in rooms) and path.suffix != ".in":
+        allowed = None  # beside the rooms: all of them
+    else:
+        allowed = rooms.get(room)
     for number, line in enumerate(path.read_text().splitlines(), 1):
-        found = re.match(r'\s*#\s*include\s*[<"]trivet/([a-z_]+)/', line)
-        if found:
-            includes += 1
-            if found.group(1) not in below(floor):
-                wrong.append(f"{path}:{number}: {floor} must not include {found.group(1)}")
-print("\n".join(wrong) or f"{includes} includes between {len(uses)} floors follow the arrows")
+        found = re.match(r'\s*#\s*include\s*[<"]trivet/([a-z_/\-]+\.h)', line)
+        if not found:
+            continue
+        includes += 1
+        target = found.group(1)
+        lower = target.split("/")[0]
+        if lower not in below(floor):
+            wrong.append(f"{path}:{number}: {floor} must not include {lower}")
+        elif lower == floor and allowed is not None and room_of(target) not in allowed:
+            wrong.append(f"{path}:{number}: {room} must not include {room_of(target)}")
+        elif lower != floor and target in private:
+            wrong.append(f"{path}:{number}: {target} is private to {lower}")
+print("\n".join(wrong) or f"{includes} includes between {len(floors)} floors and {len(rooms)} rooms follow the arrows")
 sys.exit(1 if wrong or includes == 0 else 0)

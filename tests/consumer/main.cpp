@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "trivet/modal/modes.h"
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 int main() {
   trivet::model::Description description;

@@ -21,10 +21,10 @@
 #include "trivet/solids/closed_surface.h"
 #include "trivet/solids/stl_file.h"
 #include "trivet/study/answers.h"
-#include "trivet/study/catalogue.h"
-#include "trivet/study/changes.h"
-#include "trivet/study/project_json.h"
-#include "trivet/study/question_sizes.h"
+#include "trivet/project/elements/catalogue.h"
+#include "trivet/project/text/changes.h"
+#include "trivet/results/project_json.h"
+#include "trivet/project/analyses/question_sizes.h"
 
 namespace trivet::fuzz {
 namespace {

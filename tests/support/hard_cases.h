@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "trivet/numerics/dynamic_matrices.h"
-#include "trivet/numerics/quadratic_roots.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 
 namespace trivet::test {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "trivet/study/design_outcome.h"
-#include "trivet/study/map_contours.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/design/map_contours.h"
 
 namespace trivet::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "trivet/study/answers.h"
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace trivet::test {
 

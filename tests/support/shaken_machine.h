@@ -7,7 +7,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/elements/law.h"
-#include "trivet/response/peaks.h"
+#include "trivet/response/steady/peaks.h"
 
 namespace trivet::test {
 

@@ -8,7 +8,7 @@
 
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/response/transient.h"
+#include "trivet/response/transient/transient.h"
 
 namespace trivet::test {
 

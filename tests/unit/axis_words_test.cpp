@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
-#include "trivet/study/axis_words.h"
+#include "trivet/results/axis_words.h"
 
 namespace {
 

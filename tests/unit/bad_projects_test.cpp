@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace {
 

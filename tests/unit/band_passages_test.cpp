@@ -6,7 +6,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/study/band_passages.h"
+#include "trivet/design/band_passages.h"
 #include "trivet/study/design_map.h"
 
 namespace {

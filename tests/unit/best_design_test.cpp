@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support/map_outcomes.h"
-#include "trivet/study/best_design.h"
+#include "trivet/design/best_design.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "trivet/study/boundary_crossings.h"
+#include "trivet/design/boundary_crossings.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/catalogue.h"
+#include "trivet/project/elements/catalogue.h"
 
 #include <gtest/gtest.h>
 

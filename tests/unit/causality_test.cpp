@@ -12,7 +12,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/viscoelastic.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/nonnegative_least_squares.h"
+#include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
 namespace {
 

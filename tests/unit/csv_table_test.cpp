@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/csv_table.h"
+#include "trivet/project/text/csv_table.h"
 
 #include <gmock/gmock.h>
 

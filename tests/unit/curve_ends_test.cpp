@@ -3,7 +3,7 @@
 
 #include "support/projects.h"
 #include "trivet/modal/modes.h"
-#include "trivet/response/curve_ends.h"
+#include "trivet/response/steady/curve_ends.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/numerics/refined_solution.h"
-#include "trivet/response/deep_check.h"
+#include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/response/steady/deep_check.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/response/design_family.h"
+#include "trivet/design/design_family.h"
 
 namespace {
 

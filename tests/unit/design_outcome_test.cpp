@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "trivet/study/design_outcome.h"
+#include "trivet/design/design_outcome.h"
 
 namespace {
 

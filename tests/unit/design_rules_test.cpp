@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "trivet/response/design_rules.h"
+#include "trivet/design/design_rules.h"
 
 namespace {
 

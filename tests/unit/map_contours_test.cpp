@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "trivet/study/map_contours.h"
+#include "trivet/design/map_contours.h"
 
 namespace {
 

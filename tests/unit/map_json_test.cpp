@@ -6,7 +6,7 @@
 #include "support/mapped_machine.h"
 #include "support/projects.h"
 #include "trivet/study/design_map.h"
-#include "trivet/study/map_json.h"
+#include "trivet/results/map_json.h"
 
 namespace {
 

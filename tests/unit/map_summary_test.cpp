@@ -3,7 +3,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/study/map_summary.h"
+#include "trivet/results/map_summary.h"
 
 namespace {
 

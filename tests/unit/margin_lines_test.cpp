@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support/map_outcomes.h"
-#include "trivet/study/margin_lines.h"
+#include "trivet/design/margin_lines.h"
 
 namespace {
 

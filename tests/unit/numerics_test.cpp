@@ -6,11 +6,11 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
-#include "trivet/numerics/frequency_sweep.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/quadratic_roots.h"
-#include "trivet/numerics/response_series.h"
-#include "trivet/numerics/sign_changes.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
+#include "trivet/numerics/peaks/response_series.h"
+#include "trivet/numerics/peaks/sign_changes.h"
 
 namespace {
 

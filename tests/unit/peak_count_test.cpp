@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/peak_count.h"
+#include "trivet/numerics/peaks/peak_count.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "support/projects.h"
 #include "trivet/plausibility/unit_slips.h"
-#include "trivet/study/suspicions.h"
+#include "trivet/project/suspicions.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "support/projects.h"
-#include "trivet/study/answers_json.h"
-#include "trivet/study/embedded_text.h"
+#include "trivet/results/answers_json.h"
+#include "trivet/project/text/embedded_text.h"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/question_sizes.h"
+#include "trivet/project/analyses/question_sizes.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "support/projects.h"
-#include "trivet/study/admissible_range.h"
+#include "trivet/project/text/admissible_range.h"
 
 namespace {
 

@@ -10,11 +10,11 @@
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/lyapunov.h"
-#include "trivet/numerics/pole_residue.h"
-#include "trivet/numerics/polynomial_roots.h"
-#include "trivet/response/integration_panels.h"
-#include "trivet/response/random_response.h"
+#include "trivet/numerics/linalg/lyapunov.h"
+#include "trivet/numerics/linalg/pole_residue.h"
+#include "trivet/numerics/linalg/polynomial_roots.h"
+#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/random_response.h"
 
 namespace {
 

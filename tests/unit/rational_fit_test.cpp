@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/rational_fit.h"
+#include "trivet/numerics/linalg/rational_fit.h"
 
 namespace {
 

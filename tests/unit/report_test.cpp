@@ -6,8 +6,8 @@
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/report_page.h"
-#include "trivet/study/embedded_text.h"
-#include "trivet/study/project_json.h"
+#include "trivet/project/text/embedded_text.h"
+#include "trivet/results/project_json.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/axis_panels.h"
-#include "trivet/response/frequency_grid.h"
+#include "trivet/numerics/peaks/axis_panels.h"
+#include "trivet/response/steady/frequency_grid.h"
 
 namespace {
 

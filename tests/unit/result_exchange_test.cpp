@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/result_exchange.h"
+#include "trivet/results/result_exchange.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/study/users_files.h"
+#include "trivet/results/users_files.h"
 
 namespace {
 

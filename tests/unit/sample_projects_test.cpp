@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/axis_panels.h"
-#include "trivet/numerics/sign_changes.h"
-#include "trivet/response/integration_panels.h"
+#include "trivet/numerics/peaks/axis_panels.h"
+#include "trivet/numerics/peaks/sign_changes.h"
+#include "trivet/response/random/integration_panels.h"
 
 namespace {
 

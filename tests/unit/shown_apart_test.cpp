@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "trivet/study/shown_apart.h"
+#include "trivet/results/shown_apart.h"
 
 namespace {
 

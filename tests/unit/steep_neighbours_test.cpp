@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "trivet/study/steep_neighbours.h"
+#include "trivet/design/steep_neighbours.h"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/exponential_step.h"
-#include "trivet/response/input_course.h"
-#include "trivet/response/state_space.h"
-#include "trivet/response/transient_walk.h"
+#include "trivet/response/transient/exponential_step.h"
+#include "trivet/response/transient/input_course.h"
+#include "trivet/response/transient/state_space.h"
+#include "trivet/response/transient/transient_walk.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "support/matchers.h"
-#include "trivet/study/units.h"
+#include "trivet/project/text/units.h"
 
 namespace {
 

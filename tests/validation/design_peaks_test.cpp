@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/design_peaks.h"
+#include "trivet/numerics/batch/design_peaks.h"
 
 #include <gtest/gtest.h>
 

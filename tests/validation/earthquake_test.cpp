@@ -12,7 +12,7 @@
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/earthquake.h"
+#include "trivet/response/transient/earthquake.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {

@@ -11,11 +11,11 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/campbell.h"
-#include "trivet/response/limit_line.h"
-#include "trivet/response/load_sharing.h"
-#include "trivet/response/run_up.h"
-#include "trivet/response/transmissibility.h"
+#include "trivet/response/machinery/campbell.h"
+#include "trivet/response/machinery/limit_line.h"
+#include "trivet/response/machinery/load_sharing.h"
+#include "trivet/response/machinery/run_up.h"
+#include "trivet/response/machinery/transmissibility.h"
 
 namespace {
 

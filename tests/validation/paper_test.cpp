@@ -8,9 +8,9 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/study/project.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/project/project.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/excitation/road.h"
-#include "trivet/response/random_response.h"
+#include "trivet/response/random/random_response.h"
 
 namespace {
 

@@ -9,10 +9,10 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/excitation/spectrum.h"
-#include "trivet/response/frequency_response.h"
-#include "trivet/response/peaks.h"
-#include "trivet/response/random_response.h"
-#include "trivet/response/transient.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/steady/peaks.h"
+#include "trivet/response/random/random_response.h"
+#include "trivet/response/transient/transient.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/elements/law.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/massless.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/massless.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {

@@ -7,7 +7,7 @@
 
 #include "trivet/assembly/layout.h"
 #include "trivet/model/system.h"
-#include "trivet/numerics/dynamic_matrices.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
 
 namespace trivet::assembly {
 

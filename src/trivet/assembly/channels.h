@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
-#include "trivet/numerics/observed_curve.h"
+#include "trivet/numerics/peaks/observed_curve.h"
 
 namespace trivet::assembly {
 

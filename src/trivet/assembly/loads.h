@@ -10,7 +10,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/model/system.h"
-#include "trivet/numerics/load.h"
+#include "trivet/numerics/linalg/load.h"
 
 namespace trivet::assembly {
 

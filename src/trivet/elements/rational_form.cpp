@@ -7,7 +7,7 @@
 
 #include "trivet/elements/viscoelastic.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/nonnegative_least_squares.h"
+#include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
 namespace trivet::elements {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/sign_changes.h"
+#include "trivet/numerics/peaks/sign_changes.h"
 
 namespace trivet::excitation {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/numerics/nonnegative_least_squares.h"
+#include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
 namespace trivet::identification {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "trivet/modal/motion_words.h"
-#include "trivet/numerics/massless.h"
+#include "trivet/numerics/linalg/massless.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {

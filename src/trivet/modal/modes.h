@@ -8,7 +8,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/problems.h"
-#include "trivet/numerics/generalized_modes.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/spatial/screw.h"
 
 namespace trivet::modal {

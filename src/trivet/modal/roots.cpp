@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "trivet/modal/exact_roots.h"
-#include "trivet/numerics/system_roots.h"
+#include "trivet/numerics/linalg/system_roots.h"
 
 namespace trivet::modal {
 namespace {

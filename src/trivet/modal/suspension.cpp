@@ -10,7 +10,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
-#include "trivet/numerics/massless.h"
+#include "trivet/numerics/linalg/massless.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {

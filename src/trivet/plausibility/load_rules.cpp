@@ -8,8 +8,8 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/plausibility/rules.h"
-#include "trivet/response/load_sharing.h"
-#include "trivet/response/mounts.h"
+#include "trivet/response/machinery/load_sharing.h"
+#include "trivet/response/steady/mounts.h"
 
 namespace trivet::plausibility {
 namespace {

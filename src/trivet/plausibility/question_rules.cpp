@@ -7,8 +7,8 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/generalized_modes.h"
-#include "trivet/numerics/massless.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/massless.h"
 #include "trivet/plausibility/rules.h"
 
 namespace trivet::plausibility {

@@ -5,7 +5,7 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/report/svg_canvas.h"
-#include "trivet/response/frequency_grid.h"
+#include "trivet/response/steady/frequency_grid.h"
 
 namespace trivet::report {
 

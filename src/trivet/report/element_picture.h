@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace trivet::report {
 

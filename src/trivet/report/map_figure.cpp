@@ -14,8 +14,8 @@
 #include "trivet/report/map_points.h"
 #include "trivet/report/map_regions.h"
 #include "trivet/report/map_words.h"
-#include "trivet/study/axis_words.h"
-#include "trivet/study/map_summary.h"
+#include "trivet/results/axis_words.h"
+#include "trivet/results/map_summary.h"
 
 namespace trivet::report {
 namespace {

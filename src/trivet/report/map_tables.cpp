@@ -5,9 +5,9 @@
 #include "trivet/report/html_table.h"
 #include "trivet/report/map_words.h"
 #include "trivet/report/svg_canvas.h"
-#include "trivet/study/axis_words.h"
-#include "trivet/study/map_summary.h"
-#include "trivet/study/map_verdicts.h"
+#include "trivet/results/axis_words.h"
+#include "trivet/results/map_summary.h"
+#include "trivet/results/map_verdicts.h"
 
 namespace trivet::report {
 namespace {

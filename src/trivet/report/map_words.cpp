@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/study/axis_words.h"
-#include "trivet/study/design_parameter.h"
+#include "trivet/results/axis_words.h"
+#include "trivet/project/text/design_parameter.h"
 
 namespace trivet::report {
 namespace {

@@ -6,7 +6,7 @@
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/svg_canvas.h"
-#include "trivet/study/version.h"
+#include "trivet/foundation/version.h"
 
 namespace trivet::report {
 

@@ -13,9 +13,9 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/guides.h"
-#include "trivet/response/design_rules.h"
+#include "trivet/design/design_rules.h"
 #include "trivet/study/further_answers.h"
-#include "trivet/study/question_sizes.h"
+#include "trivet/project/analyses/question_sizes.h"
 
 namespace trivet::study {
 namespace {

@@ -8,11 +8,11 @@
 #include <functional>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/best_design.h"
-#include "trivet/study/boundary_crossings.h"
-#include "trivet/study/design_evaluation.h"
+#include "trivet/design/best_design.h"
+#include "trivet/design/boundary_crossings.h"
+#include "trivet/design/design_evaluation.h"
 #include "trivet/study/map_warnings.h"
-#include "trivet/study/steep_neighbours.h"
+#include "trivet/design/steep_neighbours.h"
 #include "trivet/study/unbounded_peaks.h"
 
 namespace trivet::study {

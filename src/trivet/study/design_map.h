@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/band_passages.h"
-#include "trivet/study/design_outcome.h"
-#include "trivet/study/drawn_grid.h"
+#include "trivet/design/band_passages.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/design/drawn_grid.h"
 #include "trivet/study/map_marks.h"
-#include "trivet/study/margin_lines.h"
-#include "trivet/study/project.h"
+#include "trivet/design/margin_lines.h"
+#include "trivet/project/project.h"
 
 namespace trivet::study {
 

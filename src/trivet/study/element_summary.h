@@ -7,7 +7,7 @@
 
 #include "trivet/elements/character.h"
 #include "trivet/elements/matrix_checks.h"
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace trivet::study {
 

@@ -9,7 +9,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/element_directions.h"
+#include "trivet/response/steady/element_directions.h"
 #include "trivet/study/explanation_words.h"
 
 namespace trivet::study {

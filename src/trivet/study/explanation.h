@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/response/peak_shares.h"
+#include "trivet/response/sensitivity/peak_shares.h"
 #include "trivet/study/answers.h"
 
 /// Why is this peak here? For the peaks of a case: who makes them, where their energy is, and what would change them.

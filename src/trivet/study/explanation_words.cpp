@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/response/element_directions.h"
+#include "trivet/response/steady/element_directions.h"
 
 namespace trivet::study {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/visible_amplitudes.h"
-#include "trivet/study/design_parameter.h"
-#include "trivet/study/highest_frequency.h"
+#include "trivet/response/steady/visible_amplitudes.h"
+#include "trivet/project/text/design_parameter.h"
+#include "trivet/modal/highest_frequency.h"
 
 namespace trivet::study {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/design_outcome.h"
-#include "trivet/study/project.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/project/project.h"
 
 namespace trivet::study {
 

@@ -6,8 +6,8 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
-#include "trivet/study/design_evaluation.h"
-#include "trivet/study/design_parameter.h"
+#include "trivet/design/design_evaluation.h"
+#include "trivet/project/text/design_parameter.h"
 
 namespace trivet::study {
 namespace {

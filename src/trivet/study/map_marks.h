@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
-#include "trivet/study/design_outcome.h"
-#include "trivet/study/project.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/project/project.h"
 
 namespace trivet::study {
 

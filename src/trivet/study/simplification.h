@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 /// What it costs to take elements for three springs: the same model with and without their rotational stiffness and coupling.
 namespace trivet::study {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "trivet/modal/suspension.h"
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace trivet::study {
 

@@ -10,8 +10,8 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
-#include "trivet/response/curve_ends.h"
-#include "trivet/study/design_parameter.h"
+#include "trivet/response/steady/curve_ends.h"
+#include "trivet/project/text/design_parameter.h"
 
 namespace trivet::study {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/study/project.h"
+#include "trivet/project/project.h"
 
 namespace trivet::study {
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/design/best_design.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::study {
+namespace {
+
+/// Distance of every drawn node that is one of the equals to the nearest other, nodes beyond the frame among these: first along columns, then across them.
+template <typename Equal>
+std::vector<double> depths(const DrawnGrid& drawn, const Equal& is_equal) {
+  const MapGrid grid = drawn.nodes();
+  const double dx = 1.0 / (grid.nx - 1), dy = 1.0 / (grid.ny - 1);
+  std::vector<double> along(grid.count()), depth(grid.count());
+  const auto equal = [&](std::size_t node) { return is_equal(drawn.design(node)); };
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) along[grid.index(i, j)] = !equal(grid.index(i, j)) ? 0 : j == 0 ? dy : along[grid.index(i, j - 1)] + dy;
+    for (int j = grid.ny - 1; j >= 0; --j) {
+      double& here = along[grid.index(i, j)];
+      here = std::min(here, j + 1 == grid.ny ? dy : along[grid.index(i, j + 1)] + dy);
+    }
+  }
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      double least = dx * std::min(i + 1, grid.nx - i);  // to the frame
+      for (int k = 0; k < grid.nx; ++k) least = std::min(least, std::hypot((i - k) * dx, along[grid.index(k, j)]));
+      depth[grid.index(i, j)] = least;
+    }
+  return depth;
+}
+
+}  // namespace
+
+std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes) {
+  std::optional<BestDesign> best;
+  std::size_t without_bound = 0;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (!outcomes[k].known()) continue;
+    without_bound += std::isinf(outcomes[k].margin);
+    if (!best || outcomes[k].margin > outcomes[best->design].margin) best = BestDesign{k, 0};
+  }
+  if (!best) return best;
+  best->without_bound = without_bound;
+  constexpr float tie = 1 - 1e-6F;
+  const float least = outcomes[best->design].margin * tie;
+  const auto equal = [&](std::size_t k) { return outcomes[k].known() && outcomes[k].margin >= least; };
+  best->equals = 0;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) best->equals += equal(k);
+  if (best->equals < 2) return best;
+  const std::vector<double> depth = depths(grid, equal);
+  const double deepest = *std::max_element(depth.begin(), depth.end());
+  std::vector<std::size_t> candidates;  // a narrow strip has many as deep: then the middle one
+  for (std::size_t node = 0; node < depth.size(); ++node)
+    if (depth[node] >= deepest * (1 - 1e-9)) candidates.push_back(node);
+  if (deepest > 0) best->design = grid.design(candidates[candidates.size() / 2]);
+  return best;
+}
+
+}  // namespace trivet::study

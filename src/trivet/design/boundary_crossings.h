@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/design/map_contours.h"
+
+namespace trivet::study {
+
+inline constexpr double boundary_tolerance = 1e-6;  ///< of each axis
+
+/// The place at a share of an edge.
+[[nodiscard]] MapPlace place_on_edge(const MapGrid& grid, const CrossedEdge& edge, double t);
+
+/// A signed measure that crosses zero on the boundary of the kept designs; what has no model is well outside.
+[[nodiscard]] double boundary_level(const DesignOutcome& outcome);
+
+/// Outcomes of designs at places on the map.
+using JudgePlaces = std::function<std::vector<DesignOutcome>(const std::vector<MapPlace>& places, const foundation::Progress& progress)>;
+
+/// Where the boundary crosses each edge, as a share of the edge: by regula falsi and bisection of all edges in step.
+/// @param outcomes  of the nodes
+[[nodiscard]] std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const std::vector<CrossedEdge>& edges,
+                                                     const JudgePlaces& judge, const foundation::Progress& progress = {});
+
+}  // namespace trivet::study

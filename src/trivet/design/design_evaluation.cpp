@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/design/design_evaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/pieces.h"
+#include "trivet/numerics/roots/design_modes.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/project/text/changes.h"
+#include "trivet/project/text/design_parameter.h"
+#include "trivet/modal/highest_frequency.h"
+
+namespace trivet::study {
+namespace {
+
+/// Kept or not is decided before the margin is rounded.
+DesignOutcome outcome_of(const response::Governing& least) {
+  auto margin = static_cast<float>(least.margin);
+  if (least.margin < 1 && margin >= 1) margin = std::nextafter(1.0F, 0.0F);
+  return {margin, static_cast<std::uint8_t>(least.rule)};
+}
+
+/// One more natural frequency of a design against the band of the amplitudes.
+void count_mode(double squared, const response::Band& band, DesignOutcome& outcome) {
+  if (squared < band.from * band.from) outcome.modes_below += outcome.modes_below < std::numeric_limits<std::uint16_t>::max();
+  else if (squared <= band.to * band.to) outcome.modes_in_band += outcome.modes_in_band < std::numeric_limits<std::uint8_t>::max();
+}
+
+constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and few of them are open on a boundary
+constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
+
+/// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within what tables define.
+response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
+  constexpr double decades = 1e-3, least = 10;  // where tables start above it, a decade of them
+  response::Band range{decades * natural_frequency, std::numeric_limits<double>::infinity()};
+  for (const assembly::Assembled* assembled : {&a, &b})
+    for (const assembly::ElementMap& map : assembled->elements) range = {std::max(range.from, map.defined_from), std::min(range.to, map.defined_to)};
+  range.to = std::min(range.to, std::max(natural_frequency, least * range.from));
+  return range;
+}
+
+std::string amplitude_words(const std::string& name, double amplitude, const std::string& unit) { return fmt::format("{} ≤ {:.6g} {}", name, amplitude, unit); }
+
+}  // namespace
+
+DesignEvaluation::DesignEvaluation(const Case& variant, const MapRequest& request, const EvaluationOptions& options)
+    : case_(variant), request_(request), options_(options), x_keys_(path_keys(request.x.parameter)), y_keys_(path_keys(request.y.parameter)) {
+  const assembly::Assembled assembled = assembly::assemble(variant.system);
+  for (const MapLimit& limit : request.limits) {
+    const std::size_t channel = channel_of(limit.name, limit.quantity);
+    set_.rules.push_back({response::DesignRule::Kind::amplitude, channel, limit.amplitude});
+  }
+  for (const assembly::Channel& channel : assembly::channels(variant.system, assembled, request.no_peak, request.quantity))
+    set_.rules.push_back({response::DesignRule::Kind::no_peak, channel_of(channel.name, request.quantity), request.peak_tolerance});
+  if (set_.rules.size() > DesignOutcome::most_rules)
+    throw foundation::NotComputable(fmt::format("map: {} rules; a map judges at most {}", set_.rules.size(), DesignOutcome::most_rules));
+  set_.band = request.band.value_or(response::Band{0, std::numeric_limits<double>::infinity()});
+  counts_modes_ = !request.limits.empty() && set_.band.from > 0 && std::isfinite(set_.band.to);
+  set_.min_prominence = request.min_prominence;
+  const std::vector<assembly::Channel> all = channels(variant.system, assembled);
+  for (const response::DesignRule& rule : set_.rules) {
+    const assembly::Channel& channel = all[rule.channel];
+    const bool amplitude = rule.kind == response::DesignRule::Kind::amplitude;
+    rules_.push_back({rule.kind, channel.name, channel.unit, rule.allowed, amplitude ? amplitude_words(channel.name, rule.allowed, channel.unit) : "no peak of " + channel.name});
+  }
+  if (options.fast) fit_family(variant);
+}
+
+void DesignEvaluation::fit_family(const Case& variant) {
+  const auto plain = [&](const model::System& system) -> response::PlainOrNot {
+    const assembly::Assembled assembled = assembly::assemble(system);
+    response::PlainOrNot found = response::plain_design(assembled, channels(system, assembled), assembly::harmonic_loading(system, assembled, request_.excitations));
+    if (found.plain && !numerics::is_positive_definite(found.plain->K)) return {{}, "free or unstable motions"};
+    return found;
+  };
+  report_.family = plain(variant.system).reason;
+  if (!report_.family.empty()) return;
+  response::FamilyOrNot found = response::DesignFamily::fitted(
+      [&](const response::FamilyPoint& point) -> response::PlainOrNot {
+        const auto system = system_at({point.x, point.y});
+        return system ? plain(*system) : response::PlainOrNot{{}, "designs that are no model"};
+      },
+      {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
+  family_ = std::move(found.family);
+  report_.family = found.reason;
+  if (!family_) return;
+  report_.family = fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}", family_->x_nodes(), family_->y_nodes(), std::max(family_->worst_difference(), 1e-16));
+  plan_searches();
+}
+
+void DesignEvaluation::plan_searches() {
+  const response::PlainDesign& first = family_->first();
+  const auto of_kind = [&](response::DesignRule::Kind kind) { return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const response::DesignRule& r) { return r.kind == kind; }); };
+  search_.count_peaks = of_kind(response::DesignRule::Kind::no_peak);
+  search_.min_prominence = set_.min_prominence;
+  search_.threads = 1;
+  search_.rows = first.rows.array();
+  if (!first.rows_on_velocity.isZero(0)) search_.rows_on_velocity = first.rows_on_velocity.array();
+  search_.derivative = first.derivative;
+  const bool whole = set_.band.from == 0 && std::isinf(set_.band.to);
+  if (!search_.count_peaks) search_.from = set_.band.from, search_.to = set_.band.to;
+  else beyond_band_ = !whole && of_kind(response::DesignRule::Kind::amplitude);
+}
+
+std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
+  std::vector<std::size_t> designs;
+  for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
+    if (std::any_of(set_.rules.begin(), set_.rules.end(), [&](const response::DesignRule& rule) {
+          const double at = found.highest_at(d, static_cast<Eigen::Index>(rule.channel));
+          return rule.kind == response::DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
+        }))
+      designs.push_back(static_cast<std::size_t>(d));
+  return designs;
+}
+
+void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes) {
+  std::vector<response::FamilyPoint> places;
+  for (const DesignPoint& p : points) places.push_back({p.x, p.y});
+  const numerics::Designs designs = family_->designs(places);
+  numerics::DesignPeaks found = numerics::design_peaks(designs, search_);
+  const numerics::DesignModes modes = counts_modes_ ? numerics::design_modes(designs, {false, 1, {}}) : numerics::DesignModes();
+  const auto good = [](numerics::DesignStatus status) { return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone; };
+  if (beyond_band_) {  // peaks count wherever they lie, amplitudes in the band: rarely is the highest one outside
+    const std::vector<std::size_t> again = highest_outside_band(found);
+    std::vector<response::FamilyPoint> there;
+    for (const std::size_t d : again) there.push_back(places[d]);
+    numerics::DesignPeakOptions in_band = search_;
+    in_band.from = set_.band.from;
+    in_band.to = set_.band.to;
+    in_band.count_peaks = false;
+    const numerics::DesignPeaks inside = again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      found.highest.row(static_cast<Eigen::Index>(again[k])) = inside.highest.row(static_cast<Eigen::Index>(k));
+      found.status[again[k]] = std::max(found.status[again[k]], inside.status[k]);  // the worse of both
+    }
+  }
+  std::vector<double> values(set_.rules.size());
+  std::size_t proven = 0, redone = 0;
+  for (std::size_t d = 0; d < points.size(); ++d) {
+    if (!good(found.status[d])) {
+      outcomes[d] = assembled_outcome(first + d, points[d]);
+      continue;
+    }
+    for (std::size_t r = 0; r < values.size(); ++r) {
+      const auto row = static_cast<Eigen::Index>(d), channel = static_cast<Eigen::Index>(set_.rules[r].channel);
+      values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
+    }
+    outcomes[d] = outcome_of(response::governing(set_, values));
+    for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k) count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
+    ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
+  }
+  const std::lock_guard lock(noting_);
+  report_.proven += proven;
+  report_.redone += redone;
+}
+
+std::size_t DesignEvaluation::channel_of(const std::string& name, assembly::Quantity quantity) {
+  for (std::size_t i = 0; i < answers_.size(); ++i)
+    if (answers_[i].name == name && answers_[i].quantity == quantity) return i;
+  answers_.push_back({name, quantity});
+  return answers_.size() - 1;
+}
+
+std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& system, const assembly::Assembled& assembled) const {
+  std::vector<assembly::Channel> result;
+  for (const Answer& answer : answers_) result.push_back(assembly::channels(system, assembled, {answer.name}, answer.quantity).front());
+  return result;
+}
+
+foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
+  const std::vector<Node> changes = {change_of(x_keys_, point.x, request_.x.unit), change_of(y_keys_, point.y, request_.y.unit)};
+  return changed_system(case_, changes);
+}
+
+bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& point) const {
+  const auto there = system_at(point);
+  if (!there) return false;
+  const assembly::Assembled a = assembly::assemble(system), b = assembly::assemble(*there);
+  if (a.layout.size() != b.layout.size()) return false;
+  const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations), of_b = assembly::harmonic_loading(*there, b, request_.excitations);
+  const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.layout.before_last());
+  const auto [lowest, highest] = compared_range(a, b, highest_natural_frequency(system, a));
+  if (!(lowest < highest)) return false;
+  for (const double omega : {lowest, std::sqrt(lowest * highest), highest}) {
+    const auto scaled = [&](const assembly::Assembled& m) -> Eigen::MatrixXcd { return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal(); };
+    const Eigen::MatrixXcd of_case = scaled(a);
+    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <= response::DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff())) return false;
+    const Eigen::VectorXcd load = assembly::exact_right_side(a, of_a, omega, omega);
+    if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <= response::DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff())) return false;
+  }
+  return true;
+}
+
+JudgedDesign DesignEvaluation::judged(const model::System& system) const {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const modal::Modes modes = modal::modes(system, assembled);
+  const modal::Roots roots = modal::roots(system, assembled, modes);
+  const std::vector<assembly::Channel> asked = channels(system, assembled);
+  const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request_.excitations);
+  const double search_to = std::isfinite(set_.band.to) ? set_.band.to : 0;
+  JudgedDesign result;
+  result.peaks = response::peaks(assembled, asked, loading, modes, roots, {set_.min_prominence, search_to});
+  result.rules = response::rule_values(assembled, asked, loading, result.peaks, set_);
+  result.governing = response::governing(set_, result.rules.values);
+  for (const modal::Mode& mode : modes.list) result.natural_frequencies_squared.push_back(mode.eigenvalue_squared);
+  return result;
+}
+
+void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, const std::string& words) {
+  const std::string kind = without_numbers(rule);
+  const std::lock_guard lock(noting_);
+  const auto known = static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
+  if (known == missing_kinds_.size()) {
+    missing_kinds_.push_back(kind);
+    report_.missing.push_back({words, 0, index});
+  }
+  MissingReason& reason = report_.missing[known];
+  ++reason.designs;
+  if (index < reason.first) {
+    reason.first = index;
+    reason.words = words;
+  }
+}
+
+DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const DesignPoint& point) {
+  {
+    const std::lock_guard lock(noting_);
+    ++report_.one_by_one;
+  }
+  const auto system = system_at(point);
+  if (!system) {
+    const auto& list = system.error().list();
+    const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; });
+    note_missing(index, first->subject + ": " + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
+    return {0, DesignOutcome::no_model};
+  }
+  try {
+    const JudgedDesign found = judged(*system);
+    DesignOutcome outcome = outcome_of(found.governing);
+    for (const double squared : found.natural_frequencies_squared)
+      if (counts_modes_) count_mode(squared, set_.band, outcome);
+    return outcome;
+  } catch (const foundation::NotComputable& reason) {
+    note_missing(index, reason.what(), reason.what());
+  } catch (const foundation::InvalidInput& reason) {
+    note_missing(index, reason.what(), reason.what());
+  }
+  return {0, DesignOutcome::not_computed};
+}
+
+std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count, const std::function<DesignPoint(std::size_t)>& point, const foundation::Progress& progress) {
+  std::vector<DesignOutcome> outcomes(count);
+  foundation::for_each_piece(count, {family_ ? lane_piece : assembled_piece, options_.threads, progress, "designs"}, [&](std::size_t first, std::size_t last) {
+    std::vector<DesignPoint> points;
+    for (std::size_t i = first; i < last; ++i) points.push_back(point(i));
+    if (family_) return evaluate_in_lanes(first, points, &outcomes[first]);
+    for (std::size_t i = first; i < last; ++i) outcomes[i] = assembled_outcome(i, points[i - first]);
+  });
+  std::vector<std::size_t> order(report_.missing.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return report_.missing[a].first < report_.missing[b].first; });
+  std::vector<MissingReason> sorted;
+  std::vector<std::string> kinds;
+  for (const std::size_t i : order) {
+    sorted.push_back(report_.missing[i]);
+    kinds.push_back(missing_kinds_[i]);
+  }
+  report_.missing = std::move(sorted);
+  missing_kinds_ = std::move(kinds);
+  return outcomes;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/numerics/batch/design_peaks.h"
+#include "trivet/design/design_family.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/project/project.h"
+
+namespace trivet::study {
+
+/// The designs of a case when two of its numbers change.
+class DesignEvaluation {
+ public:
+  /// @throws foundation::NotComputable if the rules cannot be asked of this case
+  DesignEvaluation(const Case& variant, const MapRequest& request) : DesignEvaluation(variant, request, EvaluationOptions()) {}
+  DesignEvaluation(const Case& variant, const MapRequest& request, const EvaluationOptions& options);
+
+  [[nodiscard]] const std::vector<MapRule>& rules() const { return rules_; }
+
+  /// Outcomes of designs 0 … count − 1, the same for any number of threads. What has none adds to the report.
+  [[nodiscard]] std::vector<DesignOutcome> evaluate(std::size_t count, const std::function<DesignPoint(std::size_t)>& point,
+                                                    const foundation::Progress& progress = {});
+
+  /// Is a model the design at this point: does it answer with the same Z(ω) and load?
+  [[nodiscard]] bool is_at(const model::System& system, const DesignPoint& point) const;
+
+  /// A model by response::peaks. @throws foundation::NotComputable, InvalidInput
+  [[nodiscard]] JudgedDesign judged(const model::System& system) const;
+
+  [[nodiscard]] const EvaluationReport& report() const { return report_; }
+
+ private:
+  struct Answer {
+    std::string name;
+    assembly::Quantity quantity = assembly::Quantity::displacement;
+  };
+  [[nodiscard]] std::size_t channel_of(const std::string& name, assembly::Quantity quantity);
+  [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system, const assembly::Assembled& assembled) const;
+  [[nodiscard]] foundation::Expected<model::System> system_at(const DesignPoint& point) const;
+  [[nodiscard]] DesignOutcome assembled_outcome(std::size_t index, const DesignPoint& point);
+  void fit_family(const Case& variant);
+  void plan_searches();
+  [[nodiscard]] std::vector<std::size_t> highest_outside_band(const numerics::DesignPeaks& found) const;
+  /// Of designs first … : outcomes in lanes; where they are not proven, one by one.
+  void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
+  void note_missing(std::size_t index, const std::string& rule, const std::string& words);
+
+  const Case& case_;
+  const MapRequest& request_;
+  EvaluationOptions options_;
+  std::vector<std::string> x_keys_, y_keys_;
+  std::vector<Answer> answers_;
+  std::vector<MapRule> rules_;
+  response::RuleSet set_;
+  std::optional<response::DesignFamily> family_;
+  numerics::DesignPeakOptions search_;   // of the family: over all frequencies where peaks are asked for, else over the band
+  bool beyond_band_ = false;             // it sees amplitudes outside the band
+  bool counts_modes_ = false;            // natural frequencies may pass over the band of the amplitudes
+  std::mutex noting_;                    // of the two below
+  EvaluationReport report_;
+  std::vector<std::string> missing_kinds_;   // of report_.missing
+};
+
+}  // namespace trivet::study

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/design/design_family.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "trivet/numerics/linalg/dynamic_matrices.h"
+
+namespace trivet::response {
+namespace {
+
+constexpr int most_nodes = 17;  // along one number
+
+/// Packed lower triangles of A, B, K, then the load.
+Eigen::VectorXd packed(const PlainDesign& design) {
+  const Eigen::Index n = design.load.size(), triangle = n * (n + 1) / 2;
+  Eigen::VectorXd all(3 * triangle + n);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd* m : {&design.A, &design.B, &design.K})
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j) all(at++) = (*m)(i, j);
+  all.tail(n) = design.load;
+  return all;
+}
+
+/// What each packed entry is measured by.
+Eigen::VectorXd scales(const PlainDesign& design) {
+  const Eigen::Index n = design.load.size();
+  PlainDesign scale = design;
+  for (Eigen::MatrixXd* m : {&scale.A, &scale.B, &scale.K}) {
+    const Eigen::VectorXd root = m->diagonal().cwiseAbs().cwiseSqrt();
+    *m = root * root.transpose();
+  }
+  scale.load = Eigen::VectorXd::Constant(n, design.load.cwiseAbs().maxCoeff());
+  return packed(scale);
+}
+
+/// Chebyshev points with both ends.
+std::vector<double> nodes_between(double from, double to, int count) {
+  std::vector<double> nodes;
+  for (int k = 0; k < count; ++k) nodes.push_back(k == 0 ? from : k + 1 == count ? to : from + (to - from) * 0.5 * (1 - std::cos(std::numbers::pi * k / (count - 1))));
+  return nodes;
+}
+
+/// Largest difference between entries over what they are measured by; infinite where one is not a number.
+double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
+  double worst = 0;
+  for (Eigen::Index e = 0; e < exact.size(); ++e)
+    if (interpolated(e) != exact(e)) {
+      const double one = std::abs(interpolated(e) - exact(e)) / scale(e);
+      if (std::isnan(one)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, one);
+    }
+  return worst;
+}
+
+/// Why two plain designs are not of one family; empty if they may be.
+std::string unlike(const PlainDesign& a, const PlainDesign& b) {
+  if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
+  if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
+    return "answers whose own rows change from design to design (a force of an element that the numbers change, or a point that they move)";
+  return "";
+}
+
+/// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which leaves no gaps.
+std::vector<FamilyPoint> check_points() {
+  std::vector<FamilyPoint> shares;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) shares.push_back({0.25 * i, 0.25 * j});
+  constexpr double plastic = 1.3247179572447460;
+  double x = 0.5, y = 0.5;
+  for (int k = 0; k < 16; ++k) {
+    x = std::fmod(x + 1 / plastic, 1.0);
+    y = std::fmod(y + 1 / (plastic * plastic), 1.0);
+    shares.push_back({x, y});
+  }
+  return shares;
+}
+
+/// A load whose components swing together, turned to be real.
+std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
+  if (load.vanishes()) return Eigen::VectorXd::Zero(load.size());
+  const Eigen::VectorXcd& value = load.terms().front().value;
+  Eigen::Index largest = 0;
+  const double size = value.cwiseAbs().maxCoeff(&largest);
+  const Eigen::VectorXcd turned = value * (std::conj(value(largest)) / size);
+  constexpr double round_off = 1e-15;
+  if (turned.imag().cwiseAbs().maxCoeff() > round_off * size) return std::nullopt;
+  return turned.real();
+}
+
+}  // namespace
+
+PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading) {
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  if (assembled.frequency_dependent()) return {{}, "elements that depend on frequency in their own way"};
+  if (m.lossy()) return {{}, "loss factors"};
+  if (!m.symmetric) return {{}, "matrices that are not symmetric"};
+  if (static_cast<Eigen::Index>(numerics::massive_rows(m.A).size()) < m.size()) return {{}, "coordinates without mass"};
+  if (!loading.motion.vanishes()) return {{}, "a moving ground"};
+  if (!loading.force.is_constant()) return {{}, "a force that changes with frequency"};
+  const auto load = real_load(loading.force);
+  if (!load) return {{}, "forces of different phases"};
+  PlainDesign design{m.A, m.B, m.K, *load, {}, {}, {}};
+  const auto answers = static_cast<Eigen::Index>(channels.size());
+  design.rows = Eigen::MatrixXd::Zero(answers, m.size());
+  design.rows_on_velocity = design.rows;
+  for (Eigen::Index c = 0; c < answers; ++c) {
+    const assembly::Channel& channel = channels[static_cast<std::size_t>(c)];
+    const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) || (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));
+    if (other) return {{}, "forces of elements with mass or loss"};
+    design.rows.row(c) = channel.on_displacement.real().transpose();
+    if (channel.on_velocity.size() > 0) design.rows_on_velocity.row(c) = channel.on_velocity.transpose();
+    design.derivative.push_back(channel.derivative);
+  }
+  return {std::move(design), ""};
+}
+
+Eigen::VectorXd DesignFamily::Along::weights(double value) const {
+  const double t = logarithmic ? std::log(value) : value;
+  Eigen::VectorXd w = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (std::size_t l = 0; l < nodes.size(); ++l)
+      if (l != k) w(static_cast<Eigen::Index>(k)) *= (t - nodes[l]) / (nodes[k] - nodes[l]);
+  return w;
+}
+
+Eigen::VectorXd DesignFamily::entries(const FamilyPoint& point) const {
+  const Eigen::MatrixXd both = x_.weights(point.x) * y_.weights(point.y).transpose();
+  return values_ * Eigen::Map<const Eigen::VectorXd>(both.data(), both.size());
+}
+
+std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable) {
+  constexpr double golden = 0.6180339887498949;
+  constexpr int checks = 7;
+  std::vector<double> at;
+  std::vector<Eigen::VectorXd> exact, scale;
+  for (int k = 1; k <= checks; ++k) {
+    at.push_back(variable.from + std::fmod(k * golden, 1.0) * (variable.to - variable.from));
+    const auto design = source(at.back());
+    if (!design) return std::nullopt;
+    exact.push_back(packed(*design));
+    scale.push_back(scales(*design));
+  }
+  for (const int count : {2, 3, 5, 9, most_nodes})
+    for (const bool logarithmic : {false, true}) {
+      if (logarithmic && !(variable.from > 0)) continue;
+      const Along along{logarithmic, logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count) : nodes_between(variable.from, variable.to, count)};
+      Eigen::MatrixXd values(exact[0].size(), count);
+      for (int k = 0; k < count; ++k) {
+        const double node = along.nodes[static_cast<std::size_t>(k)];
+        const auto design = source(k == 0 ? variable.from : k + 1 == count ? variable.to : logarithmic ? std::exp(node) : node);
+        if (!design) return std::nullopt;
+        values.col(k) = packed(*design);
+      }
+      bool good = true;
+      for (std::size_t k = 0; k < at.size() && good; ++k) {
+        const Eigen::VectorXd interpolated = values * along.weights(at[k]);
+        good = difference(interpolated, exact[k], scale[k]) <= reproduced_within;
+      }
+      if (good) return along;
+    }
+  return std::nullopt;
+}
+
+FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
+  DesignFamily family;
+  std::string reason;
+  bool has_first = false;
+  const auto asked = [&](const FamilyPoint& point) -> std::optional<PlainDesign> {
+    PlainOrNot found = source(point);
+    reason = found.plain ? has_first ? unlike(family.first_, *found.plain) : "" : found.reason;
+    if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
+    return reason.empty() ? std::move(found.plain) : std::nullopt;
+  };
+  const auto not_met_along = [](const std::string& name) { return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes, reproduced_within, name); };
+  const auto declined = [&](const std::string& otherwise) -> FamilyOrNot { return {std::nullopt, reason.empty() ? otherwise : reason}; };
+  if (!asked({x.from, y.from})) return declined("");
+  const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);
+  if (!along_x) return declined(not_met_along(x.name));
+  const auto along_y = fitted_along([&](double value) { return asked({0.5 * (x.from + x.to), value}); }, y);
+  if (!along_y) return declined(not_met_along(y.name));
+  family.x_ = *along_x;
+  family.y_ = *along_y;
+  const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
+  family.values_.resize(packed(family.first_).size(), static_cast<Eigen::Index>(nx * ny));
+  const auto value = [](const FamilyVariable& v, const Along& along, std::size_t k) {
+    return k == 0 ? v.from : k + 1 == along.nodes.size() ? v.to : along.logarithmic ? std::exp(along.nodes[k]) : along.nodes[k];
+  };
+  for (std::size_t j = 0; j < ny; ++j)
+    for (std::size_t i = 0; i < nx; ++i) {
+      const auto design = asked({value(x, family.x_, i), value(y, family.y_, j)});
+      if (!design) return declined("");
+      family.values_.col(static_cast<Eigen::Index>(j * nx + i)) = packed(*design);
+    }
+  for (const FamilyPoint& share : check_points()) {
+    const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
+    const auto design = asked(point);
+    if (!design) return declined("");
+    const double worst = difference(family.entries(point), packed(*design), scales(*design));
+    if (worst > reproduced_within)
+      return declined(fmt::format("matrices that the polynomials along {} and {} together do not meet within {:.0e}", x.name, y.name, reproduced_within));
+    family.worst_ = std::max(family.worst_, worst);
+  }
+  return {std::move(family), ""};
+}
+
+numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) const {
+  const auto count = static_cast<Eigen::Index>(points.size()), n = first_.load.size(), triangle = n * (n + 1) / 2;
+  const auto nx = static_cast<Eigen::Index>(x_.nodes.size()), ny = static_cast<Eigen::Index>(y_.nodes.size());
+  numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
+  for (Eigen::Index first = 0; first < count;) {  // runs along x share what belongs to y
+    const double y = points[static_cast<std::size_t>(first)].y;
+    Eigen::Index last = first;
+    while (last < count && points[static_cast<std::size_t>(last)].y == y) ++last;
+    const Eigen::VectorXd of_y = y_.weights(y);
+    Eigen::MatrixXd along_x = Eigen::MatrixXd::Zero(values_.rows(), nx);
+    for (Eigen::Index j = 0; j < ny; ++j) along_x += of_y(j) * values_.middleCols(j * nx, nx);
+    Eigen::MatrixXd of_x(last - first, nx);
+    for (Eigen::Index d = first; d < last; ++d)
+      of_x.row(d - first) = x_.weights(points[static_cast<std::size_t>(d)].x).transpose();
+    Eigen::Index row = 0;
+    for (Eigen::ArrayXXd* part : {&designs.A, &designs.B, &designs.K, &designs.load}) {
+      part->middleRows(first, last - first).matrix().noalias() = of_x * along_x.middleRows(row, part->cols()).transpose();
+      row += part->cols();
+    }
+    first = last;
+  }
+  return designs;
+}
+
+}  // namespace trivet::response

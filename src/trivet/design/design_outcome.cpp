@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/design/design_outcome.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace trivet::study {
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+/// Bytes of letters beyond ASCII count as letters.
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0; }
+
+/// Where a number that begins at `i` ends: digits, a point, an exponent.
+std::size_t end_of_number(const std::string& text, std::size_t i) {
+  while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1])))) ++i;
+  std::size_t exponent = i;
+  if (exponent < text.size() && text[exponent] == 'e') {
+    ++exponent;
+    if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
+    if (exponent < text.size() && is_digit(text[exponent])) return end_of_number(text, exponent);
+  }
+  return i;
+}
+
+}  // namespace
+
+std::string without_numbers(const std::string& message) {
+  std::string kind;
+  for (std::size_t i = 0; i < message.size();) {
+    const bool in_a_word = !kind.empty() && is_of_word(kind.back());
+    const bool sign = message[i] == '-' && i + 1 < message.size() && is_digit(message[i + 1]);
+    if (!in_a_word && (is_digit(message[i]) || sign)) {
+      kind += '#';
+      i = end_of_number(message, i + (sign ? 1 : 0));
+    } else {
+      kind += message[i++];
+    }
+  }
+  return kind;
+}
+
+std::string EvaluationReport::words() const {
+  std::string text;
+  if (proven + redone > 0) text = fmt::format("{} designs by poles and residues{}; {}", proven + redone, redone > 0 ? fmt::format(", {} of them redone by a slower solver", redone) : "", family);
+  if (one_by_one > 0)
+    text += fmt::format("{}{} designs assembled from the changed project and searched one by one{}", text.empty() ? "" : "; ", one_by_one,
+                        proven + redone > 0 || family.empty() ? "" : ": " + family);
+  return text;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "trivet/response/steady/frequency_grid.h"
+#include "trivet/response/steady/peaks.h"
+
+namespace trivet::response {
+
+/// Largest |y| over a band, and where.
+struct LargestAmplitude {
+  double amplitude = 0;          ///< infinite at an undamped resonance or towards a free motion
+  double angular_frequency = 0;  ///< [rad/s]; infinite where it is only approached
+};
+
+/// It stands at an end of the band or at an extremum inside. A band may reach to infinity.
+/// @param found  the peaks of all `channels`, of which `curve` is one
+[[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                               const assembly::Loading& loading, const Peaks& found, std::size_t curve, const Band& band);
+
+/// What a design has to keep.
+struct DesignRule {
+  enum class Kind { amplitude, no_peak };
+  Kind kind = Kind::amplitude;
+  std::size_t channel = 0;
+  double allowed = 0;  ///< amplitude [SI], or relative prominence
+};
+
+/// A value this near above its limit, as a share, stands on it and is kept: heights keep nine digits, and equal designs must not differ by round-off.
+inline constexpr double on_the_limit = 1e-9;
+
+/// How far a rule is kept, 1 on its limit, more where it is kept. Amplitude: allowed over value. No peak: allowed over relative prominence
+/// where that is below, and (1 + allowed) over (1 + relative prominence) above, the factor by which the peak must come down; infinite
+/// without a peak.
+[[nodiscard]] double margin(const DesignRule& rule, double value);
+
+/// Is an amplitude below its limit, or on it?
+[[nodiscard]] bool keeps_limit(double amplitude, double limit);
+
+struct RuleSet {
+  std::vector<DesignRule> rules;
+  Band band;                     ///< of the amplitudes [rad/s]; may reach to infinity
+  double min_prominence = 1e-6;  ///< see PeakOptions
+};
+
+struct RuleValues {
+  std::vector<double> values;               ///< of each rule: the largest amplitude in the band, or the largest relative prominence of a peak (0 without one)
+  std::vector<double> angular_frequencies;  ///< where [rad/s]; infinite where it is only approached, NaN without a peak
+};
+
+/// What each rule limits.
+[[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                     const assembly::Loading& loading, const Peaks& found, const RuleSet& set);
+
+/// The first rule whose margin is the least within 1e-6 of it, so that round-off does not choose among equals; broken ones before kept ones.
+struct Governing {
+  std::size_t rule = 0;
+  double margin = 0;  ///< the least
+  [[nodiscard]] bool kept() const { return margin >= 1; }
+};
+[[nodiscard]] Governing governing(const RuleSet& set, const std::vector<double>& values);
+
+}  // namespace trivet::response

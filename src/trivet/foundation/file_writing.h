@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "trivet/foundation/folder_handle.h"
+
+namespace trivet::study {
+
+/// Writes a whole new file; what already has its name, a link too, is an error.
+/// @param shown  what a message calls it  @throws std::runtime_error with the reason (a full disk, for instance)
+void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
+                    const std::filesystem::path& shown);
+
+}  // namespace trivet::study

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From where on no slope of several |y|² changes its sign any more, one design per lane: in u = 1/x the rest of the axis is one panel.
+#if defined(TRIVET_NUMERICS_AXIS_TAIL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_AXIS_TAIL_INL_H_
+#undef TRIVET_NUMERICS_AXIS_TAIL_INL_H_
+#else
+#define TRIVET_NUMERICS_AXIS_TAIL_INL_H_
+#endif
+
+#include <memory>
+
+#include "trivet/numerics/batch/axis_walk-inl.h"
+#include "trivet/numerics/batch/peak_question.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+/// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more. In u = 1/x a curve has the
+/// same form, with poles 1/z, and one panel reaches from there to u = 0.
+/// @param complete  leaves the lanes where that is proven
+template <typename Size>
+HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
+                                  LaneMask& complete) {
+  constexpr int most_doublings = 40;
+  const SquarePoles<Size>& poles = pack.poles;
+  WalkedPack<Size> inverted;
+  inverted.poles = poles;
+  inverted.asked = pack.asked;
+  Pack begins = hn::Add(pack.from, pack.from);
+  PairPack weight[Size::most];
+  for (int k = 0; k < poles.count; ++k) {
+    begins = hn::Max(begins, hn::Mul(all(2.0), hn::Add(hn::Abs(poles.centre[k]), hn::Abs(poles.aside[k]))));
+    inverted.poles.z[k] = inverse(poles.real[k], poles.z[k]);
+    weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
+  }
+  place(inverted.poles);
+  const std::unique_ptr<WalkedCurve[]> inverted_curves(new WalkedCurve[static_cast<std::size_t>(channels)]);
+  for (int c = 0; c < channels; ++c) {
+    WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+    curve.f = curves[c].f;
+    curve.best = curves[c].best;
+    curve.sign = curves[c].sign;
+    curve.f.slope = hn::Zero(Lanes());
+    for (int k = 0; k < poles.count; ++k) {
+      const LaneMask real = poles.real[k];
+      const PairPack C = at_poles(real, curve.f.C[k]), part = times(real, C, inverted.poles.z[k]);
+      curve.f.C[k] = for_half_sum(real, times(real, C, weight[k]));
+      curve.f.constant = hn::Sub(curve.f.constant, half_sum(real, part));
+    }
+  }
+  LaneMask settled = hn::Not(pack.asked);
+  for (int doubling = 0; doubling < most_doublings && !hn::AllTrue(Lanes(), settled); ++doubling) {
+    if (doubling > 0) begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
+    PanelPowers powers[Size::most];
+    const Pack half = hn::Div(all(0.5), begins);
+    form_powers(inverted.poles, half, half, powers);
+    LaneMask all_settled = hn::Eq(half, half);
+    for (int c = 0; c < channels; ++c) {
+      WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+      LaneMask own = settle(inverted, powers, half, half, options, settled, curve);
+      // Slopes that vanish at u = 0 keep their sign while they are monotonic.
+      const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
+      const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;
+      if (!flat_at_infinity) own = hn::And(own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
+      all_settled = hn::And(all_settled, own);
+      curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x falls as u rises
+    }
+    settled = hn::Or(settled, all_settled);
+  }
+  complete = hn::And(complete, settled);
+  return begins;
+}
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

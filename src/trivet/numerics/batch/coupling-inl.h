@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which curves the poles of a table tell to nine digits: the load must move them by more than round-off, and their sums must not cancel.
+#if defined(TRIVET_NUMERICS_COUPLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_COUPLING_INL_H_
+#undef TRIVET_NUMERICS_COUPLING_INL_H_
+#else
+#define TRIVET_NUMERICS_COUPLING_INL_H_
+#endif
+
+#include "trivet/numerics/peaks/extremum.h"
+#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/tabled_roots-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+HWY_INLINE Pack squared_size(const PairPack& r) { return hn::MulAdd(r.first, r.first, hn::Mul(r.second, r.second)); }
+
+/// Residues of a pack of designs, and what a curve is measured by: coordinates j count by √A_jj.
+struct PackOfResidues {
+  PairPack r[most_pairs][most_pairs];  ///< [pair][coordinate]
+  Pack unit[most_pairs];               ///< 1/√A_jj
+  /// Squares, by pair of poles. A curve whose residues are far below the one has resonances far below what other coordinates do: at that pole, or at
+  /// rest by any. Below the other, the load being what it is, a residue begins to lose its digits.
+  Pack visible[most_pairs], possible[most_pairs];
+};
+
+template <typename Size>
+HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, const PolePairs& roots, PackOfResidues& residues) {
+  Pack mass[Size::most], motion[Size::most], modulus[Size::most], by_modulus[Size::most], at_rest = hn::Zero(Lanes()), accelerated = at_rest;
+  each(n, [&](int j) TRIVET_LANES {
+    mass[j] = from_table(table.mass[j], lane);
+    residues.unit[j] = inverse_root(mass[j]);
+  });
+  each(n, [&](int k) TRIVET_LANES {
+    motion[k] = hn::Zero(Lanes());
+    each(n, [&](int j) TRIVET_LANES {
+      residues.r[k][j] = {from_table(table.r_first[k][j], lane), from_table(table.r_second[k][j], lane)};
+      motion[k] = hn::Max(motion[k], hn::Mul(squared_size(residues.r[k][j]), mass[j]));
+    });
+    const PairPack lambda = roots.lambda[k];
+    modulus[k] = hn::IfThenElse(roots.real[k], hn::Abs(hn::Mul(lambda.first, lambda.second)), squared_size(lambda));
+    by_modulus[k] = reciprocal(modulus[k]);
+    at_rest = hn::Max(at_rest, hn::Mul(motion[k], by_modulus[k]));
+    accelerated = hn::Max(accelerated, hn::Mul(motion[k], modulus[k]));
+  });
+  each(n, [&](int k) TRIVET_LANES {
+    const Pack decay = roots.lambda[k].first;
+    residues.visible[k] = hn::Max(motion[k], hn::Mul(at_rest, hn::Mul(decay, decay)));
+    residues.possible[k] = hn::Max(motion[k], hn::Mul(accelerated, by_modulus[k]));
+  });
+}
+
+/// Residues of a curve that takes part in what its coordinates do by round-off only are set to zero.
+/// @param weight  of every pole: (Σ_j |row_j| / √A_jj)²
+/// @return lanes where that is so, or where it takes so much part that its residues have their digits
+template <typename Size>
+HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const Pack* weight, PairPack* r) {
+  constexpr double least_known = 1e-6;  // residues are off by some 1e-15 of what is possible
+  LaneMask none = hn::Eq(all(0.0), all(0.0)), little = none;
+  each(n, [&](int k) TRIVET_LANES {
+    const Pack size = squared_size(r[k]);
+    none = hn::And(none, hn::Le(size, hn::Mul(hn::Mul(all(vanishing_share * vanishing_share), weight[k]), residues.visible[k])));
+    little = hn::And(little, hn::Le(size, hn::Mul(hn::Mul(all(least_known * least_known), weight[k]), residues.possible[k])));
+  });
+  each(n, [&](int k) TRIVET_LANES { r[k] = {hn::IfThenZeroElse(none, r[k].first), hn::IfThenZeroElse(none, r[k].second)}; });
+  return hn::Or(none, hn::Not(little));
+}
+
+/// A row times the residues of one pair of poles; its zeros are skipped.
+HWY_INLINE PairPack row_times(const Eigen::VectorXd& row, const PairPack* r) {
+  PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())};
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (row(j) != 0) sum = {hn::MulAdd(all(row(j)), r[j].first, sum.first), hn::MulAdd(all(row(j)), r[j].second, sum.second)};
+  return sum;
+}
+
+/// Σ_j |row_j| / √A_jj
+HWY_INLINE Pack weight_of(const Eigen::VectorXd& row, const Pack* unit) {
+  Pack sum = hn::Zero(Lanes());
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (row(j) != 0) sum = hn::MulAdd(all(std::abs(row(j))), unit[j], sum);
+  return sum;
+}
+
+/// Residues of one channel. @return lanes where they have their digits
+template <typename Size>
+HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
+  const Pack plain = weight_of(row.on_displacement, residues.unit), of_rate = weight_of(row.on_velocity, residues.unit);
+  Pack weight[most_pairs];
+  for (int k = 0; k < n; ++k) {
+    r[k] = row_times(row.on_displacement, residues.r[k]);
+    weight[k] = plain;
+    if (row.on_velocity.size() > 0) {
+      const PairPack lambda = poles.lambda[k], turned = times(poles.real[k], lambda, row_times(row.on_velocity, residues.r[k]));
+      r[k] = {hn::Add(r[k].first, turned.first), hn::Add(r[k].second, turned.second)};
+      weight[k] = hn::MulAdd(hn::Add(hn::Abs(lambda.first), hn::Abs(lambda.second)), of_rate, plain);
+    }
+    weight[k] = hn::Mul(weight[k], weight[k]);
+  }
+  return drop_round_off(n, residues, weight, r);
+}
+
+/// Lanes where a value keeps nine digits (an amplitude twice as many as its square loses), of terms with such moduli.
+/// @param of_sums  round-off of a sum against its terms
+HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value) {
+  constexpr double nine_digits = 2e-10;
+  return hn::Le(hn::Mul(of_sums, moduli), hn::Mul(all(nine_digits), value));
+}
+
+HWY_INLINE void store_mask(const LaneMask& mask, bool* to) {
+  double numbers[table_lanes];
+  hn::StoreU(hn::IfThenElseZero(mask, all(1.0)), Lanes(), numbers);
+  for (int lane = 0; lane < lane_count(); ++lane) to[lane] = numbers[lane] != 0;
+}
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/batch/design_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/pieces.h"
+#include "trivet/numerics/peaks/disc_search.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/peaks/peak_count.h"
+#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/linalg/system_roots.h"
+
+namespace trivet::numerics {
+namespace {
+
+constexpr std::size_t piece = 512;
+
+void check(const Designs& designs, const DesignPeakOptions& options) {
+  require_shapes(designs, "peaks of designs");
+  const Eigen::Index n = designs.coordinates();
+  const auto refuse = [](const char* rule) { throw foundation::InvalidInput(std::string("peaks of designs: ") + rule); };
+  if (!(options.from >= 0) || !(options.to > options.from) || std::isinf(options.from)) refuse("a band needs 0 ≤ from < to");
+  if (!(options.min_prominence >= 0)) refuse("a prominence is a share ≥ 0");
+  if (options.rows.size() > 0 && options.rows.cols() != n) refuse("a row needs one number for every coordinate");
+  if (options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.rows() != options.rows.rows() || options.rows_on_velocity.cols() != n))
+    refuse("rows on velocity need the shape of the rows on displacement");
+  if (!options.derivative.empty() && static_cast<Eigen::Index>(options.derivative.size()) != (options.rows.size() > 0 ? options.rows.rows() : n))
+    refuse("derivatives need one number for every channel");
+  for (const int d : options.derivative)
+    if (d < 0 || d > 2) refuse("a derivative is 0, 1 or 2");
+}
+
+std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& options) {
+  const Eigen::MatrixXd rows = options.rows.size() > 0 ? Eigen::MatrixXd(options.rows.matrix()) : Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n));
+  std::vector<ObservedRow> result;
+  for (Eigen::Index c = 0; c < rows.rows(); ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    // A row of zeros is none: whether a curve falls towards ω = ∞ hangs on it.
+    const bool on_velocity = options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.row(c) != 0).any();
+    result.push_back({rows.row(c), on_velocity ? Eigen::VectorXd(options.rows_on_velocity.row(c).matrix()) : Eigen::VectorXd(),
+                      options.derivative.empty() ? 0 : options.derivative[at]});
+  }
+  return result;
+}
+
+ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search, const PeakQuestion& question) {
+  if (curve.largest_share <= vanishing_share) return {0, question.from, 0, 0};
+  const bool beside_free_motion = search.from > question.from;
+  const CurveHeights heights = heights_of(curve, search.from, search.to, !beside_free_motion);
+  ChannelPeaks answer{heights.highest, heights.highest_at, 0, 0};
+  if (!question.count_peaks) return answer;
+  const PeakCount count = prominent_peaks(heights.along, question.min_prominence * heights.finite_top);
+  answer.peaks = count.peaks;
+  answer.largest_rise = count.largest_rise;
+  return answer;
+}
+
+/// The designs of one piece on their way to an answer.
+class Piece {
+ public:
+  Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result) : designs_(designs), question_(question), result_(result) {}
+
+  void work_through(Eigen::Index first, Eigen::Index last) {
+    std::vector<Eigen::Index> open = designs_.coordinates() <= most_pairs ? by_lanes(first, last) : all_definite(first, last);
+    std::erase_if(open, [&](Eigen::Index d) { return !is_finite(d); });
+    if (designs_.coordinates() <= most_pairs) open = by_states(open);
+    for (const Eigen::Index d : open) by_discs(d);
+  }
+
+ private:
+  Eigen::VectorXd load(Eigen::Index d) const { return designs_.load.row(designs_.load.rows() == 1 ? 0 : d).matrix().transpose(); }
+  bool is_finite(Eigen::Index d) const { return designs_.A.row(d).allFinite() && designs_.B.row(d).allFinite() && designs_.K.row(d).allFinite() && load(d).allFinite(); }
+  DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
+
+  void note(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
+    const auto c = static_cast<Eigen::Index>(channel);
+    result_.highest(d, c) = answer.highest;
+    result_.highest_at(d, c) = answer.highest_at;
+    if (!question_.count_peaks) return;
+    result_.peaks(d, c) = answer.peaks;
+    result_.largest_rise(d, c) = answer.largest_rise;
+  }
+
+  /// One lane of a table that was searched, if its proof is complete.
+  bool take(Eigen::Index d, int lane, DesignStatus as) {
+    if (!answers_.complete[lane]) return false;
+    for (std::size_t c = 0; c < question_.rows.size(); ++c) note(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
+    status(d) = as;
+    return true;
+  }
+
+  std::vector<Eigen::Index> by_lanes(Eigen::Index first, Eigen::Index last) {
+    std::vector<Eigen::Index> open;
+    for (; first < last; first += table_lanes) {
+      roots_of_designs(designs_, first, table_);
+      peaks_from_roots(table_, question_, answers_);
+      for (int lane = 0; lane < table_lanes && first + lane < last; ++lane)
+        if (table_.definite[lane] && !(table_.good[lane] && take(first + lane, lane, DesignStatus::proven))) open.push_back(first + lane);
+    }
+    return open;
+  }
+
+  std::vector<Eigen::Index> by_states(const std::vector<Eigen::Index>& designs) {
+    std::vector<Eigen::Index> open;
+    for (std::size_t first = 0; first < designs.size(); first += table_lanes) {
+      const std::size_t count = std::min<std::size_t>(table_lanes, designs.size() - first);
+      for (std::size_t i = 0; i < table_lanes; ++i)
+        table_.good[i] = i < count && roots_of_states(matrices_of(designs_, designs[first + i]), load(designs[first + i]), table_, static_cast<int>(i));
+      peaks_from_roots(table_, question_, answers_);
+      for (std::size_t i = 0; i < count; ++i)
+        if (!(table_.good[i] && take(designs[first + i], static_cast<int>(i), DesignStatus::redone))) open.push_back(designs[first + i]);
+    }
+    return open;
+  }
+
+  std::vector<Eigen::Index> all_definite(Eigen::Index first, Eigen::Index last) const {
+    std::vector<Eigen::Index> open;
+    for (; first < last; ++first)
+      if (is_positive_definite(unpacked(designs_.A, first))) open.push_back(first);
+    return open;
+  }
+
+  void by_discs(Eigen::Index d) {
+    std::vector<ObservedCurve> rows;
+    std::ranges::transform(question_.rows, std::back_inserter(rows), observed_curve);
+    const DynamicMatrices m = matrices_of(designs_, d);
+    const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
+    AxisSearch search;
+    try {
+      search = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {question_.from, question_.to});
+    } catch (const foundation::NotComputable&) {  // one design is no reason to lose the others
+      status(d) = DesignStatus::undecided;
+      return;
+    }
+    status(d) = DesignStatus::redone;
+    for (std::size_t c = 0; c < search.curves.size(); ++c) {
+      note(d, c, peaks_of_curve(search.curves[c], search, question_));
+      if (!search.curves[c].complete) status(d) = DesignStatus::undecided;
+    }
+  }
+
+  const Designs& designs_;
+  const PeakQuestion& question_;
+  DesignPeaks& result_;
+  RootTable table_{};
+  TablePeaks answers_;
+};
+
+}  // namespace
+
+DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& options) {
+  check(designs, options);
+  const Eigen::Index n = designs.coordinates(), count = designs.count();
+  const PeakQuestion question{observed_rows(n, options), options.from, options.to, options.count_peaks, options.min_prominence};
+  const auto channels = static_cast<Eigen::Index>(question.rows.size());
+  DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels), Eigen::ArrayXXd::Zero(count, channels), {}, {},
+                     std::vector<DesignStatus>(static_cast<std::size_t>(count), DesignStatus::impossible)};
+  if (options.count_peaks) {
+    result.peaks.setZero(count, channels);
+    result.largest_rise.setZero(count, channels);
+  }
+  foundation::for_each_piece(static_cast<std::size_t>(count), {piece, options.threads, options.progress, "peaks of designs"},
+                             [&](std::size_t first, std::size_t last) {
+                               Piece(designs, question, result).work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
+                             });
+  return result;
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/linalg/generalized_modes.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/quadratic_form.h"
+
+namespace trivet::numerics {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Shapes y and values of S y = μ P y with P positive definite, by Cholesky of P.
+void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::VectorXd& mu, Eigen::MatrixXd& y) {
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(P);
+  const auto L = cholesky.matrixL();
+  const Eigen::MatrixXd half = L.solve(S);
+  Eigen::MatrixXd reduced = L.solve(half.transpose());
+  reduced = (0.5 * (reduced + reduced.transpose())).eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(reduced);
+  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the symmetric eigensolver did not converge");
+  mu = solver.eigenvalues();
+  y = cholesky.matrixU().solve(solver.eigenvectors());
+}
+
+/// Each shape to φᵀAφ = ±1, λ as Rayleigh quotient in extended precision, largest component positive.
+GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, const Eigen::MatrixXd& shapes, bool rayleigh,
+                        const Eigen::VectorXd& given, ModeRoute route) {
+  const Eigen::Index n = K.rows(), count = shapes.cols();
+  GeneralizedModes result;
+  result.route = route;
+  Eigen::VectorXd lambda(count), norm(count);
+  Eigen::MatrixXd normed = shapes;
+  const Eigen::VectorXd weight = A.diagonal().cwiseAbs().cwiseSqrt();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const long double a = quadratic_form(A, shapes.col(i));
+    const long double k = quadratic_form(K, shapes.col(i));
+    lambda(i) = rayleigh ? static_cast<double>(k / a) : given(i);
+    const Eigen::VectorXd magnitude = shapes.col(i).cwiseAbs();
+    const double available = magnitude.dot(K.cwiseAbs() * magnitude);
+    if (std::abs(static_cast<double>(k)) <= 256 * static_cast<double>(n) * epsilon * available) lambda(i) = 0;
+    norm(i) = a < 0 ? -1 : 1;
+    normed.col(i) /= std::sqrt(std::abs(static_cast<double>(a)));
+    Eigen::Index largest = 0;
+    weight.cwiseProduct(normed.col(i).cwiseAbs()).maxCoeff(&largest);
+    if (normed(largest, i) < 0) normed.col(i) *= -1;
+  }
+  // A shape that moves only where K has zeros leaves products of round-off, ε² of the largest λ.
+  const double negligible = std::pow(64 * static_cast<double>(n) * epsilon, 2) * (count > 0 ? lambda.cwiseAbs().maxCoeff() : 0);
+  lambda = (lambda.array().abs() <= negligible).select(0.0, lambda);
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index x, Eigen::Index y) { return lambda(x) < lambda(y); });
+  result.lambda.resize(count);
+  result.norm.resize(count);
+  result.shapes.resize(n, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index from = order[static_cast<std::size_t>(i)];
+    result.lambda(i) = lambda(from);
+    result.norm(i) = norm(from);
+    result.shapes.col(i) = normed.col(from);
+  }
+  return result;
+}
+
+GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A.partialPivLu().solve(K).eval());
+  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the general eigensolver did not converge");
+  const Eigen::VectorXcd values = solver.eigenvalues();
+  const double scale = values.cwiseAbs().maxCoeff();
+  std::vector<Eigen::Index> real;
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (std::abs(values(i).imag()) <= std::sqrt(epsilon) * 16 * std::abs(values(i)) || std::abs(values(i)) <= 1e-12 * scale) real.push_back(i);
+  Eigen::MatrixXd shapes(K.rows(), static_cast<Eigen::Index>(real.size()));
+  Eigen::VectorXd lambda(shapes.cols());
+  for (Eigen::Index i = 0; i < shapes.cols(); ++i) {
+    shapes.col(i) = solver.eigenvectors().col(real[static_cast<std::size_t>(i)]).real();
+    lambda(i) = values(real[static_cast<std::size_t>(i)]).real();
+  }
+  GeneralizedModes result = finish(K, A, shapes, false, lambda, ModeRoute::general);
+  result.complex_pairs = static_cast<int>(values.size() - shapes.cols()) / 2;
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+bool is_positive_definite(const Eigen::MatrixXd& matrix) {
+  if (!(matrix.diagonal().minCoeff() > 0)) return false;
+  const Eigen::VectorXd d = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd unit = d.asDiagonal() * matrix * d.asDiagonal();
+  return symmetric_eigenvalues(unit)(0) > 8 * static_cast<double>(matrix.rows()) * epsilon;
+}
+
+GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric) {
+  const Eigen::VectorXd d = unit_scale(A);
+  const Eigen::MatrixXd k = d.asDiagonal() * K * d.asDiagonal();
+  const Eigen::MatrixXd a = d.asDiagonal() * A * d.asDiagonal();
+  GeneralizedModes result;
+  Eigen::VectorXd mu;
+  Eigen::MatrixXd y;
+  if (symmetric && is_positive_definite(A)) {
+    solve_definite(k, a, mu, y);
+    result = finish(k, a, y, true, {}, ModeRoute::definite_mass);
+  } else if (symmetric && is_positive_definite(K)) {
+    solve_definite(a, k, mu, y);
+    result = finish(k, a, y, true, {}, ModeRoute::definite_stiffness);
+  } else {
+    result = general_modes(k, a);
+  }
+  result.shapes = (d.asDiagonal() * result.shapes).eval();
+  return result;
+}
+
+}  // namespace trivet::numerics

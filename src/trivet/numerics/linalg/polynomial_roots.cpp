@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/linalg/polynomial_roots.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::numerics {
+
+std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients) {
+  const auto degree = static_cast<Eigen::Index>(coefficients.size()) - 1;
+  if (degree < 1) return {};
+  // In units of the roots' geometric mean, so that coefficients compare; roots at 0 leave the unit as it is.
+  const double first = std::abs(coefficients.front()), last = coefficients.back();
+  const double unit = first > 0 ? std::pow(first / std::abs(last), 1 / static_cast<double>(degree)) : 1;
+  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
+  companion.diagonal(-1).setOnes();
+  for (Eigen::Index i = 0; i < degree; ++i)
+    companion(i, degree - 1) = -coefficients[static_cast<std::size_t>(i)] / last * std::pow(unit, static_cast<double>(i - degree));
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion, false);
+  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the roots of a polynomial did not converge");
+  const Eigen::VectorXcd roots = unit * solver.eigenvalues();
+  return {roots.begin(), roots.end()};
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/linalg/rational_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <complex>
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::numerics {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Loewner matrix of the samples and the nodes so far, its columns at unit length, with its Gram matrix kept along.
+class Loewner {
+ public:
+  Loewner(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales)
+      : x_(x), values_(values), scales_(scales), rows_(values.size(), 0), gram_(0, 0) {}
+
+  void add_node(Eigen::Index node) {
+    const Eigen::Index functions = values_.rows(), old = static_cast<Eigen::Index>(nodes_.size());
+    if (old > 0) {
+      auto rows_of_node = rows_.middleRows(node * functions, functions);
+      gram_ -= rows_of_node.adjoint() * rows_of_node;
+      rows_of_node.setZero();
+    }
+    nodes_.push_back(node);
+    Eigen::VectorXcd column = Eigen::VectorXcd::Zero(values_.size());
+    for (Eigen::Index k = 0; k < x_.size(); ++k)
+      if (std::find(nodes_.begin(), nodes_.end(), k) == nodes_.end())
+        column.segment(k * functions, functions) = ((values_.col(k) - values_.col(node)).array() / scales_.col(k).array() / (x_(k) - x_(node))).matrix();
+    const double length = column.norm();
+    lengths_.push_back(length > 0 ? length : 1);
+    column /= lengths_.back();
+    const Eigen::VectorXcd products = rows_.adjoint() * column;
+    rows_.conservativeResize(Eigen::NoChange, old + 1);
+    rows_.col(old) = column;
+    gram_.conservativeResize(old + 1, old + 1);
+    gram_.col(old).head(old) = products;
+    gram_.row(old).head(old) = products.adjoint();
+    gram_(old, old) = column.squaredNorm();
+  }
+
+  [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return nodes_; }
+
+  /// Weights by inverse iteration with the Gram matrix: good enough to choose the next node.
+  [[nodiscard]] Eigen::VectorXcd quick_weights() const {
+    const Eigen::Index n = gram_.rows();
+    const double shift = 1e-15 * gram_.diagonal().real().sum() + std::numeric_limits<double>::min();
+    const Eigen::LLT<Eigen::MatrixXcd> llt(Eigen::MatrixXcd(gram_ + shift * Eigen::MatrixXcd::Identity(n, n)));
+    if (llt.info() != Eigen::Success) return exact_weights();
+    return iterated([&](const Eigen::VectorXcd& v) { return Eigen::VectorXcd(llt.solve(v)); });
+  }
+
+  /// The same with the triangular factor of the matrix itself, which does not square its condition.
+  [[nodiscard]] Eigen::VectorXcd exact_weights() const {
+    const Eigen::Index n = gram_.rows();
+    const Eigen::HouseholderQR<Eigen::MatrixXcd> qr(rows_);
+    Eigen::MatrixXcd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    const double least = std::numeric_limits<double>::epsilon() * r.diagonal().cwiseAbs().maxCoeff() + std::numeric_limits<double>::min();
+    for (Eigen::Index j = 0; j < n; ++j)
+      if (std::abs(r(j, j)) < least) r(j, j) = least;
+    return iterated([&](const Eigen::VectorXcd& v) {
+      const Eigen::VectorXcd y = r.adjoint().triangularView<Eigen::Lower>().solve(v);
+      return Eigen::VectorXcd(r.triangularView<Eigen::Upper>().solve(y));
+    });
+  }
+
+ private:
+  template <typename Inverse>
+  [[nodiscard]] Eigen::VectorXcd iterated(const Inverse& inverse) const {
+    constexpr int steps = 4;
+    const Eigen::Index n = gram_.rows();
+    Eigen::VectorXcd v(n);
+    for (Eigen::Index j = 0; j < n; ++j) v(j) = std::polar(1.0, 2.4 * static_cast<double>(j));  // no direction preferred
+    for (int step = 0; step < steps; ++step) v = inverse(v.normalized());
+    v.normalize();
+    for (Eigen::Index j = 0; j < n; ++j) v(j) /= lengths_[static_cast<std::size_t>(j)];
+    return v / v.cwiseAbs().maxCoeff();
+  }
+
+  const Eigen::VectorXd& x_;
+  const Eigen::MatrixXcd& values_;
+  const Eigen::MatrixXd& scales_;
+  std::vector<Eigen::Index> nodes_;
+  std::vector<double> lengths_;
+  Eigen::MatrixXcd rows_;
+  Eigen::MatrixXcd gram_;
+};
+
+RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const std::vector<Eigen::Index>& nodes, Eigen::VectorXcd weights) {
+  RationalFit fit{Eigen::VectorXd(static_cast<Eigen::Index>(nodes.size())), std::move(weights),
+                  Eigen::MatrixXcd(values.rows(), static_cast<Eigen::Index>(nodes.size())), 0};
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    fit.nodes(static_cast<Eigen::Index>(j)) = x(nodes[j]);
+    fit.values.col(static_cast<Eigen::Index>(j)) = values.col(nodes[j]);
+  }
+  return fit;
+}
+
+/// Where the fit is worst; sets its error.
+Eigen::Index worst_sample(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales, RationalFit& fit) {
+  const Eigen::MatrixXcd found = fit.at(x);
+  Eigen::Index worst = 0, function = 0;
+  // A pole on a sample gives no number: nothing could be worse.
+  const Eigen::MatrixXd errors = ((found - values).cwiseAbs().array() / scales.array()).unaryExpr([](double e) { return std::isnan(e) ? std::numeric_limits<double>::infinity() : e; });
+  fit.error = errors.maxCoeff(&function, &worst);
+  return worst;
+}
+
+}  // namespace
+
+Eigen::MatrixXcd RationalFit::at(const Eigen::VectorXd& x) const {
+  Eigen::MatrixXcd shares(nodes.size(), x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    Eigen::Index hit = -1;
+    Complex sum = 0;
+    for (Eigen::Index j = 0; j < nodes.size(); ++j) {
+      const double distance = x(k) - nodes(j);
+      if (distance == 0) hit = j;
+      sum += shares(j, k) = weights(j) / distance;
+    }
+    if (hit >= 0) shares.col(k) = Eigen::VectorXcd::Unit(nodes.size(), hit);
+    else shares.col(k) /= sum;
+  }
+  return values * shares;
+}
+
+Eigen::VectorXcd RationalFit::poles() const {
+  // det(x − diag(x_j) + u 1ᵀ) with u_j = x_j w_j/Σw is x Σ_j w_j/(x − x_j) Π(x − x_j)/Σw.
+  const Eigen::VectorXcd u = nodes.cast<Complex>().cwiseProduct(weights) / weights.sum();
+  Eigen::MatrixXcd companion = -u * Eigen::RowVectorXcd::Ones(nodes.size());
+  companion.diagonal() += nodes.cast<Complex>();
+  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
+}
+
+RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales, double tolerance) {
+  if (x.size() < 2 || values.cols() != x.size() || scales.cols() != x.size() || scales.rows() != values.rows() || values.rows() < 1)
+    throw foundation::InvalidInput("rational fit: samples, values and scales do not go together");
+  if (!values.allFinite() || !(scales.minCoeff() > 0)) throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
+  const Eigen::Index most_nodes = std::min(x.size() - 1, values.size() / (values.rows() + 1));  // no more weights than equations
+  Loewner loewner(x, values, scales);
+  RationalFit fit = with_weights(x, values, {x.size() / 2}, Eigen::VectorXcd::Ones(1));
+  for (Eigen::Index worst = worst_sample(x, values, scales, fit); fit.error > tolerance && std::ssize(loewner.nodes()) < most_nodes;
+       worst = worst_sample(x, values, scales, fit)) {
+    loewner.add_node(worst);
+    fit = with_weights(x, values, loewner.nodes(), loewner.quick_weights());
+  }
+  if (loewner.nodes().empty()) return fit;
+  RationalFit exact = with_weights(x, values, loewner.nodes(), loewner.exact_weights());
+  worst_sample(x, values, scales, exact);
+  return exact.error <= fit.error ? exact : fit;
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/linalg/system_roots.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/massless.h"
+
+namespace trivet::numerics {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Extended-precision refinement costs n³ per root; beyond this size a double eigensolver has to do.
+constexpr Eigen::Index largest_refined = 60;
+
+QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
+  const Eigen::Index n = modes.lambda.size();
+  QuadraticRoots result;
+  result.lambda.resize(2 * n);
+  result.vectors.resize(modes.shapes.rows(), 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Complex root = std::sqrt(Complex(-modes.lambda(i), 0));
+    result.lambda(2 * i) = root;
+    result.lambda(2 * i + 1) = -root;
+    result.vectors.col(2 * i) = result.vectors.col(2 * i + 1) = modes.shapes.col(i).cast<Complex>();
+  }
+  return result;
+}
+
+/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`, two for each free motion,
+/// however fast the fastest of the others is.
+double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
+  if (most == 0) return 0;
+  Eigen::VectorXd size = roots.lambda.cwiseAbs();
+  std::sort(size.begin(), size.end());
+  return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
+}
+
+/// Sets to zero what is only round-off: entries of φᵀ M φ below what cancels in them. In the columns of free motions,
+/// which any rotation among them mixes, that is the most of all of them.
+Eigen::MatrixXd without_round_off(const Eigen::MatrixXd& phi, const Eigen::MatrixXd& m,
+                                  const std::vector<Eigen::Index>& free) {
+  Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.cwiseAbs() * phi.cwiseAbs();
+  if (!free.empty()) {
+    const Eigen::RowVectorXd most_of_rows = available(free, Eigen::all).colwise().maxCoeff();
+    for (const Eigen::Index i : free) available.row(i) = most_of_rows;
+    const Eigen::VectorXd most_of_columns = available(Eigen::all, free).rowwise().maxCoeff();
+    for (const Eigen::Index i : free) available.col(i) = available.col(i).cwiseMax(most_of_columns);
+  }
+  const Eigen::MatrixXd projected = phi.transpose() * m * phi;
+  return (projected.array().abs() <= 64 * static_cast<double>(m.rows()) * epsilon * available.array())
+      .select(0.0, projected);
+}
+
+/// Free motions may be combined as one likes. Dampers that resist some combinations leave others alone: those become
+/// motions of the basis, so that what vanishes for them does so in single entries of the projected damping. Otherwise
+/// its eigenvalues of round-off would be roots of 1e-18 1/s in place of 0.
+void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>& free, Eigen::MatrixXd& phi) {
+  if (free.size() < 2) return;
+  const Eigen::MatrixXd motions = phi(Eigen::all, free);
+  const Eigen::MatrixXd damping = without_round_off(phi, m.B, free)(free, free);
+  if (damping.isDiagonal(0)) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (damping + damping.transpose()));
+  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the symmetric eigensolver did not converge");
+  phi(Eigen::all, free) = (motions * solver.eigenvectors()).eval();
+}
+
+}  // namespace
+
+SystemRoots system_roots(const DynamicMatrices& m) {
+  if (const WithoutIdle kept = without_idle(m); kept.any) {
+    SystemRoots result = system_roots(kept.matrices);
+    result.roots.vectors = (kept.recovery * result.roots.vectors).eval();
+    return result;
+  }
+  const MassiveSystem massive = massive_system(m);
+  const bool massless = massive.A.rows() < m.size();
+  const GeneralizedModes modes = generalized_modes(massive.K, massive.A, m.symmetric);
+  const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
+  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
+  QuadraticRoots result;
+  const bool basis_is_orthonormal = !massless && modes.route == ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
+  if (basis_is_orthonormal) {
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < modes.lambda.size(); ++i)
+      if (modes.lambda(i) == 0) free.push_back(i);
+    Eigen::MatrixXd phi = modes.shapes;
+    part_free_motions(m, free, phi);
+    // A free motion that no damper resists: its projected damping is a difference that should vanish exactly.
+    const Eigen::MatrixXd damping = without_round_off(phi, m.B, free);
+    Eigen::MatrixXd loss;
+    if (m.lossy()) loss = without_round_off(phi, m.K_loss, free);
+    result = roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
+    result.vectors = (phi * result.vectors).eval();
+  } else {
+    result = massless ? roots_with_massless(m) : roots_of_companion(m);
+  }
+  if (m.size() <= largest_refined) refine_roots(m, result);
+  return {result, basis_is_orthonormal ? 0 : rest_limit(result, 2 * (modes.lambda.array() == 0).count())};
+}
+
+Eigen::VectorXcd poles(const SystemRoots& of) {
+  return (of.roots.lambda.array().abs() <= of.at_rest).select(Complex(0), of.roots.lambda);
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/peaks/response_series.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace trivet::numerics {
+namespace {
+
+/// Coefficients of (Z0 + Z1 τ + Z2 τ²)⁻¹ Σ h_j τʲ.
+Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2, const Eigen::MatrixXcd& h) {
+  const Eigen::Index n = h.rows();
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(Z0);
+  Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], for the last two coefficients one above the other
+  step << Z2, Z1;
+  step = (-lu.solve(step)).eval();
+  Eigen::MatrixXcd q = Eigen::MatrixXcd::Zero(n, h.cols() + 1);  // before the first coefficient stands a zero
+  q.col(1) = lu.solve(h.col(0));
+  q.col(1) += lu.solve(h.col(0) - Z0 * q.col(1));
+  for (Eigen::Index j = 1; j < h.cols(); ++j) {
+    q.col(j + 1).noalias() = step * Eigen::Map<const Eigen::VectorXcd>(q.col(j - 1).data(), 2 * n);
+    if (!h.col(j).isZero(0)) q.col(j + 1) += lu.solve(h.col(j));
+  }
+  return q.rightCols(h.cols());
+}
+
+/// iᵏ.
+Complex power_of_i(int k) {
+  static constexpr double re[] = {1, 0, -1, 0}, im[] = {0, 1, 0, -1};
+  const int turn = (k % 4 + 4) % 4;
+  return {re[turn], im[turn]};
+}
+
+/// Coefficients of (centre + radius τ)^power e^{−i (centre + radius τ) delay}.
+Eigen::RowVectorXcd factor_series(const LoadTerm& term, double centre, double radius, int order) {
+  Eigen::RowVectorXcd c = Eigen::RowVectorXcd::Zero(order + 1);
+  if (term.power >= 0) {  // the binomial theorem, finite
+    double choose = 1;
+    for (int j = 0; j <= std::min(term.power, order); ++j) {
+      c(j) = choose * std::pow(centre, term.power - j) * std::pow(radius, j);
+      choose *= static_cast<double>(term.power - j) / (j + 1);
+    }
+  } else {
+    c(0) = std::pow(centre, term.power);
+    for (int j = 1; j <= order; ++j) c(j) = c(j - 1) * (radius / centre) * (static_cast<double>(term.power - j + 1) / j);
+  }
+  if (term.delay == 0) return c;
+  Eigen::RowVectorXcd turning(order + 1), product = Eigen::RowVectorXcd::Zero(order + 1);
+  turning(0) = std::polar(1.0, -centre * term.delay);
+  for (int j = 1; j <= order; ++j) turning(j) = turning(j - 1) * Complex(0, -radius * term.delay) / static_cast<double>(j);
+  for (int j = 0; j <= order; ++j)
+    for (int k = 0; k <= j; ++k) product(j) += c(k) * turning(j - k);
+  return product;
+}
+
+}  // namespace
+
+Eigen::MatrixXcd load_series(const Load& load, double centre, double radius, int order) {
+  Eigen::MatrixXcd h = Eigen::MatrixXcd::Zero(load.size(), order + 1);
+  for (const LoadTerm& term : load.terms()) {
+    const Eigen::VectorXcd value = power_of_i(term.power) * term.value;
+    if (term.power == 0 && term.delay == 0) h.col(0) += value;
+    else h += value * factor_series(term, centre, radius, order);
+  }
+  return h;
+}
+
+Eigen::MatrixXcd response_series(const DynamicMatrices& given, const Load& load, double centre, double radius, int order) {
+  const Eigen::VectorXd d = unit_scale(given);
+  const DynamicMatrices m = scaled(given, d);
+  const Eigen::MatrixXcd A = m.A.cast<Complex>(), B = m.B.cast<Complex>();
+  const Eigen::MatrixXcd slope = radius * (Complex(0, 1) * B - 2 * centre * A);
+  const Eigen::MatrixXcd curvature = -radius * radius * A;
+  return d.asDiagonal() * series(m.at(centre), slope, curvature, load_series(load.scaled(d), centre, radius, order));
+}
+
+SeriesAtInfinity load_series_at_infinity(const Load& load, double radius, int order) {
+  // (iω)ᵏ = iᵏ s⁻ᵏ; the highest power leads.
+  SeriesAtInfinity result{Eigen::MatrixXcd::Zero(load.size(), order + 1), -load.highest_power()};
+  for (const LoadTerm& term : load.terms()) {
+    const int later = load.highest_power() - term.power;
+    if (later <= order) result.coefficients.col(later) += power_of_i(term.power) * std::pow(radius, later) * term.value;
+  }
+  return result;
+}
+
+SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const Load& load, double radius, int order) {
+  const Eigen::VectorXd d = unit_scale(given);
+  const DynamicMatrices m = scaled(given, d);
+  SeriesAtInfinity h = load_series_at_infinity(load.scaled(d), radius, order + 2);
+  Eigen::MatrixXcd constant = -m.A.cast<Complex>();
+  Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();
+  Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
+  // Without mass in a row, −A leaves it empty at s = 0; divided by s it is regular: s K + i B, or by s² where it has stiffness only. What
+  // loads such a row must then start so many powers later: the whole right side is shifted.
+  std::vector<int> lowered(static_cast<std::size_t>(m.size()), 0);
+  int shift = 0;
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
+    if (!m.A.row(i).isZero(0)) continue;
+    const int by = m.B.row(i).isZero(0) ? 2 : 1;
+    lowered[static_cast<std::size_t>(i)] = by;
+    for (int k = 0; k < by; ++k) {
+      constant.row(i) = slope.row(i) / radius;
+      slope.row(i) = curvature.row(i) / radius;
+      curvature.row(i).setZero();
+    }
+    int free_powers = 0;
+    while (free_powers < by && h.coefficients(i, free_powers) == Complex(0)) ++free_powers;
+    shift = std::max(shift, by - free_powers);
+  }
+  // s² Z q = s² h; q = s^power p.
+  Eigen::MatrixXcd right = Eigen::MatrixXcd::Zero(m.size(), order + 1);
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
+    const int by = lowered[static_cast<std::size_t>(i)] - shift;  // the shift multiplies by s, a lowered row is divided by it
+    for (int j = std::max(0, -by); j <= order; ++j) right(i, j) = h.coefficients(i, j + by) * std::pow(radius, -by);
+  }
+  return {d.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pole_residue.h"
+#include "trivet/numerics/roots/root_table.h"
+
+namespace trivet::numerics {
+namespace {
+
+constexpr double tolerance = 1e-11;
+/// Roots that nearly coincide have large residues of opposite signs: what they lose is this times round-off.
+constexpr double most_cancellation = 1e4;
+/// Least decay rate against the fastest pole: below, round-off of the eigensolver (in units of that pole) shows in the height of a peak.
+constexpr double least_decay = 1e-5;
+/// Round-off of sums over these roots: so many times what the sums above miss, which may lie well by chance.
+constexpr double margin = 10, least_round_off = 2e-15;
+
+/// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of them.
+/// @return by how much they are missed at most, as a share of their terms; infinite where terms cancel too far
+double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles, const Eigen::MatrixXcd& r) {
+  const Eigen::VectorXd acceleration = m.A.llt().solve(load), displacement = -m.K.llt().solve(load);
+  const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // metres and radians by what they weigh
+  const auto share = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
+    const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
+    const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(), weighed = weight.cwiseProduct(sum).norm();
+    const double part = missed.cwiseAbs().maxCoeff() / size;
+    return (weighed > 0 && size > most_cancellation * weighed) || !std::isfinite(part) ? std::numeric_limits<double>::infinity() : part;
+  };
+  return std::max({share(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())), share(poles, acceleration),
+                   share(poles.cwiseInverse(), displacement)});
+}
+
+}  // namespace
+
+bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, RootTable& table, int lane) {
+  const auto n = static_cast<int>(m.size());
+  PoleResidueForm form;
+  try {
+    form = pole_residue_form(m, load.cast<Complex>());
+  } catch (const foundation::NotComputable&) {
+    return false;
+  }
+  if (form.poles.size() != 2 * n || !(form.poles.real().array() < 0).all() || !form.shapes.allFinite()) return false;
+  if (form.poles.real().cwiseAbs().minCoeff() < least_decay * form.poles.cwiseAbs().maxCoeff()) return false;
+  const Eigen::MatrixXcd r = form.shapes * form.participation.col(0).asDiagonal();
+  const double missed = missed_sums(m, load, form.poles, r);
+  if (!(missed <= tolerance)) return false;
+  table.coordinates = n;
+  for (int j = 0; j < n; ++j) table.mass[j][lane] = m.A(j, j);
+  table.round_off[lane] = std::max(least_round_off, margin * missed);
+  std::vector<Eigen::Index> turning, real;
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    if (form.poles(k).imag() > 0) turning.push_back(k);
+    if (form.poles(k).imag() == 0) real.push_back(k);
+  }
+  if (turning.size() + real.size() / 2 != static_cast<std::size_t>(n)) return false;
+  std::sort(real.begin(), real.end(), [&](Eigen::Index a, Eigen::Index b) { return form.poles(a).real() > form.poles(b).real(); });
+  for (int pair = 0; pair < n; ++pair) {
+    const auto turns = static_cast<int>(turning.size());
+    const bool is_real = pair >= turns;
+    const Eigen::Index one = is_real ? real[static_cast<std::size_t>(2 * (pair - turns))] : turning[static_cast<std::size_t>(pair)];
+    const Eigen::Index two = is_real ? real[static_cast<std::size_t>(2 * (pair - turns) + 1)] : one;
+    table.real[pair][lane] = is_real;
+    table.first[pair][lane] = form.poles(one).real();
+    table.second[pair][lane] = is_real ? form.poles(two).real() : form.poles(one).imag();
+    for (int j = 0; j < n; ++j) {
+      table.r_first[pair][j][lane] = r(j, one).real();
+      table.r_second[pair][j][lane] = is_real ? r(j, two).real() : r(j, one).imag();
+    }
+  }
+  return true;
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/sweep/sweep_workspace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::numerics {
+namespace {
+
+/// Frequencies for which blocks keep such parts.
+constexpr long parts_together = sweep_kernels::granule;
+
+std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk); }
+
+}  // namespace
+
+const sweep_kernels::Coefficients& SweepWorkspace::plain() {
+  if (plan_->solver() != SweepSolver::aimed) return *plan_->solved_;
+  if (!plain_) plain_.emplace(plan_->matrices_);
+  return *plain_;
+}
+
+void SweepWorkspace::take(const SweepPlan& plan) {
+  plan_ = &plan;
+  plain_.reset();
+  load_filled_ = 0;
+  for (LineMemory* one : {&omega_, &error_}) one->resize(chunk);
+  const long n = plan.size();
+  const bool by_blocks = plan.solver() == SweepSolver::blocks, alone = plan.solver() == SweepSolver::alone;
+  q_.resize(numbers(n));
+  load_.resize(by_blocks || alone ? 0 : numbers(n));
+  amplitude_.resize(plan.solver() == SweepSolver::aimed ? numbers(1) : 0);
+  z_part_.resize(0, 0);
+  if (!plan.part_ || alone) {
+    part_.resize(0);
+  } else if (by_blocks) {
+    part_.resize(2 * static_cast<std::size_t>(parts_together) * (plan.free_.size() + static_cast<std::size_t>(n)));
+    z_part_.setZero(n, n);
+  } else {
+    part_.resize(numbers(n * n));
+  }
+}
+
+void SweepWorkspace::fill_load(long count, bool all) {
+  const bool aimed = plan_->solver() == SweepSolver::aimed;
+  const Planes load = planes_in(load_), amplitude = aimed ? planes_in(amplitude_) : Planes{};
+  if (!aimed || all) std::fill_n(load_.data(), load_.size(), 0.0);
+  load_finite_ = true;
+  if (aimed && !all && plan_->load_.is_constant()) {
+    const Complex constant = plan_->load_.terms()[0].value(plan_->aim_.order.back());
+    std::fill_n(amplitude.re, chunk, constant.real());
+    std::fill_n(amplitude.im, chunk, constant.imag());
+    return;
+  }
+  for (const LoadTerm& term : plan_->load_.terms())
+    for (long f = 0; f < count; ++f) {
+      const Complex factor = term.power == 0 && term.delay == 0 ? Complex(1) : term.factor(omega_.data()[f]);
+      load_finite_ = load_finite_ && std::isfinite(std::norm(factor));
+      if (aimed) amplitude.put(f, factor * term.value(plan_->aim_.order.back()));
+      if (aimed && !all) continue;
+      for (long i = 0; i < plan_->size(); ++i) {
+        const Complex h = factor * term.value(i);
+        load.re[i * chunk + f] += h.real();
+        load.im[i * chunk + f] += h.imag();
+      }
+    }
+}
+
+void SweepWorkspace::fill_parts(long count) {
+  const Eigen::Index n = plan_->size();
+  const Planes part = planes_in(part_), load = planes_in(load_);
+  Eigen::MatrixXcd z(n, n);
+  Eigen::VectorXcd h(n);
+  for (long f = 0; f < count; ++f) {
+    const double omega = omega_.data()[f];
+    if (f == 0 || omega != omega_.data()[f - 1]) {
+      z.setZero();
+      h.setZero();
+      plan_->part_.add(omega, z, h);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      load.re[i * chunk + f] += plan_->scale_(i) * h(i).real();
+      load.im[i * chunk + f] += plan_->scale_(i) * h(i).imag();
+      for (Eigen::Index j = 0; j < n; ++j) part.put((i * n + j) * chunk + f, plan_->scale_(i) * z(i, j) * plan_->scale_(j));
+    }
+  }
+}
+
+/// What the part brings at `count` ≤ `parts_together` frequencies: planes of free entries, then of h.
+void SweepWorkspace::fill_free(long first, long count) {
+  const auto n = static_cast<Eigen::Index>(plan_->size());
+  const Planes planes = {part_.data(), part_.data() + part_.size() / 2, parts_together};
+  const auto entries = static_cast<long>(plan_->free_.size());
+  const long all_planes = entries + n;
+  Eigen::VectorXcd h(n);
+  for (long f = 0; f < count; ++f) {
+    const double omega = omega_.data()[first + f];
+    if (f > 0 && omega == omega_.data()[first + f - 1]) {
+      for (long k = 0; k < all_planes; ++k) {
+        const long at = k * parts_together + f;
+        planes.put(at, {planes.re[at - 1], planes.im[at - 1]});
+      }
+      continue;
+    }
+    h = plan_->load_.at(omega).cwiseQuotient(plan_->scale_);
+    plan_->part_.add(omega, z_part_, h);
+    for (long k = 0; k < entries; ++k) {
+      const FreeEntry& at = plan_->free_[static_cast<std::size_t>(k)];
+      planes.put(k * parts_together + f, z_part_(at.row, at.column));
+      z_part_(at.row, at.column) = z_part_(at.column, at.row) = 0;
+    }
+    for (Eigen::Index i = 0; i < n; ++i) planes.put((entries + i) * parts_together + f, h(i));
+  }
+}
+
+void SweepWorkspace::solve_blocks(bool every_backward_error, const Planes& q) {
+  BlockBatch batch{omega_.data(), padded_, {}, {}, q, error_.data(), every_backward_error};
+  if (!plan_->part_) {
+    plan_->blocks_->solve(batch, blocks_);
+    return;
+  }
+  const auto entries = static_cast<long>(plan_->free_.size());
+  batch.count = parts_together;
+  batch.free = {part_.data(), part_.data() + part_.size() / 2, parts_together};
+  batch.load = {batch.free.re + entries * parts_together, batch.free.im + entries * parts_together, parts_together};
+  for (long first = 0; first < padded_; first += parts_together) {
+    fill_free(first, parts_together);
+    batch.omega = omega_.data() + first;
+    batch.response = {q.re + first, q.im + first, q.stride};
+    batch.backward_error = error_.data() + first;
+    plan_->blocks_->solve(batch, blocks_);
+  }
+  if (z_part_.isZero(0)) return;
+  throw foundation::InvalidInput(
+    "part of the dynamic stiffness that depends on frequency: it adds to entries beside its coupled rows; it must name all rows that it couples");
+}
+
+Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
+  const long padded = padded_ = sweep_kernels::filled_up(count, sweep_kernels::granule);
+  std::copy_n(omega, count, omega_.data());
+  std::fill(omega_.data() + count, omega_.data() + padded, omega[count - 1]);
+  const Planes q = target.re && padded == count ? target : planes_in(q_);
+  if (plan_->solver() == SweepSolver::alone) {
+    for (long f = 0; f < count; ++f) redo_alone(f, q);
+    return q;
+  }
+  if (plan_->solver() == SweepSolver::blocks) {
+    solve_blocks(every_backward_error, q);
+    redo_missed({}, count, q);
+    return q;
+  }
+  const int wanted = every_backward_error ? 2 : 1;
+  if (load_filled_ < wanted || !plan_->load_.is_constant() || plan_->part_) fill_load(plan_->load_.is_constant() ? chunk : padded, every_backward_error);
+  load_filled_ = wanted;
+  if (plan_->part_) fill_parts(padded);
+  const Planes part = plan_->part_ ? planes_in(part_) : Planes{};
+  sweep_kernels::Batch batch{omega_.data(), padded, planes_in(load_), part, plan_->scale_.data(), q, error_.data()};
+  std::fill_n(error_.data(), padded, 0.0);
+  bool good = false;
+  switch (plan_->solver()) {
+    case SweepSolver::aimed: {
+      sweep_kernels::Batch aimed = batch;
+      aimed.load = planes_in(amplitude_);
+      good = sweep_kernels::solve_fixed(*plan_->solved_, &plan_->aim_, aimed);
+      break;
+    }
+    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(*plan_->solved_, nullptr, batch); break;
+    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(*plan_->solved_, batch); break;
+    case SweepSolver::blocks:
+    case SweepSolver::alone: break;  // above
+  }
+  std::vector<char> untrusted;
+  if (!good) {
+    untrusted.resize(static_cast<std::size_t>(count));
+    for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_.data()[f] != 0;
+  }
+  if (!load_finite_) {
+    // Growth knows nothing of the load: of a power of ω at rest.
+    untrusted.resize(static_cast<std::size_t>(count));
+    for (long f = 0; f < count; ++f)
+      if (!load_at(f).allFinite()) untrusted[static_cast<std::size_t>(f)] = 1;
+  }
+  if (every_backward_error) {
+    sweep_kernels::backward_errors(plain(), batch);
+    redo_missed(untrusted, count, q);
+  } else if (!untrusted.empty()) {
+    redo(untrusted, q);
+  }
+  return q;
+}
+
+}  // namespace trivet::numerics

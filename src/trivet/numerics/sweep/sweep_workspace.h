@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frequencies of one system, chunk by chunk.
+#pragma once
+
+#include "trivet/numerics/lanes/line_memory.h"
+#include "trivet/numerics/sweep/sweep_plan.h"
+
+namespace trivet::numerics {
+
+/// Memory for one chunk of frequencies on one thread, and its solutions.
+class SweepWorkspace {
+ public:
+  static constexpr long chunk = 256;  ///< frequencies: six coordinates of them stay in the nearest cache
+
+  SweepWorkspace() = default;
+  explicit SweepWorkspace(const SweepPlan& plan) { take(plan); }
+
+  /// Solves another system from now on, in the same memory where it has the same size. The counts go on.
+  void take(const SweepPlan& plan);
+
+  /// Solutions at `count` ≤ `chunk` frequencies, into `target` or, if that is null or the chunk is not full, into planes of its own.
+  /// @return where they are
+  Planes solve(const double* omega, long count, bool every_backward_error, Planes target = {});
+
+  /// Raises the largest |q_j|² by those of the last chunk and tells where they are.
+  void raise_maxima(const Planes& q, double* square, double* angular_frequency) const {
+    sweep_kernels::raise_maxima(plan_->size(), {omega_.data(), padded_, {}, {}, nullptr, q, nullptr}, square, angular_frequency);
+  }
+  [[nodiscard]] const double* backward_errors() const { return error_.data(); }
+  [[nodiscard]] const SweepCounts& counts() const { return counts_; }
+
+ private:
+  /// Planes of a chunk: real parts first, then imaginary parts.
+  static Planes planes_in(const LineMemory& memory) { return {memory.data(), memory.data() + memory.size() / 2, chunk}; }
+
+  void fill_load(long count, bool all);
+  void fill_parts(long count);
+  void fill_free(long first, long count);
+  void solve_blocks(bool every_backward_error, const Planes& q);
+  void redo_missed(std::vector<char> marked, long count, const Planes& q);
+  void redo(const std::vector<char>& marked, const Planes& q);
+  void redo_alone(long f, const Planes& q);
+  [[nodiscard]] Eigen::VectorXcd load_at(long f) const;
+
+  const SweepPlan* plan_ = nullptr;
+  /// Of the system in plain coordinates: of an aimed one only residuals and pivoting need them.
+  const sweep_kernels::Coefficients& plain();
+
+  std::optional<sweep_kernels::Coefficients> plain_;
+  LineMemory omega_, load_, amplitude_, part_, q_, error_, blocks_;
+  Eigen::MatrixXcd z_part_;  ///< 0, but for what a part adds beside its rows
+  long padded_ = 0;
+  int load_filled_ = 0;  ///< 1: what the solver reads; 2: what residuals read, too
+  bool load_finite_ = true;
+  SweepCounts counts_;
+};
+
+}  // namespace trivet::numerics

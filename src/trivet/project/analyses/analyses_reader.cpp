@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/analyses_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/project/analyses/map_reader.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr int most_points = 2'000'000;
+
+/// A steady response needs something that drives it.
+void check_driven(TableReader& analyses, const std::string& key, const Mentioned& mentioned) {
+  if (mentioned.harmonic_excitations.empty())
+    analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it", "add [excitations.NAME] with type = \"harmonic\"");
+}
+
+ResponseRequest read_response(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
+  TableReader reader(node, "analyses.response", problems);
+  ResponseRequest request;
+  read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
+  request.band = read_band(reader, "band");
+  const auto spacing = reader.choice("spacing", {"automatic", "linear", "logarithmic"});
+  if (spacing == "linear") request.spacing = response::Spacing::linear;
+  if (spacing == "logarithmic") request.spacing = response::Spacing::logarithmic;
+  if (request.spacing == response::Spacing::logarithmic && request.band && !(request.band->from > 0))
+    reader.error("band", "a band from 0", "a logarithmic grid starts above 0", "raise the lower end");
+  if (const auto points = reader.number("points", Quantity::pure)) {
+    if (*points >= 2 && *points <= most_points && *points == static_cast<int>(*points)) request.points = static_cast<int>(*points);
+    else reader.error("points", fmt::format("{:.6g}", *points), fmt::format("a whole number from 2 to {} is wanted", most_points), "change it");
+    if (!reader.has("spacing") || spacing == "automatic")
+      reader.error("points", "points without spacing", "an automatic grid chooses its points itself", "add spacing = \"linear\" or \"logarithmic\"");
+  }
+  if (const auto at = reader.numbers("at", Quantity::angular_frequency)) {
+    for (const double omega : *at)
+      if (omega < 0) reader.error("at", fmt::format("{:.6g} rad/s", omega), "an angular frequency is ≥ 0", "remove the sign");
+    if (at->empty()) reader.error("at", "an empty list", "at least one frequency is wanted", "give one, or a band");
+    if (reader.has("band")) reader.error("at", "at and band", "only one of them says where", "remove one");
+    for (const char* key : {"spacing", "points"})
+      if (reader.has(key))
+        reader.error(key, std::string(key) + " beside at", "single frequencies are no grid",
+                     "remove it, or give a band in place of at");
+    request.at = *at;
+  }
+  request.continuous_phase = reader.choice("phase", {"wrapped", "continuous"}) == "continuous";
+  reader.finish();
+  return request;
+}
+
+PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentioned& mentioned, const std::optional<ResponseRequest>& response,
+                        foundation::Problems& problems) {
+  TableReader reader(node, "analyses.peaks", problems);
+  PeaksRequest request;
+  if (response) request.wanted = response->wanted;  // the peaks of the same curves, unless it says otherwise
+  read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
+  read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
+  reader.finish();
+  return request;
+}
+
+std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool mapped) {
+  std::vector<Limit> limits;
+  const Node* table = root.table("limits");
+  if (!table) return limits;
+  if (!response && !mapped) root.error("limits", "no response to compare with", "limits hold over the band of analyses.response", "add response = {…} to [analyses]");
+  TableReader reader(*table, "limits", root.problems());
+  for (const std::string& name : table->keys) {
+    if (name == "accept") continue;
+    const auto measured = names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
+    if (!measured) {
+      refuse_limit(reader, names, name);
+      continue;
+    }
+    if (!quantity_is_clear) continue;  // its unit depends on what could not be read
+    if (const Node* value = reader.node(name); value->kind == Node::Kind::array) {
+      reader.error(name, "a list", "[limits] holds one number for each answer", "several limits of one answer belong to [analyses.map.limits]");
+      continue;
+    }
+    const auto amplitude = reader.number(name, *measured);
+    if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");
+    if (amplitude) limits.push_back({name, *amplitude});
+  }
+  return limits;
+}
+
+std::vector<std::string> read_static(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
+  TableReader reader(node, "analyses.static", problems);
+  std::vector<std::string> of = {"coordinates"};
+  of.insert(of.end(), mentioned.elements.begin(), mentioned.elements.end());
+  of.push_back("ground");
+  read_of(reader, names, of);
+  reader.finish();
+  return of;
+}
+
+}  // namespace
+
+Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
+  Analyses analyses;
+  const ResultNames names(mentioned);
+  bool quantity_is_clear = true;
+  if (const Node* table = root.table("analyses")) {
+    TableReader reader(*table, "analyses", root.problems());
+    for (const auto& [key, wanted] : {std::pair{"modes", &analyses.modes}, {"roots", &analyses.roots}})
+      if (const Node* node = reader.table(key)) {
+        TableReader(*node, std::string("analyses.") + key, root.problems()).finish();
+        *wanted = true;
+      }
+    if (const Node* node = reader.table("response")) {
+      check_driven(reader, "response", mentioned);
+      const std::size_t before = root.problems().errors();
+      analyses.response = read_response(*node, names, mentioned, root.problems());
+      quantity_is_clear = root.problems().errors() == before || !node->find("quantity");
+    }
+    if (const Node* node = reader.table("peaks")) {
+      if (!analyses.response) check_driven(reader, "peaks", mentioned);
+      analyses.peaks = read_peaks(*node, names, mentioned, analyses.response, root.problems());
+    }
+    if (const Node* node = reader.table("static")) {
+      if (!root.has("gravity") && mentioned.constant_excitations.empty())
+        reader.error("static", "neither gravity nor a constant force", "a static answer needs a load", "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
+      analyses.static_of = read_static(*node, names, mentioned, root.problems());
+      analyses.load_sharing = root.has("gravity");
+    }
+    read_further_analyses(reader, names, mentioned, analyses);
+    read_map(root, reader, names, mentioned, analyses);
+    reader.finish();
+  }
+  read_limit_lines(root, names, analyses);
+  analyses.limits =
+      read_limits(root, names, analyses.response, quantity_is_clear, analyses.map && analyses.map->limits_of_file);
+  take_limits_of_file(analyses);
+  return analyses;
+}
+
+}  // namespace trivet::study

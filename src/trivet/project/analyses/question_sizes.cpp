@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/question_sizes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::study {
+namespace {
+
+constexpr double most_values = 3e6;      // points × curves; with tables, page and figures each takes some 350 bytes
+constexpr double longest_search = 3600;  // [s]
+constexpr std::size_t most_inputs =
+    100;  // random inputs that go together: every pair has a cross-spectrum with every answer
+constexpr std::size_t most_shapes = 1000;
+
+/// Measured on one core of 2020: a search for the peaks of one curve needs the modes of all coordinates.
+double seconds_of_search(double curves, double coordinates) {
+  return curves * (0.003 + 0.07 * std::pow(coordinates / 60, 3.7));
+}
+
+bool is_component(const std::string& word) {
+  const std::size_t dot = word.rfind('.');
+  if (dot == std::string::npos) return false;
+  const std::string last = word.substr(dot + 1);
+  return std::find(model::coordinate_names.begin(), model::coordinate_names.end(), last) !=
+         model::coordinate_names.end();
+}
+
+class Sizes {
+ public:
+  Sizes(const model::Description& description) : free_(0), all_(static_cast<double>(coordinates(description))) {
+    for (const model::Body& body : description.bodies)
+      free_ += static_cast<double>(std::count(body.free.begin(), body.free.end(), true));
+  }
+
+  [[nodiscard]] double curves(const std::vector<std::string>& of) const {
+    double count = 0;
+    for (const std::string& word : of) count += word == "coordinates" ? free_ : is_component(word) ? 1 : 6;
+    return count;
+  }
+
+  void check_curves(const std::string& question, double count) {
+    if (count > static_cast<double>(most_curves))
+      problems.error(question, fmt::format("{:.0f} curves", count),
+                     fmt::format("at most {} are computed for one question", most_curves),
+                     "name fewer answers in `of`");
+  }
+
+  void check_search(const std::string& question, double count) {
+    check_curves(question, count);
+    if (const double seconds = seconds_of_search(count, all_); count <= static_cast<double>(most_curves) && seconds > longest_search)
+      problems.error(
+          question,
+          fmt::format("resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: some {:.2g} hours of search",
+                      count, all_, seconds / 3600),
+          fmt::format("at most {:.0f} hour is begun", longest_search / 3600),
+          "name fewer answers in `of`, guide bodies by `free`, or split the model");
+  }
+
+  void check_values(const std::string& question, double points, double count) {
+    if (points * count > most_values)
+      problems.error(question,
+                     fmt::format("{:.0f} points × {:.0f} curves = {:.3g} values", points, count, points * count),
+                     fmt::format("at most {:.0e} values are computed at once", most_values),
+                     "take fewer points or fewer answers; an automatic spacing needs a few hundred points");
+  }
+
+  foundation::Problems problems;
+
+ private:
+  double free_, all_;
+};
+
+void check_response(Sizes& sizes, const ResponseRequest& asked) {
+  const double count = sizes.curves(asked.wanted.of);
+  const bool searched = asked.continuous_phase || (asked.at.empty() && asked.spacing == response::Spacing::automatic);
+  if (searched)
+    sizes.check_search("analyses.response", count);
+  else
+    sizes.check_curves("analyses.response", count);
+  if (!asked.at.empty())
+    sizes.check_values("analyses.response.at", static_cast<double>(asked.at.size()), count);
+  else if (asked.spacing != response::Spacing::automatic)
+    sizes.check_values("analyses.response.points", asked.points, count);
+}
+
+void check_inputs(Sizes& sizes, const model::Description& description) {
+  std::size_t together = 0;
+  for (const model::Excitation& excitation : description.excitations)
+    if (const auto* random = std::get_if<model::Random>(&excitation.course); random && !random->partners.empty())
+      ++together;
+  if (together > most_inputs)
+    sizes.problems.error("excitations", fmt::format("{} random excitations with a coherence", together),
+                         fmt::format("at most {} go together", most_inputs),
+                         "join neighbouring ones, or let them be uncorrelated");
+}
+
+}  // namespace
+
+std::size_t coordinates(const model::Description& description, bool with_laws) {
+  std::size_t count = 0;
+  for (const model::Body& body : description.bodies)
+    count += static_cast<std::size_t>(std::count(body.free.begin(), body.free.end(), true));
+  for (const model::Element& element : description.elements)
+    if (with_laws || !elements::is_frequency_dependent(element.law))
+      count += static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
+  for (const model::Foundation& foundation : description.foundations)
+    count += static_cast<std::size_t>(foundation.mass.rows());
+  return count;
+}
+
+foundation::Problems too_large(const model::Description& description, const Analyses& asked) {
+  Sizes sizes(description);
+  if (const std::size_t count = coordinates(description); count > most_coordinates) {
+    sizes.problems.error(
+        "bodies", fmt::format("{} free coordinates", count),
+        fmt::format("at most {} are computed: a hundred free bodies", most_coordinates),
+        "guide bodies by `free` where they cannot move, join bodies that move together, or split the model");
+    return sizes.problems;
+  }
+  if (const std::size_t count = coordinates(description, true); count > most_with_laws) {
+    sizes.problems.error("elements", fmt::format("{} coordinates with those of their laws", count),
+                         fmt::format("at most {} are computed; a fractional law takes 21 for each direction", most_with_laws),
+                         "take kelvin_voigt, zener or maxwell laws for some elements, or split the model");
+    return sizes.problems;
+  }
+  check_inputs(sizes, description);
+  if (asked.response) check_response(sizes, *asked.response);
+  if (asked.peaks) sizes.check_search("analyses.peaks", sizes.curves(asked.peaks->wanted.of));
+  if (asked.static_of) sizes.check_curves("analyses.static", sizes.curves(*asked.static_of));
+  if (asked.random) sizes.check_curves("analyses.random", sizes.curves(asked.random->wanted.of));
+  if (asked.transient) sizes.check_curves("analyses.transient", sizes.curves(asked.transient->wanted.of));
+  if (asked.orders) sizes.check_search("analyses.orders", sizes.curves(asked.orders->wanted.of));
+  if (asked.earthquake) sizes.check_curves("analyses.earthquake", sizes.curves(asked.earthquake->wanted.of));
+  if (asked.transmissibility)
+    sizes.check_search("analyses.transmissibility", asked.transmissibility->force.empty()
+                                                        ? static_cast<double>(asked.transmissibility->of.size())
+                                                        : 1);
+  if (asked.power) sizes.check_search("analyses.power", sizes.curves({"coordinates"}));
+  if (!asked.limits.empty()) sizes.check_search("limits", static_cast<double>(asked.limits.size()));
+  if (!asked.limit_lines.empty()) sizes.check_search("limit_lines", static_cast<double>(asked.limit_lines.size()));
+  if (asked.shapes && asked.shapes->at.size() > most_shapes)
+    sizes.problems.error("analyses.shapes.at", fmt::format("{} frequencies", asked.shapes->at.size()),
+                         fmt::format("at most {} shapes are drawn", most_shapes), "name fewer frequencies");
+  return sizes.problems;
+}
+
+int deep_check_frequencies(Eigen::Index coordinates) {
+  constexpr int most = 64, fewest = 4;
+  constexpr double quick =
+      60;  // coordinates whose system is solved in a millisecond; the work grows with the third power
+  return std::clamp(
+      static_cast<int>(most * std::pow(quick / static_cast<double>(std::max<Eigen::Index>(coordinates, 1)), 3)), fewest,
+      most);
+}
+
+}  // namespace trivet::study

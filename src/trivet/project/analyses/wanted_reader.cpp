@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/wanted_reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/admissible_range.h"
+#include "trivet/project/analyses/question_sizes.h"
+
+namespace trivet::study {
+namespace {
+
+
+}  // namespace
+
+ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
+  forces_.push_back("ground");
+  motions_ = mentioned.bodies;
+  motions_.insert(motions_.end(), mentioned.points.begin(), mentioned.points.end());
+  groups_ = {"coordinates"};
+  for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());
+  const std::size_t places = motions_.size();
+  motions_.push_back("base");
+  for (std::size_t i = 0; i < places; ++i) motions_.push_back(motions_[i] + ".relative");
+  for (const std::string& element : mentioned.elements)
+    for (const char* end : {".deflection", ".foot"}) motions_.push_back(element + end);
+  groups_.insert(groups_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(places), motions_.end());
+}
+
+bool ResultNames::is_group(const std::string& name) const { return std::find(groups_.begin(), groups_.end(), name) != groups_.end(); }
+
+bool ResultNames::is_guided(const std::string& name) const { return std::find(guided_.begin(), guided_.end(), name) != guided_.end(); }
+
+std::optional<Quantity> ResultNames::component(const std::string& name, assembly::Quantity wanted) const {
+  static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
+  static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
+  if (is_guided(name)) return std::nullopt;
+  const auto after = [&](const std::string& group) -> std::string_view {
+    return name.size() > group.size() && name[group.size()] == '.' && name.starts_with(group) ? std::string_view(name).substr(group.size() + 1) : std::string_view();
+  };
+  for (const std::string& group : motions_)
+    for (std::size_t j = 0; j < 6; ++j)
+      if (after(group) == model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
+  for (const std::string& group : forces_) {
+    const std::string_view rest = after(group);
+    if (rest == "force.x" || rest == "force.y" || rest == "force.z") return Quantity::force;
+    if (rest == "moment.x" || rest == "moment.y" || rest == "moment.z") return Quantity::moment;
+  }
+  return std::nullopt;
+}
+
+bool ResultNames::is_force(const std::string& name) const {
+  const auto measured = component(name, assembly::Quantity::displacement);
+  return std::find(forces_.begin(), forces_.end(), name) != forces_.end() || measured == Quantity::force ||
+         measured == Quantity::moment;
+}
+
+std::vector<std::string> ResultNames::components() const {
+  std::vector<std::string> names;
+  for (const std::string& group : motions_)
+    for (const char* coordinate : model::coordinate_names) names.push_back(group + "." + coordinate);
+  for (const std::string& group : forces_)
+    for (const char* component : {".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z"}) names.push_back(group + component);
+  std::erase_if(names, [&](const std::string& name) { return is_guided(name); });
+  return names;
+}
+
+std::string ResultNames::remedy(const std::string& name) const {
+  std::vector<std::string> longer;
+  for (const std::string& component : components())
+    if (component.starts_with(name + ".")) longer.push_back("\"" + component + "\"");
+  if (!longer.empty()) return fmt::format("name its components: {}", fmt::join(longer, ", "));
+  const std::string guess = foundation::nearest_name(name, groups_);
+  return guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?";
+}
+
+void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
+  const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
+  if (!words) return;
+  if (words->size() > most_curves) {
+    reader.error("of", fmt::format("{} answers", words->size()), fmt::format("at most {} are named for one question", most_curves), "name fewer");
+    return;
+  }
+  for (const std::string& word : *words) {
+    if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
+    reader.error("of", foundation::quoted(word),
+                 "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection or .foot, or one component (x … rz of a motion "
+                 "that is free, force.x … moment.z of an element or the ground)",
+                 names.remedy(word));
+  }
+  if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
+  of = *words;
+}
+
+namespace {
+
+void refuse_excitation(TableReader& reader, const std::string& name, const std::vector<std::string>& known, const std::string& kind) {
+  const std::string guess = foundation::nearest_name(name, known);
+  reader.error("excitations", foundation::quoted(name), "no " + kind + " excitation has this name",
+               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+}
+
+/// Nobody asks for no excitation; without the key all are taken.
+void refuse_none(TableReader& reader, const std::vector<std::string>& names) {
+  if (names.empty()) reader.error("excitations", "an empty list", "at least one excitation is wanted", "remove `excitations` for all");
+}
+
+}  // namespace
+
+std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind) {
+  const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
+  if (!names) return {};
+  refuse_none(reader, *names);
+  for (const std::string& name : *names)
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse_excitation(reader, name, known, kind);
+  return *names;
+}
+
+void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name) {
+  const std::string guess = foundation::nearest_name(name, names.components());
+  if (names.is_guided(name))
+    reader.error(name, "guided", "the `free` of its body leaves this coordinate out, so that it does not move", "limit a free coordinate or the force of an element, or add it to `free`");
+  else
+    reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+}
+
+namespace {
+
+std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const Mentioned& mentioned) {
+  return {{"orders", &mentioned.order_excitations}, {"random", &mentioned.random_excitations}, {"time", &mentioned.time_excitations}, {"constant", &mentioned.constant_excitations}};
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+}  // namespace
+
+std::string other_excitations(const Mentioned& mentioned) {
+  std::string text;
+  for (const auto& [type, names] : by_other_types(mentioned))
+    for (const std::string& name : *names)
+      if (!holds(mentioned.harmonic_excitations, name)) text += (text.empty() ? "" : ", ") + foundation::quoted(name) + " is of type " + type;
+  return text;
+}
+
+std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned) {
+  const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
+  if (!names) return {};
+  refuse_none(reader, *names);
+  const auto type_of = [&](const std::string& name) -> std::string {
+    for (const auto& [type, others] : by_other_types(mentioned))
+      if (holds(*others, name) && !holds(mentioned.harmonic_excitations, name)) return type;
+    return "";
+  };
+  for (const std::string& name : *names)
+    if (const std::string type = type_of(name); !type.empty())
+      reader.error("excitations", foundation::quoted(name) + ", of type " + type, "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
+    else if (!holds(mentioned.harmonic_excitations, name))
+      refuse_excitation(reader, name, mentioned.harmonic_excitations, "harmonic");
+  return *names;
+}
+
+void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known, const std::string& kind, Wanted& wanted) {
+  read_of(reader, result_names, wanted.of);
+  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
+  if (quantity == "acceleration") wanted.quantity = assembly::Quantity::acceleration;
+  if (quantity && reader.has("of") && std::all_of(wanted.of.begin(), wanted.of.end(), [&](const std::string& name) {
+        return result_names.is_force(name);
+      }))
+    warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
+                     "it says how motions are measured, and no motion is asked for", "remove it, or ask for motions");
+  if (reader.has("excitations")) wanted.excitations = read_selected(reader, known, kind);
+}
+
+void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance) {
+  if (const auto share = reader.number("min_prominence", Quantity::pure)) {
+    if (!(*share >= 0 && *share < 1)) reader.error("min_prominence", fmt::format("{:.6g}", *share), "it is a share of the curve's largest amplitude: 0 or more, less than 1", "give a fraction");
+    min_prominence = *share;
+  }
+  if (const auto share = reader.number("peak_tolerance", Quantity::pure)) {
+    if (!(*share >= 0)) reader.error("peak_tolerance", fmt::format("{:.6g}", *share), "it is a share of the minimum beside a peak: 0 or more; 1 lets it rise to twice the minimum", "give 0.01 for 1 %");
+    peak_tolerance = *share;
+  }
+}
+
+}  // namespace trivet::study

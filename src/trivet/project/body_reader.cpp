@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/body_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/solids_reader.h"
+
+namespace trivet::study {
+namespace {
+
+/// Larger systems need sparse methods that this version does not have.
+constexpr std::size_t most_bodies = 200;
+/// Each is six answers.
+constexpr std::size_t most_points = 5000;
+
+/// Fills mass, centre and inertia; returns whether an inertia was given.
+bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
+  const Node* table = body.table("inertia");
+  if (!table) return false;
+  TableReader reader(*table, body.path() + ".inertia", body.problems());
+  if (!reader.has("about")) reader.missing("about", "say about = \"pole\" or about = \"center_of_mass\"");
+  const auto about = reader.choice("about", {"pole", "center_of_mass"});
+  Eigen::Matrix3d j;
+  const double xx = reader.required_number("xx", Quantity::inertia), yy = reader.required_number("yy", Quantity::inertia),
+               zz = reader.required_number("zz", Quantity::inertia);
+  const double xy = reader.number("xy", Quantity::inertia).value_or(0), xz = reader.number("xz", Quantity::inertia).value_or(0),
+               yz = reader.number("yz", Quantity::inertia).value_or(0);
+  reader.finish();
+  j << xx, -xy, -xz, -xy, yy, -yz, -xz, -yz, zz;
+  if (about == "pole") mass = spatial::from_inertia_about_pole(mass.mass, mass.centre, j);
+  else mass.inertia_about_centre = j;
+  return true;
+}
+
+void read_free(TableReader& reader, model::Body& body) {
+  const auto names = reader.texts("free", R"(["x", "y"])");
+  if (!names) return;
+  body.free.fill(false);
+  for (const std::string& name : *names) {
+    const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
+    if (found != model::coordinate_names.end() && body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())])
+      reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
+    else if (found != model::coordinate_names.end()) body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
+    else reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz", "name the coordinates that move");
+  }
+}
+
+void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
+  const Node* table = reader.table("points");
+  if (!table) return;
+  TableReader points(*table, reader.path() + ".points", reader.problems());
+  if (table->keys.size() > most_points) {
+    reader.error("points", fmt::format("{} points", table->keys.size()), fmt::format("a body has at most {}", most_points), "keep those that are asked for");
+    return;
+  }
+  for (const std::string& name : table->keys) {
+    mentioned.points.push_back(body.name + "." + name);
+    if (const auto at = points.vector(name, Quantity::length)) body.points.push_back({name, *at});
+  }
+}
+
+model::Body read_body(const Node& node, const std::string& name, Mentioned& mentioned, foundation::Problems& problems) {
+  TableReader reader(node, "bodies." + name, problems);
+  model::Body body;
+  body.name = name;
+  body.allow_unphysical = reader.boolean("allow_unphysical").value_or(false);
+  if (reader.has("solids")) {
+    for (const char* key : {"mass", "center_of_mass", "inertia"}) {
+      if (reader.has(key)) reader.error(key, std::string(key) + " beside solids", "the solids give mass, centre and inertia", "remove it, or remove solids");
+      static_cast<void>(reader.node(key));
+    }
+    static_cast<void>(read_solids(reader, body));
+  } else {
+    body.mass.mass = reader.required_number("mass", Quantity::mass);
+    body.mass.centre = reader.vector("center_of_mass", Quantity::length).value_or(Eigen::Vector3d::Zero());
+    body.has_inertia = read_inertia(reader, body.mass);
+  }
+  body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
+  body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
+  read_points(reader, body, mentioned);
+  read_free(reader, body);
+  if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
+    reader.missing("inertia", "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
+  for (std::size_t j = 0; j < 6; ++j)
+    if (!body.free[j]) mentioned.guided.push_back(name + "." + model::coordinate_names[j]);
+  reader.finish();
+  return body;
+}
+
+}  // namespace
+
+void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned) {
+  const Node* table = root.table("bodies");
+  mentioned.bodies_unknown = !table;
+  if (!table) {
+    if (!root.has("bodies")) root.missing("bodies", "describe at least one body: [bodies.NAME]");
+    return;
+  }
+  if (table->keys.size() > most_bodies)
+    root.error("bodies", fmt::format("{} bodies", table->keys.size()), fmt::format("this version takes at most {}", most_bodies), "split the model");
+  mentioned.bodies = table->keys;
+  for (std::size_t i = 0; i < table->keys.size() && i < most_bodies; ++i) {
+    if (table->items[i].kind == Node::Kind::table) {
+      description.bodies.push_back(read_body(table->items[i], table->keys[i], mentioned, root.problems()));
+    } else {
+      root.problems().error("bodies." + table->keys[i], words(table->items[i].kind), "a body is a table", "write [bodies.NAME] and its mass below").origin =
+          table->items[i].origin;
+    }
+  }
+}
+
+}  // namespace trivet::study

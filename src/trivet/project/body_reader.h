@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/project/text/mentioned.h"
+
+namespace trivet::study {
+
+/// `bodies` of the file; adds to the description and reports its problems.
+void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned);
+
+}  // namespace trivet::study

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/elements/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/embedded_text.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/text/table_reader.h"
+#include "trivet/project/text/toml_text.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::size_t most_mounts = 10000;
+constexpr std::size_t longest_name = 100;
+/// Rounding of the numbers in a data sheet.
+constexpr double data_sheet_rounding = 0.05;
+
+/// Three stiffnesses, none negative.
+Eigen::Vector3d stiffness(TableReader& reader, const std::string& key, Quantity quantity) {
+  const auto values = reader.vector(key, quantity);
+  if (values && values->minCoeff() < 0)
+    reader.error(key, fmt::format("{:.6g} {}", values->minCoeff(), si_unit(quantity)), "a stiffness is ≥ 0", "remove the sign");
+  return values.value_or(Eigen::Vector3d::Zero());
+}
+
+std::optional<double> at_least_zero(TableReader& reader, const std::string& key, Quantity quantity) {
+  const auto value = reader.number(key, quantity);
+  if (value && *value < 0) reader.error(key, fmt::format("{:.6g} {}", *value, si_unit(quantity)), "it must be ≥ 0", "remove the sign");
+  return value;
+}
+
+std::optional<Eigen::Vector2d> load_range(TableReader& reader) {
+  const auto range = reader.numbers("static_load", Quantity::force);
+  if (!range) return std::nullopt;
+  if (range->size() == 2 && (*range)[0] < (*range)[1]) return Eigen::Vector2d((*range)[0], (*range)[1]);
+  reader.error("static_load", fmt::format("{} numbers{}", range->size(), range->size() == 2 ? ", the first one not below the second" : ""),
+               "it is the lowest and the highest compression along the axis", "for instance static_load = [\"0 N\", \"800 N\"]");
+  return std::nullopt;
+}
+
+/// What is possible, but does not fit together.
+void warn_of_slips(const Mount& mount, TableReader& reader) {
+  const auto warn = [&](const std::string& key, std::string finding, std::string rule, std::string remedy) {
+    reader.problems().warning(reader.path() + "." + key, std::move(finding), std::move(rule), std::move(remedy)).origin =
+        reader.node(key)->origin;
+  };
+  if (mount.loss_factor.value_or(0) > 1)
+    warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal lie below 1",
+         fmt::format("write \"{:.6g} %\" if percent are meant", *mount.loss_factor));
+  if (!mount.static_load || !mount.static_deflection_limit || mount.translation.z() == 0) return;
+  const double deflection = mount.static_load->y() / mount.translation.z();
+  if (deflection > (1 + data_sheet_rounding) * *mount.static_deflection_limit)
+    warn("static_load", fmt::format("the highest load deflects the mount by {:.4g} m", deflection),
+         fmt::format("its limit is {:.4g} m", *mount.static_deflection_limit),
+         "check the units; a mount that stiffens is stiffer at this load than given here");
+}
+
+Mount read_mount(const Node& table, const std::string& name, const std::string& source, foundation::Problems& problems) {
+  TableReader reader(table, "mounts." + name, problems);
+  Mount mount;
+  mount.name = name;
+  mount.origin = table.origin;
+  mount.maker = reader.required_text("maker");
+  if (!reader.has("translation"))
+    reader.missing("translation", "give three constants along x, y, z: translation = [\"60 N/mm\", \"60 N/mm\", \"350 N/mm\"]");
+  mount.translation = stiffness(reader, "translation", Quantity::force_per_length);
+  mount.rotation = stiffness(reader, "rotation", Quantity::moment_per_angle);
+  mount.loss_factor = at_least_zero(reader, "loss_factor", Quantity::pure);
+  mount.static_load = load_range(reader);
+  mount.static_deflection_limit = reader.number("static_deflection_limit", Quantity::length);
+  if (mount.static_deflection_limit && !(*mount.static_deflection_limit > 0))
+    reader.error("static_deflection_limit", fmt::format("{:.6g} m", *mount.static_deflection_limit), "it must be > 0",
+                 "leave it out if there is none");
+  mount.mass = at_least_zero(reader, "mass", Quantity::mass);
+  mount.price = reader.text("price").value_or("");
+  mount.source = reader.text("source").value_or(source);
+  warn_of_slips(mount, reader);
+  reader.finish();
+  return mount;
+}
+
+void read_mounts(TableReader& root, const std::string& source, Catalogue& catalogue) {
+  if (!root.has("mounts")) root.missing("mounts", "write [mounts.\"NAME\"] and its data below");
+  const Node* table = root.table("mounts");
+  if (!table) return;
+  if (table->keys.empty()) root.error("mounts", "no mount", "a catalogue has at least one", "write [mounts.\"NAME\"] and its data below");
+  if (table->keys.size() > most_mounts)
+    root.error("mounts", fmt::format("{} mounts", table->keys.size()), fmt::format("a catalogue holds at most {}", most_mounts),
+               "split it");
+  for (std::size_t i = 0; i < table->keys.size() && i < most_mounts; ++i) {
+    const std::string& name = table->keys[i];
+    const bool good_name = !name.empty() && name.size() <= longest_name &&
+                           std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    if (!good_name || table->items[i].kind != Node::Kind::table)
+      root.problems()
+          .error("mounts." + foundation::shortened(name), good_name ? words(table->items[i].kind) : "not a name",
+                 fmt::format("a mount is a table with a name of at most {} signs on one line", longest_name),
+                 "write [mounts.\"NAME\"] and its data below")
+          .origin = table->items[i].origin;
+    else catalogue.mounts.push_back(read_mount(table->items[i], name, source, root.problems()));
+  }
+}
+
+}  // namespace
+
+const Mount* Catalogue::find(const std::string& name) const {
+  const auto found = std::find_if(mounts.begin(), mounts.end(), [&](const Mount& mount) { return mount.name == name; });
+  return found == mounts.end() ? nullptr : &*found;
+}
+
+foundation::Expected<Catalogue> catalogue_from_text(const std::string& text, const std::string& file) {
+  const foundation::Expected<Node> document = parse_toml(text, file);
+  if (!document) return tl::make_unexpected(document.error());
+  Catalogue catalogue;
+  catalogue.file = file;
+  TableReader root(*document, "", catalogue.warnings);
+  if (!root.has("catalogue")) root.missing("catalogue", "start the file with catalogue = 1");
+  const auto version = root.number("catalogue", Quantity::pure);
+  if (version && *version != 1)
+    root.error("catalogue", fmt::format("format {:.6g}", *version), "this program reads format 1",
+               "write catalogue = 1, or use a newer program");
+  catalogue.title = root.text("title").value_or("");
+  read_mounts(root, root.text("source").value_or(""), catalogue);
+  root.finish();
+  catalogue.warnings.sort_by_origin();
+  if (catalogue.warnings.has_errors()) return tl::make_unexpected(std::move(catalogue.warnings));
+  return catalogue;
+}
+
+foundation::Expected<Catalogue> read_catalogue(const std::filesystem::path& path) {
+  const auto text = read_source(path, "catalogue");
+  if (!text) return tl::make_unexpected(text.error());
+  return catalogue_from_text(*text, path.string());
+}
+
+const Catalogue& generic_catalogue() {
+  static const Catalogue catalogue = [] {
+    auto read = catalogue_from_text(generic_catalogue_text, "generic.toml");
+    if (!read) throw std::logic_error(message(read.error().list().front()));
+    return std::move(*read);
+  }();
+  return catalogue;
+}
+
+foundation::Expected<Mount> mount_named(const std::string& name, const std::vector<Catalogue>& catalogues) {
+  std::vector<std::string> names;
+  for (const Catalogue& catalogue : catalogues) {
+    if (const Mount* mount = catalogue.find(name)) return *mount;
+    for (const Mount& mount : catalogue.mounts) names.push_back(mount.name);
+  }
+  const std::string near = foundation::nearest_name(name, names);
+  foundation::Problems problems;
+  problems.error("catalogue", foundation::quoted(name), fmt::format("none of the {} mounts has this name", names.size()),
+                 near.empty() ? "look into the catalogue for its names" : "did you mean \"" + near + "\"?");
+  return tl::make_unexpected(std::move(problems));
+}
+
+}  // namespace trivet::study

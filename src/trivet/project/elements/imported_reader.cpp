@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "trivet/exchange/end_stiffness.h"
+#include "trivet/exchange/matrix_file.h"
+#include "trivet/project/elements/complex_stiffness.h"
+#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/text/file_name.h"
+
+namespace trivet::study {
+namespace {
+
+/// Whole numbers out of a list of the given length.
+std::optional<std::vector<int>> whole_numbers(TableReader& reader, const char* key, std::size_t count) {
+  const auto numbers = reader.numbers(key, Quantity::pure);
+  if (!numbers) return std::nullopt;
+  std::vector<int> whole;
+  for (const double number : *numbers)
+    if (number >= 0 && number < 2e9 && number == std::floor(number)) whole.push_back(static_cast<int>(number));
+  if (whole.size() == count && numbers->size() == count) return whole;
+  if (numbers->size() == count) {
+    reader.error(key, "a number that is not whole or negative", fmt::format("{} whole numbers are wanted", count), "count nodes as the file does, rows from 1");
+    return std::nullopt;
+  }
+  reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are wanted", count), "count nodes as the file does, rows from 1");
+  return std::nullopt;
+}
+
+/// 12×12 out of what the file holds: two named nodes, twelve rows, or the whole.
+foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exchange::NamedMatrix& matrix) {
+  const std::size_t before = reader.errors();
+  const auto nodes = whole_numbers(reader, "nodes", 2), turning = whole_numbers(reader, "rotation_nodes", 2);
+  const auto given = whole_numbers(reader, "rows", 12);
+  if (reader.has("nodes") && reader.has("rows")) reader.error("rows", "nodes and rows", "the ends are named in one way", "keep one of them");
+  if (reader.has("rotation_nodes") && !reader.has("nodes"))
+    reader.error("rotation_nodes", "rotation_nodes without nodes", "they hold the rotations of the ends that nodes names", "add nodes = [N, K], or remove it");
+  if (reader.errors() > before) return tl::make_unexpected(foundation::Problems());
+  if (nodes) {
+    const exchange::NodeEnd n{(*nodes)[0], turning ? (*turning)[0] : 0}, k{(*nodes)[1], turning ? (*turning)[1] : 0};
+    return exchange::reduce_to_ends(matrix, n, k);
+  }
+  std::array<int, 12> rows = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  if (given) {
+    std::copy(given->begin(), given->end(), rows.begin());
+  } else if (matrix.values.rows() != 12) {
+    foundation::Problems problems;
+    problems.error("file", fmt::format("{} × {}", matrix.values.rows(), matrix.values.cols()), "a larger matrix is condensed onto the two ends of the element",
+                   "name them: nodes = [N, K], or rows = [six of N, six of K]");
+    return tl::make_unexpected(std::move(problems));
+  }
+  return exchange::reduce_to_rows(matrix, rows);
+}
+
+}  // namespace
+
+void read_imported(TableReader& reader, const model::Span& span, model::Element& element) {
+  const auto file = read_file_name(reader, "file");
+  exchange::MatrixFileOptions options;
+  options.format = reader.choice("format", exchange::matrix_formats()).value_or("");
+  options.name = reader.text("name").value_or("");
+  const double length_unit = reader.has("length_unit") ? reader.number("length_unit", Quantity::length).value_or(1) : 1;
+  const double force_unit = reader.has("force_unit") ? reader.number("force_unit", Quantity::force).value_or(1) : 1;
+  for (const auto& [key, unit] : {std::pair{"length_unit", length_unit}, std::pair{"force_unit", force_unit}})
+    if (!(unit > 0)) reader.error(key, fmt::format("{:.6g}", unit), "a unit is > 0", "write \"mm\" as \"1 mm\"");
+  if (!file || !(length_unit > 0) || !(force_unit > 0)) {
+    for (const char* key : {"nodes", "rotation_nodes", "rows"}) static_cast<void>(reader.node(key));
+    return;
+  }
+  const auto matrix = exchange::read_matrix_file(*file, options);
+  if (!matrix) {
+    for (const char* key : {"nodes", "rotation_nodes", "rows"}) static_cast<void>(reader.node(key));
+    reader.add_of_file("file", matrix.error());
+    return;
+  }
+  reader.add_of_file("file", matrix->warnings);
+  const auto ends = reduced(reader, *matrix);
+  const char* named = reader.has("rows") ? "rows" : reader.has("nodes") ? "nodes" : "file";
+  const TableReader::Names names = {{"end N", named}, {"end K", named}, {"ends", named}, {"condensation", named}};
+  if (!ends) {
+    reader.add(ends.error(), names);
+    return;
+  }
+  reader.add(ends->warnings, names);
+  const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
+  element.law.nominal_stiffness = elements::in_end_axes(stiffness, span.n_from_k);
+  if (ends->imaginary) take_loss(reader, elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), span.n_from_k), span, element);
+  element.facts.push_back({"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
+}
+
+}  // namespace trivet::study

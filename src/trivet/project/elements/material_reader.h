@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "trivet/elements/materials.h"
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::study {
+
+/// `material = "spring_steel"` or `{E, G or nu, density}`. The density may be NaN; all else is there, or nothing after reporting.
+[[nodiscard]] std::optional<elements::Metal> read_metal(TableReader& reader);
+
+/// `material = {G, E or hardness, bulk_modulus or nu, stiffening}`: rubber at the frequency that `stiffening` (dynamic over static modulus) stands for.
+[[nodiscard]] std::optional<elements::Rubber> read_rubber(TableReader& reader);
+
+}  // namespace trivet::study

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/elements/rubber_bush.h"
+#include "trivet/elements/sandwich.h"
+#include "trivet/fem/shapes.h"
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::study {
+
+/// A parametric rubber mount as its closed forms and as its finite elements want it.
+struct RubberShape {
+  std::variant<elements::RubberDisc, elements::RubberBlock, elements::RubberBush, elements::Sandwich> formulas;
+  fem::Shape solid;
+  std::vector<fem::Material> materials;   ///< rubber, then the metal of a sandwich's plates
+  double length = 0;                      ///< from N to K [m]
+};
+
+/// Dimensions and material of `kind` ("disc", "block", "bush", "sandwich"); nothing after reporting what is wrong.
+[[nodiscard]] std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::string& kind);
+
+/// The keys that stand for what the checks of the formulas name.
+[[nodiscard]] const TableReader::Names& shape_keys();
+[[nodiscard]] foundation::Problems check(const RubberShape& shape);
+[[nodiscard]] elements::Matrix12 stiffness_by_formulas(const RubberShape& shape);
+
+}  // namespace trivet::study

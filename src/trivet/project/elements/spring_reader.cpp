@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/elements/coil_dynamics.h"
+#include "trivet/elements/coil_preload.h"
+#include "trivet/elements/coil_reduction.h"
+#include "trivet/elements/coil_spring.h"
+#include "trivet/elements/coil_stress.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/project/elements/condensed_solid.h"
+#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/material_reader.h"
+
+namespace trivet::study {
+namespace {
+
+using elements::CoilSpring;
+
+constexpr int default_internal_modes = 6, most_internal_modes = 60;
+
+void read_wire(TableReader& reader, CoilSpring& spring) {
+  const bool rectangular = reader.has("wire_width") || reader.has("wire_height");
+  if (rectangular && reader.has("wire_diameter"))
+    reader.error("wire_diameter", "a diameter and a width or height", "a wire is round or rectangular", "keep wire_diameter, or wire_width (radial) and wire_height (axial)");
+  if (rectangular)
+    spring.wire = elements::RectangularWire{reader.required_number("wire_width", Quantity::length), reader.required_number("wire_height", Quantity::length)};
+  else
+    spring.wire = elements::RoundWire{reader.required_number("wire_diameter", Quantity::length)};
+  static_cast<void>(reader.node("wire_diameter"));
+}
+
+/// Free length of the active coils, or their pitch.
+void read_length(TableReader& reader, CoilSpring& spring) {
+  if (reader.has("free_length") == reader.has("pitch"))
+    reader.error(reader.has("pitch") ? "pitch" : "free_length", reader.has("pitch") ? "free_length and pitch" : "missing",
+                 "the length of the active coils follows from one of free_length, pitch", "give one of them");
+  if (const auto length = reader.number("free_length", Quantity::length)) spring.active_length = *length;
+  if (const auto pitch = reader.number("pitch", Quantity::length)) spring.active_length = *pitch * (spring.active_coils > 0 ? spring.active_coils : 1);
+}
+
+/// One value for both ends, or [N, K].
+template <typename Value, typename Read>
+std::array<Value, 2> both_ends(const std::optional<std::vector<Value>>& list, const Value& otherwise, const Read& wrong) {
+  if (!list) return {otherwise, otherwise};
+  if (list->size() == 1) return {(*list)[0], (*list)[0]};
+  if (list->size() == 2) return {(*list)[0], (*list)[1]};
+  wrong();
+  return {otherwise, otherwise};
+}
+
+void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
+  const auto wrong = [&](const char* key) { return [&reader, key] { reader.error(key, "not one and not two values", "one value holds for both ends, two are those of N and K", "give one or two"); }; };
+  const Node* dead = reader.node("dead_coils");
+  std::optional<std::vector<double>> coils;
+  if (dead && dead->kind == Node::Kind::array) coils = reader.numbers("dead_coils", Quantity::pure);
+  else if (const auto one = reader.number("dead_coils", Quantity::pure)) coils = std::vector<double>{*one};
+  const auto dead_coils = both_ends<double>(coils, 0.0, wrong("dead_coils"));
+  spring.dead_coils_n = dead_coils[0];
+  spring.dead_coils_k = dead_coils[1];
+
+  const Node* seats = reader.node("ends");
+  std::optional<std::vector<std::string>> words;
+  if (seats && seats->kind == Node::Kind::array) words = reader.texts("ends", R"(["clamped", "pivoted"])");
+  else if (const auto one = reader.text("ends")) words = std::vector<std::string>{*one};
+  const auto ends = both_ends<std::string>(words, "clamped", wrong("ends"));
+  for (const std::string& word : ends)
+    if (word != "clamped" && word != "pivoted")
+      reader.error("ends", "\"" + word + "\"", "a seat is \"clamped\" or \"pivoted\" (no moment about the lateral axes)", "choose one of them");
+  spring.seat_n = ends[0] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
+  spring.seat_k = ends[1] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
+}
+
+std::string hertz(double omega) { return fmt::format("{:.6g} Hz", omega / (2 * std::numbers::pi)); }
+
+void add_facts(const CoilSpring& spring, double distance, model::Element& element) {
+  const elements::Matrix12& k = element.law.nominal_stiffness;
+  element.facts.push_back({"spring index D/d", fmt::format("{:.4g}", elements::spring_index(spring))});
+  element.facts.push_back({"distance of its seats", fmt::format("{:.6g} m", distance)});
+  element.facts.push_back({"axial stiffness", fmt::format("{:.6g} N/m", k(8, 8))});
+  element.facts.push_back({"lateral stiffness", fmt::format("{:.6g} and {:.6g} N/m", k(6, 6), k(7, 7))});
+}
+
+/// Mass and frequency dependence of the spring in the state that `coil` describes; none without a density.
+void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& seated, const std::string& level, model::Element& element) {
+  if (seated) {
+    element.massless_up_to = elements::natural_frequencies(*seated, elements::SeatsHeld::both, 1).front();
+    element.facts.push_back({"first own natural frequency, both seats held", hertz(element.massless_up_to)});
+  }
+  const auto modes = reader.number("internal_modes", Quantity::pure);
+  if (modes && level == "quasi_static")
+    reader.error("internal_modes", "internal_modes without mass", "a quasi_static spring has none", "set level = \"with_mass\" or \"exact\", or remove it");
+  if (modes && !(*modes >= 0 && *modes <= most_internal_modes && *modes == std::floor(*modes))) {
+    reader.error("internal_modes", fmt::format("{:.6g}", *modes), fmt::format("a whole number from 0 to {}", most_internal_modes), "four to ten are usual");
+    return;
+  }
+  if (level == "quasi_static" || !seated) return;
+  const elements::SeatedCoil& coil = *seated;
+  const elements::ReducedCoil own = elements::reduced(coil, modes ? static_cast<int>(*modes) : default_internal_modes);
+  element.law.inertia = elements::Inertia{own.mass, own.coupling, own.natural_frequencies};
+  const Eigen::Matrix<double, 12, 1> along = (Eigen::Matrix<double, 12, 1>() << 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0).finished();
+  element.facts.push_back({"own mass", fmt::format("{:.6g} kg", along.dot(own.mass * along))});
+  if (level == "exact") {
+    element.law.frequency_dependence = elements::FrequencyDependence{};
+    element.law.frequency_dependence->stiffness = [coil](std::complex<double> omega, double) { return elements::dynamic_stiffness(coil, omega); };
+  }
+  element.massless_up_to = std::numeric_limits<double>::infinity();
+}
+
+/// preload = {compression = …} or {force = …}: the state about which the spring vibrates.
+std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, const CoilSpring& spring) {
+  const std::size_t before = reader.errors();
+  const auto asked = read_compression(reader);
+  if (!asked || reader.errors() > before) return std::nullopt;
+  TableReader preload(*reader.table("preload"), reader.path() + ".preload", reader.problems());
+  const char* key = asked->is_force ? "force" : "compression";
+  if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
+    reader.error("ends", "\"pivoted\" with a preload", "a pivot cannot hold the moment by which a compressed spring keeps itself from turning", "clamp both seats, or leave the preload out");
+    return std::nullopt;
+  }
+  try {
+    const elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value) : elements::compressed_by(spring, asked->value);
+    foundation::Problems findings = elements::check_compression(spring, state.compression);
+    for (foundation::Problem& problem : findings.list()) problem.subject = key;
+    preload.add(findings);
+    if (findings.has_errors()) return std::nullopt;
+    return state;
+  } catch (const foundation::InvalidInput& reason) {
+    preload.error(key, reason.what(), "the compressed spring must exist", "lower the preload");
+  } catch (const foundation::NotComputable& reason) {
+    preload.error(key, reason.what(), "the loaded spring must be in equilibrium", "lower the preload, and check its sign and unit");
+  }
+  return std::nullopt;
+}
+
+void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil& state, model::Element& element) {
+  element.facts.push_back({"preload", fmt::format("{:.6g} N, compressed by {:.6g} m", state.axial_force, state.compression)});
+  const auto limit = elements::buckling(spring, elements::SeatsHeld::both);
+  element.facts.push_back({"buckles between parallel seats", limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression) : "not before its coils touch"});
+  const auto standard = elements::standard_buckling(spring);
+  element.facts.push_back({"the same by EN 13906-1, which smears the coils out", standard ? fmt::format("at {:.6g} m", *standard) : "not before its coils touch"});
+  const bool round = std::holds_alternative<elements::RoundWire>(spring.wire);
+  const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force) : elements::nominal_shear_stress(spring, state.axial_force);
+  element.facts.push_back({round ? "shear stress of the wire, Wahl's factor included" : "nominal shear stress of the wire", fmt::format("{:.6g} MPa", 1e-6 * stress)});
+}
+
+}  // namespace
+
+LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
+  const std::size_t before = reader.errors();
+  reader.also_known({"preload", "internal_modes"});
+  CoilSpring spring;
+  read_wire(reader, spring);
+  spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
+  spring.active_coils = reader.required_number("active_coils", Quantity::pure);
+  read_length(reader, spring);
+  read_ends_of_coil(reader, spring);
+  spring.hand = reader.choice("hand", {"right", "left"}) == "left" ? elements::Hand::left : elements::Hand::right;
+  spring.start_angle = reader.number("start_angle", Quantity::angle).value_or(0);
+  if (const auto factor = reader.number("shear_factor", Quantity::pure)) spring.shear_factor = *factor;
+  const std::string level = reader.choice("level", {"quasi_static", "with_mass", "exact"}).value_or("quasi_static");
+  if (const auto metal = read_metal(reader)) {
+    spring.youngs_modulus = metal->young_modulus;
+    spring.shear_modulus = metal->shear_modulus;
+    spring.density = metal->density;
+    if (level != "quasi_static" && std::isnan(metal->density))
+      reader.error("material", "no density", "a spring with mass needs one", "add density, or level = \"quasi_static\"");
+  }
+  reader.add(elements::check(spring, level != "quasi_static"),
+             {{"active_length", reader.has("pitch") ? "pitch" : "free_length"}, {"youngs_modulus", "material"}, {"shear_modulus", "material"},
+              {"density", "material"}, {"dead_coils_n", "dead_coils"}, {"dead_coils_k", "dead_coils"}});
+  if (reader.errors() > before) return std::nullopt;
+  element.law.nominal_stiffness = elements::stiffness(spring);
+  double distance = elements::seat_distance(spring);
+  std::optional<elements::SeatedCoil> seated;
+  if (!std::isnan(spring.density)) seated = elements::seated_coil(spring);
+  if (const auto compressed = read_compressed(reader, spring)) {
+    element.law.nominal_stiffness = compressed->stiffness;
+    element.law.preload = compressed->preload;
+    if (seated) seated = compressed->coil;
+    distance = compressed->seat_distance;
+    add_preload_facts(spring, *compressed, element);
+  }
+  if (reader.errors() > before) return std::nullopt;
+  add_facts(spring, distance, element);
+  read_level(reader, seated, level, element);
+  return distance;
+}
+
+}  // namespace trivet::study

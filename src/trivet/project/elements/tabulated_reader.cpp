@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numbers>
+#include <set>
+
+#include "trivet/elements/piecewise_stiffness.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/csv_table.h"
+#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/matrix_table.h"
+#include "trivet/project/elements/stiffness_column.h"
+#include "trivet/project/text/file_name.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::array<const char*, 6> directions = {"x", "y", "z", "rx", "ry", "rz"};
+
+}  // namespace
+
+void read_tabulated(TableReader& reader, const model::Span& span, model::Element& element) {
+  const std::size_t before = reader.errors();
+  const double centre = reader.number("center", Quantity::pure).value_or(0.5);
+  const auto interpolation = reader.choice("interpolation", {"monotone_cubic", "linear"}) == "linear" ? elements::Interpolation::linear : elements::Interpolation::monotone_cubic;
+  const auto file = read_file_name(reader, "file");
+  if (reader.has("damping")) reader.error("damping", "damping beside a table", "its table holds the loss", "remove it");
+  static_cast<void>(reader.node("damping"));
+  if (!(centre >= 0 && centre <= 1)) reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
+  if (!file) return;
+  const auto csv = read_csv_table(*file, most_rows_over_frequency);
+  if (!csv) {
+    reader.add_of_file("file", csv.error());
+    return;
+  }
+  if (is_matrix_table(*csv)) {
+    for (const char* key : {"center", "interpolation"})
+      if (reader.has(key)) reader.error(key, std::string(key) + " beside a table of matrices", "a matrix says where it acts, and is interpolated linearly so that it stays passive", "remove it");
+    if (reader.errors() == before) read_matrix_table(reader, *csv, span, element);
+    return;
+  }
+  auto law = std::make_shared<std::array<std::optional<elements::PiecewiseStiffness>, 6>>();
+  elements::Vector6 static_constants = elements::Vector6::Zero();
+  std::set<std::string> wanted = {"frequency_hz"};
+  double from = 0, to = 0;
+  std::vector<double> knots;
+  for (int j = 0; j < 6; ++j) {
+    const std::string name = std::string("k_") + directions[static_cast<std::size_t>(j)];
+    if (std::find(csv->columns.begin(), csv->columns.end(), name) == csv->columns.end()) continue;
+    wanted.insert({name, name + "_loss"});
+    const auto values = columns(*csv, {"frequency_hz", name, name + "_loss"});
+    if (!values) {
+      reader.add_of_file("file", values.error());
+      continue;
+    }
+    const auto checked = checked_table(reader, name, *values, interpolation);
+    if (!checked) continue;
+    const elements::StiffnessTable& table = *checked;
+    judge_causality(reader, name, table, element);
+    (*law)[static_cast<std::size_t>(j)].emplace(table);
+    static_constants(j) = table.storage(0, 0);
+    knots = table.angular_frequencies;
+    from = knots.front();
+    to = knots.back();
+  }
+  for (const std::string& column : csv->columns)
+    if (!wanted.contains(column))
+      reader.error("file", "column " + foundation::quoted(column), "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "rename or remove it");
+  if (wanted.size() == 1) {
+    reader.error("file", "no stiffness column", "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "add at least one pair");
+    return;
+  }
+  if (reader.errors() > before) return;
+  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(static_constants, span.arm, centre), span.n_from_k);
+  std::array<elements::Matrix12, 6> unit;
+  for (int j = 0; j < 6; ++j) unit[static_cast<std::size_t>(j)] = elements::in_end_axes(elements::constants_at_point(elements::Vector6::Unit(j), span.arm, centre), span.n_from_k);
+  elements::FrequencyDependence dependence;
+  dependence.elastic = false;
+  dependence.from = from;
+  dependence.to = to;
+  dependence.knots = knots;
+  dependence.stiffness = [law, unit](std::complex<double> omega, double near) {
+    elements::Matrix12c sum = elements::Matrix12c::Zero();
+    for (std::size_t j = 0; j < 6; ++j)
+      if ((*law)[j]) sum += (*law)[j]->at(omega, near) * unit[j].cast<std::complex<double>>();
+    return sum;
+  };
+  element.law.frequency_dependence = std::move(dependence);
+  element.facts.push_back(defined_range(from, to));
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "trivet/project/text/mentioned.h"
+
+/// One function per part of an excitation's table.
+namespace trivet::study {
+
+/// What the six numbers of an action are: amplitudes with units, or factors on what its course gives in units.
+enum class ActionNumbers { amplitudes, factors };
+
+/// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
+[[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description, const Mentioned& mentioned, ActionNumbers numbers);
+
+/// `on` and `at` alone, of excitations that know their directions.
+[[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description, const Mentioned& mentioned);
+
+/// `at`, `translation`, `rotation`, `phase`, `delay`, `elements`, `wave` and `quantity` of a moving ground.
+[[nodiscard]] std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description, const Mentioned& mentioned, ActionNumbers numbers);
+
+/// What the course of an action with factors measures: a force, a moment, or a motion.
+[[nodiscard]] Quantity course_quantity(const model::Action& action);
+
+/// `psd`: rows over frequency, a file, a road class, or one level over a band.
+[[nodiscard]] std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key, const model::Action& action);
+
+/// `history`: a file, rows over time, or a pulse with its name.
+[[nodiscard]] std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key, const model::Action& action);
+
+/// `table` or `engine` of an excitation by orders, in the axes of the body.
+[[nodiscard]] std::optional<model::Orders> read_orders(TableReader& reader);
+
+/// The unbalance of a rotor: mass_eccentricity, or grade with rotor_mass and service_speed; axis, direction, phase.
+void read_unbalance(TableReader& reader, model::Action& action);
+
+}  // namespace trivet::study

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/excitations/excitation_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/project/excitations/excitation_parts.h"
+#include "trivet/project/text/idle_key.h"
+
+namespace trivet::study {
+namespace {
+
+const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders", "random", "time", "constant"};
+
+/// A force on a body, or with `base = true` a motion of the ground; its numbers are factors.
+std::optional<model::Action> read_directed(TableReader& reader, const model::Description& description, const Mentioned& mentioned) {
+  return reader.boolean("base").value_or(false) ? read_ground_motion(reader, description, mentioned, ActionNumbers::factors)
+                                                : read_force(reader, description, mentioned, ActionNumbers::factors);
+}
+
+void read_constant(TableReader& reader, const std::string& name, model::Description& description, const Mentioned& mentioned) {
+  const auto action = read_force(reader, description, mentioned, ActionNumbers::amplitudes);
+  for (const char* key : {"phase", "delay"})
+    if (reader.has(key)) reader.error(key, std::string("a ") + key, "a constant force has none", "remove it");
+  if (!action) return;
+  spatial::Wrench wrench{action->amplitude.head<3>().real(), action->amplitude.tail<3>().real()};
+  description.constant_forces.push_back({name, *action->body, action->at, wrench});
+}
+
+/// `coherence = [{with = "NAME", value = 0.6}, …]`, or one table of it.
+std::vector<model::Random::Partner> read_partners(TableReader& reader) {
+  std::vector<model::Random::Partner> partners;
+  const Node* node = reader.node("coherence");
+  if (!node) return partners;
+  std::vector<const Node*> tables;
+  if (node->kind == Node::Kind::table) tables.push_back(node);
+  for (const Node& item : node->items)
+    if (node->kind == Node::Kind::array && item.kind == Node::Kind::table) tables.push_back(&item);
+  if (tables.empty() || (node->kind == Node::Kind::array && tables.size() < node->items.size()))
+    reader.error("coherence", words(node->kind),
+                 "a table, or a list of tables, is wanted: {with = \"NAME\", value = 0.6}", "write it so");
+  for (const Node* one : tables) {
+    TableReader inside(*one, reader.path() + ".coherence", reader.problems());
+    model::Random::Partner partner;
+    partner.other = inside.required_text("with");
+    partner.coherence.at_zero = inside.required_number("value", Quantity::pure);
+    partner.coherence.decay = inside.number("decay", Quantity::pure).value_or(0);
+    partner.coherence.distance = inside.number("distance", Quantity::length).value_or(0);
+    partner.coherence.speed = inside.number("speed", Quantity::velocity).value_or(0);
+    for (const char* key : {"distance", "speed"})
+      if (inside.has(key) && !inside.has("decay"))
+        inside.error(key, std::string(key) + " without decay", "they say together how coherence falls with frequency",
+                     "add decay, or remove it");
+    inside.finish();
+    partners.push_back(partner);
+  }
+  return partners;
+}
+
+constexpr const char* zero_factors = "all components are 0";
+constexpr const char* rule_of_factors = "they are factors on the history or spectrum: this excitation moves nothing";
+constexpr const char* remedy_of_factors = "give a direction, for instance [0, 0, 1]";
+
+const char* key_of_factors(const TableReader& reader) {
+  for (const char* key : {"force", "moment", "translation", "rotation"})
+    if (reader.has(key)) return key;
+  return "force";
+}
+
+void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned, foundation::Problems& problems) {
+  TableReader reader(node, "excitations." + name, problems);
+  reader.required_text("type");
+  const auto type = reader.choice("type", types);
+  if (type == "constant") mentioned.constant_excitations.push_back(name);
+  else if (type == "random") mentioned.random_excitations.push_back(name);
+  else if (type == "time") mentioned.time_excitations.push_back(name);
+  else if (type == "orders") mentioned.order_excitations.push_back(name);
+  else mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: no second problem where it is selected
+  if (type == "unbalance") mentioned.order_excitations.push_back(name);
+  const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
+    if (action) description.excitations.push_back({name, *action, std::move(course)});
+  };
+  if (!type) {  // what else may stand here depends on the type
+    static_cast<void>(read_place(reader, description, mentioned));
+    return;
+  }
+  if (type == "harmonic") add(read_force(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "base") add(read_ground_motion(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "constant") read_constant(reader, name, description, mentioned);
+  if (type == "unbalance") {
+    auto action = read_place(reader, description, mentioned);
+    model::Action numbers = action.value_or(model::Action{});
+    read_unbalance(reader, numbers);
+    if (action) add(numbers, model::Harmonic{2});
+  }
+  if (type == "orders") {
+    const auto action = read_place(reader, description, mentioned);
+    if (auto orders = read_orders(reader)) add(action, std::move(*orders));
+  }
+  if (type == "random") {
+    const auto action = read_directed(reader, description, mentioned);
+    if (action && action->amplitude.isZero(0)) reader.error(key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);
+    auto spectrum = read_spectrum(reader, "psd", action.value_or(model::Action{}));
+    auto partners = read_partners(reader);
+    if (spectrum) add(action, model::Random{std::move(*spectrum), std::move(partners)});
+  }
+  if (type == "time") {
+    const auto action = read_directed(reader, description, mentioned);
+    if (action && action->amplitude.isZero(0)) warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);  // a case may switch it off
+    if (auto signal = read_history(reader, "history", action.value_or(model::Action{}))) add(action, model::History{std::move(*signal)});
+  }
+  reader.finish();
+}
+
+}  // namespace
+
+void read_excitations(TableReader& root, model::Description& description, Mentioned& mentioned) {
+  description.gravity = root.vector("gravity", Quantity::acceleration);
+  const Node* table = root.table("excitations");
+  if (!table) return;
+  for (std::size_t i = 0; i < table->keys.size(); ++i) {
+    if (table->items[i].kind != Node::Kind::table) mentioned.harmonic_excitations.push_back(table->keys[i]);
+    if (table->items[i].kind == Node::Kind::table) read_excitation(table->items[i], table->keys[i], description, mentioned, root.problems());
+    else
+      root.problems().error("excitations." + table->keys[i], words(table->items[i].kind), "an excitation is a table", "write [excitations.NAME] and its type below").origin =
+          table->items[i].origin;
+  }
+}
+
+}  // namespace trivet::study

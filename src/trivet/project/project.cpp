@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+#include <tuple>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/machinery/transmissibility.h"
+#include "trivet/project/text/acceptances.h"
+#include "trivet/project/text/changes.h"
+#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/text/document.h"
+#include "trivet/project/foundation_reader.h"
+#include "trivet/project/analyses/analyses_reader.h"
+#include "trivet/project/body_reader.h"
+#include "trivet/project/elements/element_reader.h"
+#include "trivet/project/excitations/excitation_reader.h"
+#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/questions.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/suspicions.h"
+#include "trivet/project/text/toml_text.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::size_t most_cases = 1000;
+
+/// False if the file is of a format that this program does not know.
+bool is_known_format(TableReader& root) {
+  if (!root.has("trivet")) root.missing("trivet", "start the file with trivet = 1");
+  const auto version = root.number("trivet", Quantity::pure);
+  if (version && *version != 1) root.error("trivet", fmt::format("format {:.6g}", *version), "this program reads format 1", "write trivet = 1, or use a newer program");
+  return !version || *version == 1;
+}
+
+/// "bodies.frame" of "bodies.frame.mass".
+std::string thing(const std::string& subject) { return subject.substr(0, subject.find('.', subject.find('.') + 1)); }
+
+/// Problems of the checked model that are not just echoes of something the reader could not read.
+foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading, bool every_body_was_read) {
+  std::set<std::string> unread;
+  bool misplaced = !every_body_was_read;
+  for (const auto& problem : reading.list()) {
+    if (problem.severity != foundation::Severity::error) continue;
+    unread.insert(thing(problem.subject));
+    const std::string part = problem.subject.substr(std::min(problem.subject.size(), thing(problem.subject).size()));
+    misplaced = misplaced || (problem.subject.starts_with("bodies.") && (part.starts_with(".position") || part.starts_with(".orientation")));
+  }
+  foundation::Problems result;
+  for (const auto& problem : found.list()) {
+    if (unread.contains(thing(problem.subject))) continue;
+    if (misplaced && problem.subject.starts_with("elements.")) continue;  // lever arms are not known
+    if (!every_body_was_read && problem.subject == "bodies") continue;
+    result.add(problem);
+  }
+  return result;
+}
+
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
+                              foundation::Problems& problems, const Questions& questions = {},
+                              const Case* base = nullptr);
+
+/// The model of a document, without what is asked of it.
+Node without_questions(Node document) {
+  for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
+    if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
+      document.items.erase(document.items.begin() + (at - document.keys.begin()));
+      document.keys.erase(at);
+    }
+  return document;
+}
+
+/// The first error that changes bring beside those known.
+std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes, const foundation::Problems& known) {
+  foundation::Problems found;
+  for (const Node& change : changes) apply_changes(model, change, "", found);
+  std::string title;
+  static_cast<void>(read_case(model, "", title, found));
+  for (const foundation::Problem& problem : found.list()) {
+    const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) { return p.subject == problem.subject && p.rule == problem.rule; });
+    if (problem.severity == foundation::Severity::error && !old) return problem;
+  }
+  return std::nullopt;
+}
+
+/// A number that no design of a map can take (a second law of damping, a unit of something else) is wrong as such: the model can be read with it nowhere
+/// in its range, nor at 1, nor together with the other number.
+void check_numbers_of_map(const Node& document, const MapRequest& map, foundation::Problems& problems) {
+  const Node model = without_questions(document);
+  const auto changed = [](const MapAxis& axis, double value) { return change_of(path_keys(axis.parameter), value, axis.unit); };
+  for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
+    const std::string subject = std::string("analyses.map.") + key;
+    const auto told = [&](const std::string& of) { return std::any_of(problems.list().begin(), problems.list().end(), [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map." + of); }); };
+    if (path_keys(axis->parameter).empty() || told(key + std::string(".parameter"))) continue;
+    const bool has_range = !told(key);
+    std::vector<std::vector<Node>> designs;
+    if (has_range)
+      for (const double value : {axis->from, axis->to, axis->at(0.5)}) designs.push_back({changed(*axis, value)});
+    designs.push_back({changed(*axis, 1.0)});
+    if (has_range && !told(key == std::string("x") ? "y" : "x"))
+      for (const double a : {axis->from, axis->to})
+        for (const double b : {other->from, other->to}) designs.push_back({changed(*axis, a), changed(*other, b)});
+    std::optional<foundation::Problem> first;
+    bool possible = false;
+    for (std::size_t d = 0; d < designs.size() && !possible; ++d) {
+      const auto problem = brought(model, designs[d], problems);
+      possible = !problem;
+      if (!first) first = problem;
+    }
+    if (possible || (!has_range && first->finding != "unknown key")) continue;  // without its range, 1 may be out of it
+    problems.error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"", fmt::format("the model takes no such number: {} = {}; {}", first->subject, first->finding, first->rule), first->remedy)
+        .origin = deepest(document, subject + ".parameter").origin;
+  }
+}
+
+/// A transmissibility needs a force along one direction.
+void check_force(const model::System& system, const std::string& force, foundation::Problems& problems) {
+  try {
+    static_cast<void>(response::applied_force(system, force));
+  } catch (const foundation::InvalidInput& reason) {
+    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(), "name a harmonic force along one direction");
+  }
+}
+
+/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
+std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
+                              foundation::Problems& problems, const Questions& questions, const Case* base) {
+  foundation::Problems reading;
+  TableReader root(document, "", reading);
+  model::Description description;
+  Mentioned mentioned;
+  if (!is_known_format(root)) return problems.add(reading), std::nullopt;
+  title = root.text("title").value_or("");
+  description.title = title;
+  read_bodies(root, description, mentioned);
+  read_elements(root, description, mentioned);
+  read_foundations(root, description, mentioned);
+  read_system_damping(root, description);
+  read_excitations(root, description, mentioned);
+  Analyses analyses = read_analyses(root, mentioned);
+  root.also_known({"cases", "accept"});
+  root.finish();
+
+  const bool every_body_was_read = !mentioned.bodies_unknown && description.bodies.size() == mentioned.bodies.size();
+  const std::vector<model::Body> bodies = description.bodies;
+  auto system = model::System::checked(std::move(description));
+  foundation::Problems all = reading;
+  foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
+  if (!system) name_slips(bodies, document, physical);
+  if (system) physical.add(too_large(system->description(), analyses));
+  if (system && !reading.has_errors() && analyses.transmissibility && !analyses.transmissibility->force.empty()) check_force(*system, analyses.transmissibility->force, physical);
+  locate(physical, document);
+  all.add(physical);
+  all = without_unwanted(all, questions, name, analyses);
+  if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
+    check_numbers_of_map(document, *analyses.map, all);
+    all = without_unwanted(all, questions, name, analyses);
+  }
+  const bool good = !all.has_errors();
+  all.sort_by_origin();
+  problems.add(all);
+  if (!good || !system) return std::nullopt;
+  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), document};
+}
+
+/// Adds the suspicions of a case to its warnings, except those accepted.
+void judge(Case& variant, AcceptanceBook& book, foundation::Problems& problems) {
+  const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
+  std::vector<std::pair<std::string, std::string>> kinds;
+  for (const Acceptance& one : accepted) kinds.emplace_back(one.table, one.kind);
+  const foundation::Problems warnings = book.warnings(suspicions(variant, kinds), accepted, variant.document);
+  problems.add(warnings);
+  variant.warnings.add(warnings);
+  variant.warnings.sort_by_origin();
+}
+
+/// Adds what a case brings beyond the base model, under the name of the case.
+void add_of_case(const foundation::Problems& found, const foundation::Problems& base, const std::string& name, foundation::Problems& problems) {
+  for (foundation::Problem problem : found.list()) {
+    const bool known = std::any_of(base.list().begin(), base.list().end(), [&](const foundation::Problem& p) {
+      return p.subject == problem.subject && p.finding == problem.finding && p.rule == problem.rule;
+    });
+    if (known) continue;
+    problem.subject = "case \"" + name + "\": " + problem.subject;
+    problems.add(problem);
+  }
+}
+
+/// Bodies, elements and excitations, as often as there are cases with a model of their own.
+std::size_t things_of_cases(const Node& document) {
+  const auto count = [&](const char* table) { return document.find(table) ? document.find(table)->keys.size() : 0; };
+  return count("cases") * (count("bodies") + count("elements") + count("excitations"));
+}
+
+struct ChangedNumber {
+  std::string path, value;
+};
+
+void list_changes(const Node& node, const std::string& path, std::vector<ChangedNumber>& changes) {
+  switch (node.kind) {
+    case Node::Kind::table:
+      for (std::size_t i = 0; i < node.keys.size(); ++i)
+        list_changes(node.items[i], path.empty() ? node.keys[i] : path + "." + node.keys[i], changes);
+      return;
+    case Node::Kind::array:
+      changes.push_back({path, fmt::format("[{} values]", node.items.size())});
+      return;
+    case Node::Kind::text:
+      changes.push_back({path, "\"" + node.text + "\""});
+      return;
+    case Node::Kind::boolean:
+      changes.push_back({path, node.boolean ? "true" : "false"});
+      return;
+    default:
+      changes.push_back({path, fmt::format("{:.12g}", node.number)});
+      return;
+  }
+}
+
+/// What the command line changes. Every setting has its own number.
+struct Settings {
+  std::vector<Node> changes;
+  std::vector<ChangedNumber> numbers;
+};
+
+bool is_part_of(const std::string& path, const std::string& whole) {
+  return path == whole || path.starts_with(whole + ".");
+}
+
+Settings read_settings(const std::vector<std::string>& settings, foundation::Problems& problems) {
+  Settings result;
+  for (const std::string& setting : settings) {
+    foundation::Expected<Node> change = parse_setting(setting);
+    if (!change) {
+      problems.add(change.error());
+      continue;
+    }
+    std::vector<ChangedNumber> numbers;
+    list_changes(*change, "", numbers);
+    for (const ChangedNumber& number : numbers) {
+      const auto earlier = std::find_if(result.numbers.begin(), result.numbers.end(), [&](const ChangedNumber& known) {
+        return is_part_of(known.path, number.path) || is_part_of(number.path, known.path);
+      });
+      if (earlier != result.numbers.end())
+        problems
+            .error(number.path,
+                   number.value + ", and " + earlier->path + " = " + earlier->value + " in an earlier --set",
+                   "two settings of one number: only one of them can hold", "keep one of them")
+            .origin = change->origin;
+    }
+    result.numbers.insert(result.numbers.end(), numbers.begin(), numbers.end());
+    result.changes.push_back(std::move(*change));
+  }
+  return result;
+}
+
+/// Does the document hold this number, after all changes?
+bool holds(const Node& document, const ChangedNumber& number) {
+  std::vector<ChangedNumber> there;
+  list_changes(deepest(document, number.path), number.path, there);
+  return there.size() == 1 && there.front().path == number.path && there.front().value == number.value;
+}
+
+/// Those of a case that the command line left as they were, then those of the command line.
+std::vector<std::string> change_lines(const Node* of_case, const Settings& settings, const Node& document) {
+  std::vector<ChangedNumber> numbers;
+  if (of_case) list_changes(*of_case, "", numbers);
+  std::erase_if(numbers, [&](const ChangedNumber& number) {
+    const auto again = [&](const ChangedNumber& setting) { return is_part_of(number.path, setting.path); };
+    return !holds(document, number) || std::any_of(settings.numbers.begin(), settings.numbers.end(), again);
+  });
+  numbers.insert(numbers.end(), settings.numbers.begin(), settings.numbers.end());
+  std::vector<std::string> lines;
+  for (const ChangedNumber& number : numbers) lines.push_back(number.path + " = " + number.value);
+  return lines;
+}
+
+}  // namespace
+
+const Case* Project::find(const std::string& name) const {
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; });
+  return found == cases.end() ? nullptr : &*found;
+}
+
+foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
+  static std::mutex reading;  // the parser of units keeps its state in globals, and the files behind elements have one writer
+  const std::lock_guard lock(reading);
+  Node document = without_questions(variant.document);
+  foundation::Problems problems;
+  for (const Node& change : changes) apply_changes(document, change, "", problems);
+  std::string title;
+  auto changed = read_case(document, variant.name, title, problems);
+  if (changed && !problems.has_errors()) return std::move(changed->system);
+  return tl::make_unexpected(std::move(problems));
+}
+
+namespace {
+
+foundation::Expected<Project> project_for(const Questions& questions, const std::string& text,
+                                          const std::string& source, const std::vector<std::string>& given) {
+  foundation::Expected<Node> parsed = parse_toml(text, source);
+  if (!parsed) return tl::make_unexpected(parsed.error());
+  Node document = std::move(*parsed);
+  foundation::Problems problems;
+  std::string hashed = text;
+  for (const std::string& setting : given) hashed += "\n" + setting;
+  const Settings settings = read_settings(given, problems);
+  foundation::Problems of_settings;
+  const Node as_written = document;
+  for (const Node& change : settings.changes) apply_changes(document, change, "", of_settings);
+  problems.add(of_settings);
+
+  Project project;
+  project.source = source;
+  project.sha256 = sha256(hashed);
+  foundation::Problems of_base;
+  AcceptanceBook book;
+  auto base = read_case(document, "", project.title, of_base, questions);
+  if (base) judge(*base, book, of_base);
+  problems.add(of_base);
+  if (base) base->changes = change_lines(nullptr, settings, document);
+  if (base) project.cases.push_back(std::move(*base));
+  const Node* cases = document.find("cases");
+  if (const std::size_t things = things_of_cases(document); things > most_things_of_cases) {
+    problems.error("cases", fmt::format("{} bodies, elements and excitations in all cases together", things), fmt::format("at most {} are held at once", most_things_of_cases), "split the file").origin =
+        cases->origin;
+  } else if (cases && cases->kind != Node::Kind::table) {
+    problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
+  } else if (cases && cases->keys.size() > most_cases) {
+    problems.error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases), "split the file").origin = cases->origin;
+  } else if (cases) {
+    foundation::Problems known = of_base;
+    known.add(of_settings);
+    for (std::size_t i = 0; i < cases->keys.size(); ++i) {
+      const Node& change = cases->items[i];
+      const std::string& name = cases->keys[i];
+      if (change.kind != Node::Kind::table || name.empty()) {
+        problems.error("cases." + name, name.empty() ? "name \"\"" : words(change.kind), "a case is a table with a name", "write [cases.NAME] and the changed numbers below").origin = change.origin;
+        continue;
+      }
+      Node variant = as_written;
+      foundation::Problems of_case;
+      apply_changes(variant, change, "", of_case);
+      for (const Node& setting : settings.changes)
+        apply_changes(variant, setting, "", of_case);  // the command line has the last word
+      std::string title;
+      auto variant_case =
+          read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());
+      if (variant_case) judge(*variant_case, book, of_case);
+      add_of_case(of_case, known, name, problems);
+      if (!variant_case || project.cases.empty()) continue;
+      variant_case->changes = change_lines(&change, settings, variant);
+      project.cases.push_back(std::move(*variant_case));
+    }
+  }
+  if (!questions.wanted && !problems.has_errors()) {
+    problems.add(book.unneeded(!settings.changes.empty()));
+    const foundation::Problems unused = unused_parts(project.cases);
+    problems.add(unused);
+    project.cases.front().warnings.add(unused);
+    project.cases.front().warnings.sort_by_origin();
+  }
+  problems.sort_by_origin();
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return project;
+}
+
+}  // namespace
+
+foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
+                                                const std::vector<std::string>& settings) {
+  return project_for({}, text, source, settings);
+}
+
+foundation::Expected<Project> read_project_for(const Questions& questions, const std::filesystem::path& path,
+                                               const std::vector<std::string>& settings) {
+  const auto text = read_source(path);
+  if (!text) return tl::make_unexpected(text.error());
+  return project_for(questions, *text, path.string(), settings);
+}
+
+foundation::Expected<Project> read_project(const std::filesystem::path& path,
+                                           const std::vector<std::string>& settings) {
+  return read_project_for({}, path, settings);
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/problems.h"
+#include "trivet/model/system.h"
+#include "trivet/project/analyses/analyses.h"
+#include "trivet/project/text/document.h"
+
+namespace trivet::study {
+
+/// One variant of the model: the base ("" as its name) or a case.
+struct Case {
+  std::string name;
+  std::vector<std::string> changes;  ///< "elements.suspension.scale = 1.5"
+  model::System system;
+  Analyses analyses;
+  foundation::Problems warnings;     ///< of reading and checking, with their places
+  Node document;                     ///< what it was read from, changes applied
+};
+
+/// A project file that passed every check, in all its cases.
+struct Project {
+  std::string title;
+  std::string source;   ///< file name as given
+  std::string sha256;   ///< of the text of the file and of the settings laid over it
+  std::vector<Case> cases;  ///< the base model first
+
+  [[nodiscard]] const Case& base() const { return cases.front(); }
+  [[nodiscard]] const Case* find(const std::string& name) const;
+};
+
+/// The model of a case with further changes laid over it, one after the other; it answers no questions of its own. All problems at
+/// once. From several threads one waits for the other.
+[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes);
+
+/// Reads and checks a project file with the given `--set` changes; all problems of all cases at once.
+[[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
+
+/// The same from text.
+[[nodiscard]] foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
+                                                              const std::vector<std::string>& settings = {});
+
+}  // namespace trivet::study

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/questions.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "trivet/project/text/outside_features.h"
+
+namespace trivet::study {
+namespace {
+
+/// How each question is removed from the analyses.
+const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& removals() {
+  static const std::vector<std::pair<std::string, std::function<void(Analyses&)>>> list = {
+      {"modes", [](Analyses& a) { a.modes = false; }},
+      {"roots", [](Analyses& a) { a.roots = false; }},
+      {"response", [](Analyses& a) { a.response.reset(); }},
+      {"peaks", [](Analyses& a) { a.peaks.reset(); }},
+      {"static", [](Analyses& a) { a.static_of.reset(), a.load_sharing = false; }},
+      {"random", [](Analyses& a) { a.random.reset(); }},
+      {"transient", [](Analyses& a) { a.transient.reset(); }},
+      {"orders", [](Analyses& a) { a.orders.reset(); }},
+      {"transmissibility", [](Analyses& a) { a.transmissibility.reset(); }},
+      {"power", [](Analyses& a) { a.power.reset(); }},
+      {"shapes", [](Analyses& a) { a.shapes.reset(); }},
+      {"shock_spectrum", [](Analyses& a) { a.shock_spectrum.reset(); }},
+      {"earthquake", [](Analyses& a) { a.earthquake.reset(); }},
+      {"map", [](Analyses& a) { a.map.reset(); }},
+      {"limits", [](Analyses& a) { a.limits.clear(); }},
+      {"limit_lines", [](Analyses& a) { a.limit_lines.clear(); }},
+  };
+  return list;
+}
+
+/// "static" of "analyses.static.of", "limits" of "limits.\"body.x\""; "analyses" of the table itself; empty for a part
+/// of the model.
+std::string question_of(const std::string& subject) {
+  const std::string first = subject.substr(0, subject.find('.'));
+  if (first == "limits" || first == "limit_lines") return first;
+  if (first != "analyses") return "";
+  if (subject == first) return first;
+  const std::size_t from = first.size() + 1;
+  return subject.substr(from, subject.find('.', from) - from);
+}
+
+bool is_wanted(const std::string& question, const Questions& questions, const std::string& of_case) {
+  if (question.empty()) return true;  // the model
+  if (questions.of_case && *questions.of_case != of_case) return false;
+  if (!questions.wanted) return true;
+  const std::vector<std::string>& wanted = *questions.wanted;
+  if (std::find(wanted.begin(), wanted.end(), question) != wanted.end()) return true;
+  const bool known =
+      std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; });
+  // A misspelt name may be any question, so that it matters to each of them.
+  return !known && !is_outside_analysis(question) && !wanted.empty();
+}
+
+/// Names of the excitations that the questions ask for, and whether any question takes excitations at all.
+struct Asked {
+  std::set<std::string> excitations;
+  bool anything = false;
+};
+
+class Asking {
+ public:
+  Asking(const Case& variant, Asked& asked) : variant_(variant), asked_(asked) {}
+
+  void note() {
+    const Analyses& a = variant_.analyses;
+    const auto of_wanted = [&](const auto& request, const auto& drives) {
+      if (request) excitations(request->wanted.excitations, drives);
+    };
+    of_wanted(a.response, harmonic);
+    of_wanted(a.peaks, harmonic);
+    of_wanted(a.random, random);
+    of_wanted(a.transient, in_time);
+    of_wanted(a.orders, by_orders);
+    if (a.power) excitations(a.power->excitations, harmonic);
+    if (a.shapes) excitations(a.shapes->excitations, harmonic);
+    if (a.shock_spectrum) excitations(a.shock_spectrum->excitations, in_time);
+    if (a.static_of)
+      for (const model::ConstantForce& force : variant_.system.description().constant_forces)
+        asked_.excitations.insert(force.name);
+    if (a.transmissibility && !a.transmissibility->force.empty()) asked_.excitations.insert(a.transmissibility->force);
+    if (a.map) excitations(a.map->excitations, harmonic);
+  }
+
+ private:
+  static bool harmonic(const model::Course& course) { return std::holds_alternative<model::Harmonic>(course); }
+  static bool random(const model::Course& course) { return std::holds_alternative<model::Random>(course); }
+  static bool in_time(const model::Course& course) { return std::holds_alternative<model::History>(course); }
+  static bool by_orders(const model::Course& course) {
+    const auto* rotating = std::get_if<model::Harmonic>(&course);
+    return std::holds_alternative<model::Orders>(course) || (rotating && rotating->power_of_frequency == 2);
+  }
+
+  template <typename Drives>
+  void excitations(const std::vector<std::string>& selected, const Drives& drives) {
+    asked_.anything = true;
+    asked_.excitations.insert(selected.begin(), selected.end());
+    if (!selected.empty()) return;
+    for (const model::Excitation& excitation : variant_.system.description().excitations)
+      if (drives(excitation.course)) asked_.excitations.insert(excitation.name);
+  }
+
+  const Case& variant_;
+  Asked& asked_;
+};
+
+}  // namespace
+
+foundation::Problems without_unwanted(const foundation::Problems& found, const Questions& questions,
+                                      const std::string& of_case, Analyses& analyses) {
+  if (!questions.wanted && !questions.of_case) return found;
+  std::set<std::string> broken;
+  for (const foundation::Problem& problem : found.list()) {
+    const std::string question = question_of(problem.subject);
+    if (problem.severity == foundation::Severity::error && !is_wanted(question, questions, of_case))
+      broken.insert(question);
+  }
+  foundation::Problems kept;
+  for (const foundation::Problem& problem : found.list())
+    if (!broken.contains(question_of(problem.subject))) kept.add(problem);
+  for (const auto& [name, remove] : removals())
+    if (broken.contains(name)) remove(analyses);
+  return kept;
+}
+
+bool has_broken_curves(const Case& variant) {
+  const Node* asked = variant.document.find("analyses");
+  return asked &&
+         ((asked->find("peaks") && !variant.analyses.peaks) || (asked->find("response") && !variant.analyses.response));
+}
+
+foundation::Problems unused_parts(const std::vector<Case>& cases) {
+  foundation::Problems found;
+  Asked asked;
+  for (const Case& variant : cases) Asking(variant, asked).note();
+  if (!asked.anything || cases.empty()) return found;
+  const Case& base = cases.front();
+  std::vector<std::string> names;
+  for (const model::Excitation& excitation : base.system.description().excitations) names.push_back(excitation.name);
+  for (const model::ConstantForce& force : base.system.description().constant_forces) names.push_back(force.name);
+  for (const std::string& name : names)
+    if (!asked.excitations.contains(name))
+      found
+          .warning("excitations." + name, "no analysis of this file uses it",
+                   "an excitation acts only in the analyses that are asked for, and there only if it is selected",
+                   "add the analysis, select it, or remove it")
+          .origin = deepest(base.document, "excitations." + name).origin;
+  return found;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/solids_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/solids/rigid_solid.h"
+#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/text/file_name.h"
+
+namespace trivet::study {
+namespace {
+
+using solids::Part;
+
+constexpr const char* shapes_known =
+    "a solid is one of {box = [x, y, z]}, {cylinder = [diameter, length]}, {tube = [outer, inner, length]}, {sphere = diameter}, {cone = [start, end, length]}, "
+    "{file = \"….step\"}, {file = \"….stl\", unit = \"1 mm\"}";
+
+constexpr const char* shape_keys[] = {"box", "cylinder", "tube", "sphere", "cone", "file"};
+
+/// The key behind a finding: the shape's, where the part names one of its lengths.
+std::string key_of(const Node& part, const std::string& found) {
+  if (part.find(found)) return found;
+  for (const char* key : shape_keys)
+    if (part.find(key)) return std::string(key) + " (" + found + ")";
+  return found;
+}
+
+/// Lengths behind a key, exactly so many.
+std::optional<std::vector<double>> lengths(TableReader& reader, const char* key, std::size_t count) {
+  auto numbers = reader.numbers(key, Quantity::length);
+  if (numbers && numbers->size() != count) {
+    reader.error(key, fmt::format("{} lengths", numbers->size()), fmt::format("{} are wanted", count), shapes_known);
+    return std::nullopt;
+  }
+  return numbers;
+}
+
+void read_file(TableReader& reader, Part& part) {
+  const auto file = read_file_name(reader, "file");
+  std::string ending = file ? file->extension().string() : "";
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".stl") {
+    if (!reader.has("unit")) reader.missing("unit", "an STL file does not say its unit: unit = \"1 mm\"");
+    part.shape = solids::StlSolid{*file, reader.number("unit", Quantity::length).value_or(1)};
+  } else if (file) {
+    solids::StepSolid step{*file, {}};
+    if (const auto chosen = reader.numbers("solids", Quantity::pure))
+      for (const double number : *chosen) {
+        if (number >= 1 && number < 1e9 && number == std::floor(number)) step.solids.push_back(static_cast<int>(number));
+        else reader.error("solids", fmt::format("{:.6g}", number), "solids are numbered from 1 in the order of the file", "give whole numbers");
+      }
+    part.shape = step;
+  } else {
+    reader.also_known({"unit"});
+  }
+  reader.also_known({"solids"});
+}
+
+Part read_part(TableReader& reader, const std::string& name) {
+  Part part;
+  part.name = name;
+  part.density = reader.required_number("density", Quantity::density);
+  part.pose.position = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
+  part.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
+  int shapes = 0;
+  for (const char* key : shape_keys) shapes += reader.has(key) ? 1 : 0;
+  if (shapes != 1) reader.error("density", shapes == 0 ? "no shape" : fmt::format("{} shapes", shapes), shapes_known, "give exactly one").subject = reader.path();
+  if (const auto l = lengths(reader, "box", 3)) part.shape = solids::Box{(*l)[0], (*l)[1], (*l)[2]};
+  if (const auto l = lengths(reader, "cylinder", 2)) part.shape = solids::Cylinder{(*l)[0], (*l)[1]};
+  if (const auto l = lengths(reader, "tube", 3)) part.shape = solids::Tube{(*l)[0], (*l)[1], (*l)[2]};
+  if (const auto d = reader.number("sphere", Quantity::length)) part.shape = solids::Sphere{*d};
+  if (const auto l = lengths(reader, "cone", 3)) part.shape = solids::Cone{(*l)[0], (*l)[1], (*l)[2]};
+  if (reader.has("file")) read_file(reader, part);
+  constexpr double lightest = 10, heaviest = 25e3;
+  if (part.density > 0 && (part.density < lightest || part.density > heaviest)) {
+    foundation::Problems one;
+    one.warning("density", fmt::format("{:.4g} kg/m³", part.density), "solids have 500 to 20000 kg/m³, foams down to 20", "check the unit: a bare number is SI");
+    reader.add(one);
+  }
+  reader.finish();
+  return part;
+}
+
+}  // namespace
+
+bool read_solids(TableReader& body, model::Body& result) {
+  const Node* list = body.node("solids");
+  if (list->kind != Node::Kind::array || list->items.empty()) {
+    body.error("solids", list->kind == Node::Kind::array ? "no solid" : words(list->kind), "it is a list of solids", "write solids = [{box = [1, 0.5, 0.2], density = 7850}]");
+    return false;
+  }
+  const std::size_t before = body.errors();
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < list->items.size(); ++i) {
+    const std::string name = fmt::format("solids[{}]", i);
+    if (list->items[i].kind != Node::Kind::table) {
+      body.error("solids", words(list->items[i].kind), "a solid is a table", shapes_known);
+      continue;
+    }
+    TableReader reader(list->items[i], body.path() + "." + name, body.problems());
+    const std::size_t before_part = body.errors();
+    Part part = read_part(reader, name);
+    if (body.errors() == before_part) parts.push_back(std::move(part));
+  }
+  if (parts.empty()) return false;
+  const auto solid = solids::rigid_solid(parts);
+  const foundation::Problems& findings = solid ? solid->remarks : solid.error();
+  for (foundation::Problem problem : findings.list()) {
+    problem.origin = list->origin;
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      const std::string part = fmt::format("solids[{}].", i);
+      if (!problem.subject.starts_with(part)) continue;
+      problem.origin = list->items[i].origin;
+      problem.subject = part + key_of(list->items[i], problem.subject.substr(part.size()));
+      break;
+    }
+    problem.subject = body.path() + "." + problem.subject;
+    body.problems().add(std::move(problem));
+  }
+  if (!solid || body.errors() > before) return false;
+  result.mass = solid->properties;
+  return true;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/model/system.h"
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::study {
+
+/// `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]`: mass, centre and inertia of the body.
+/// False after reporting what is wrong.
+[[nodiscard]] bool read_solids(TableReader& body, model::Body& result);
+
+}  // namespace trivet::study

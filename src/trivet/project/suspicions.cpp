@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/suspicions.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "trivet/plausibility/inertia_slips.h"
+#include "trivet/project/elements/catalogue.h"
+#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/text/file_name.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::string_view catalogue_prefix = "catalogue:";
+
+const Node* find(const Node& document, const std::string& group, const std::string& name) {
+  const Node* things = document.find(group);
+  return things ? things->find(name) : nullptr;
+}
+
+bool is_about_pole(const Node& document, const std::string& body) {
+  const Node* table = find(document, "bodies", body);
+  const Node* inertia = table ? table->find("inertia") : nullptr;
+  const Node* about = inertia ? inertia->find("about") : nullptr;
+  return about && about->text == "pole";
+}
+
+void add_bodies(const Case& variant, plausibility::Stated& stated) {
+  for (const model::Body& body : variant.system.bodies()) {
+    const Node* table = find(variant.document, "bodies", body.name);
+    stated.inertia_about_pole.push_back(is_about_pole(variant.document, body.name));
+    stated.from_solids.push_back(table && table->find("solids"));
+  }
+}
+
+/// What catalogues say of their mounts; files that passed once are read again.
+void add_ratings(const Case& variant, plausibility::Stated& stated) {
+  const auto& elements = variant.system.elements();
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (!elements[e].type.starts_with(catalogue_prefix)) continue;
+    const Node* table = find(variant.document, "elements", elements[e].name);
+    if (!table) continue;
+    foundation::Problems ignored;
+    TableReader reader(*table, "elements." + elements[e].name, ignored);
+    std::vector<Catalogue> catalogues;
+    if (reader.has("catalogue"))
+      if (const auto file = read_file_name(reader, "catalogue"))
+        if (auto given = read_catalogue(*file)) catalogues.push_back(std::move(*given));
+    catalogues.push_back(generic_catalogue());
+    const auto mount = mount_named(elements[e].type.substr(catalogue_prefix.size()), catalogues);
+    if (mount && mount->static_load && mount->static_load->y() > 0) stated.ratings.push_back({e,
+        mount->static_load->y(), mount->name});
+  }
+}
+
+/// Pistons and rods that swing.
+void add_engine(const Node& table, const model::Excitation& excitation, plausibility::Stated& stated) {
+  const Node* engine = table.find("engine");
+  if (!engine || engine->kind != Node::Kind::table) return;
+  foundation::Problems ignored;
+  TableReader reader(*engine, "excitations." + excitation.name + ".engine", ignored);
+  const auto mass = reader.number("oscillating_mass", Quantity::mass);
+  const auto cylinders = reader.number("cylinders", Quantity::pure);
+  if (mass && cylinders)
+    stated.engines.push_back({"excitations." + excitation.name + ".engine.oscillating_mass", *excitation.action.body, *mass, *cylinders});
+}
+
+void add_rotors(const Case& variant, plausibility::Stated& stated) {
+  for (const model::Excitation& excitation : variant.system.description().excitations) {
+    const Node* table = find(variant.document, "excitations", excitation.name);
+    if (!table || !excitation.action.body) continue;
+    const Node* type = table->find("type");
+    add_engine(*table, excitation, stated);
+    if (!type || type->text != "unbalance") continue;
+    foundation::Problems ignored;
+    TableReader reader(*table, "excitations." + excitation.name, ignored);
+    const auto speed = reader.number("service_speed", Quantity::angular_frequency);
+    stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
+        reader.number("mass_eccentricity", Quantity::mass_length), reader.number("grade", Quantity::pure), speed});
+    if (speed && table->find("service_speed")->kind != Node::Kind::text) stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
+  }
+}
+
+/// "frame.z", not "frame.rz" nor "mount.force.z".
+bool is_translation(const std::string& name) {
+  const bool of_force = name.find(".force.") != std::string::npos || name.find(".moment.") != std::string::npos;
+  return !of_force && (name.ends_with(".x") || name.ends_with(".y") || name.ends_with(".z"));
+}
+
+void add_questions(const Case& variant, plausibility::Stated& stated) {
+  const Analyses& asked = variant.analyses;
+  const auto add = [&](const char* subject, const std::optional<response::Band>& band) {
+    if (band) stated.windows.push_back({subject, band->from, band->to});
+  };
+  if (asked.response) add("analyses.response.band", asked.response->band);
+  if (asked.transmissibility) add("analyses.transmissibility.band", asked.transmissibility->band);
+  if (asked.power) add("analyses.power.band", asked.power->band);
+  const assembly::Quantity quantity = asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
+  for (const Limit& limit : asked.limits)
+    if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)
+      stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name, limit.amplitude,
+                                        quantity == assembly::Quantity::velocity});
+  const Node* orders = find(variant.document, "analyses", "orders");
+  const Node* speeds = orders ? orders->find("speed") : nullptr;
+  if (asked.orders && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
+    stated.speeds.push_back({"analyses.orders.speed", asked.orders->speed.to});
+  for (const model::Excitation& excitation : variant.system.description().excitations)
+    if (const auto* random = std::get_if<model::Random>(&excitation.course))
+      stated.windows.push_back({"excitations." + excitation.name + ".psd", random->spectrum.from(),
+          random->spectrum.to(), true});
+  if (asked.transient) stated.transient = plausibility::TimeQuestion{asked.transient->to, asked.transient->wanted.excitations};
+}
+
+/// The impedance of a ground point has the name of the element above it; the file has that of the foundation.
+void name_foundation(const Node& document, std::string& subject) {
+  constexpr std::string_view group = "foundations.";
+  if (!subject.starts_with(group)) return;
+  const std::size_t dot = subject.find('.', group.size());
+  const Node* element = find(document, "elements", subject.substr(group.size(), dot - group.size()));
+  if (const Node* name = element ? element->find("foundation") : nullptr)
+    subject = std::string(group) + name->text + (dot == std::string::npos ? "" : subject.substr(dot));
+}
+
+}  // namespace
+
+std::vector<plausibility::Suspicion> suspicions(const Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted) {
+  plausibility::Stated stated;
+  add_bodies(variant, stated);
+  add_ratings(variant, stated);
+  add_rotors(variant, stated);
+  add_questions(variant, stated);
+  stated.accepted = accepted;
+  std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
+  for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);
+  return found;
+}
+
+void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {
+  for (const model::Body& body : bodies)
+    for (foundation::Problem& problem : problems.list()) {
+      if (problem.severity != foundation::Severity::error
+          || problem.subject != "bodies." + body.name + ".inertia") continue;
+      if (const auto slip = plausibility::slip_behind(body.mass, is_about_pole(document, body.name))) problem.remedy =
+          slip->words + "; " + problem.remedy;
+      break;  // one cause is named once
+    }
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/admissible_range.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace trivet::study {
+
+Largest largest(Quantity quantity) {
+  constexpr const char* of_force = "the thrust of the largest rocket is 1e8 N";
+  constexpr const char* of_stiffness = "a cube of steel of 1 km has 2e14 N/m";
+  constexpr const char* of_damping = "it holds a mountain of 1e12 kg still at 1e6 rad/s";
+  switch (quantity) {
+    case Quantity::pure:
+      return {1e30, "no plain number of a machine is larger"};
+    case Quantity::length:
+      return {1e9, "the moon is nearer"};
+    case Quantity::mass:
+      return {1e15, "a mountain has less"};
+    case Quantity::inertia:
+      return {1e24, "a mountain of 1e15 kg has less"};
+    case Quantity::mass_length:
+      return {1e18, "a mountain has less"};
+    case Quantity::density:
+      return {1e8, "the core of the sun has 1.5e5 kg/m³"};
+    case Quantity::angle:
+      return {1e9, "doubles no longer resolve a part of a turn well"};
+    case Quantity::angular_frequency:
+      return {1e12, "atoms of a solid vibrate at 1e13 rad/s"};
+    case Quantity::time:
+      return {1e15, "30 million years"};
+    case Quantity::per_time:
+      return {1e15, "atoms of a solid vibrate at 1e13 rad/s"};
+    case Quantity::velocity:
+      return {3e8, "light travels so fast"};
+    case Quantity::angular_velocity:
+      return {1e12, "atoms of a solid vibrate at 1e13 rad/s"};
+    case Quantity::acceleration:
+      return {1e15, "a bullet in its barrel has 1e6 m/s²"};
+    case Quantity::angular_acceleration:
+      return {1e18, "no part of a machine turns so abruptly"};
+    case Quantity::force:
+      return {1e15, of_force};
+    case Quantity::moment:
+      return {1e18, of_force};
+    case Quantity::pressure:
+      return {1e15, "diamond has 1.2e12 Pa"};
+    case Quantity::force_per_length:
+      return {1e18, of_stiffness};
+    case Quantity::force_per_angle:
+    case Quantity::moment_per_length:
+      return {1e21, of_stiffness};
+    case Quantity::moment_per_angle:
+      return {1e24, of_stiffness};
+    case Quantity::damping_force_per_length:
+      return {1e18, of_damping};
+    case Quantity::damping_force_per_angle:
+    case Quantity::damping_moment_per_length:
+      return {1e21, of_damping};
+    case Quantity::damping_moment_per_angle:
+      return {1e24, of_damping};
+  }
+  return {1e30, ""};
+}
+
+std::optional<std::string> outside_range(double value, Quantity quantity) {
+  const Largest most = largest(quantity);
+  const std::string unit = si_unit(quantity);
+  if (std::abs(value) > most.magnitude)
+    return fmt::format("at most {:.0e}{}{} in magnitude is admitted here ({})", most.magnitude, unit.empty() ? "" : " ",
+                       unit, most.reason);
+  if (value != 0 && std::abs(value) < smallest_number)
+    return fmt::format("a number is 0 or at least {:.0e} in magnitude: products of smaller ones vanish",
+                       smallest_number);
+  return std::nullopt;
+}
+
+std::optional<std::string> wrong_band(double from, double to) {
+  constexpr double narrowest =
+      1e-9;  // of its upper end: answers differ by as little, and grids between such ends repeat their points
+  constexpr double lowest = 1e-9;  // [rad/s] a turn in 200 years
+  if (!(from >= 0 && to > from)) return "[from, to] with 0 ≤ from < to";
+  if (to - from < narrowest * to) return fmt::format("its ends differ by {:.0e} of the upper one or more", narrowest);
+  if (to < lowest) return fmt::format("its upper end is {:.0e} rad/s or more", lowest);
+  return std::nullopt;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "trivet/response/steady/frequency_grid.h"
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::study {
+
+/// `key = [from, to]` in rad/s or with units, 0 ≤ from < to.
+[[nodiscard]] std::optional<response::Band> read_band(TableReader& reader, const std::string& key);
+
+}  // namespace trivet::study

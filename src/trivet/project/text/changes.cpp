@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/changes.h"
+
+
+#include "trivet/project/text/toml_text.h"
+
+namespace trivet::study {
+namespace {
+
+/// Tables whose keys exclude each other: in braces, a new one takes the place of the old.
+bool is_one_thing(const std::string& key) { return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation"; }
+
+bool holds_named_things(const std::string& path) { return path == "bodies" || path == "elements" || path == "excitations"; }
+
+void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key, foundation::Problems& problems) {
+  const std::string guess = foundation::nearest_name(key, base.keys);
+  problems.error(path + "." + key, "no such thing in the model", "a change can only alter what the model has",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
+      .origin = change.origin;
+}
+
+}  // namespace
+
+void apply_changes(Node& base, const Node& changes, const std::string& path, foundation::Problems& problems) {
+  for (std::size_t i = 0; i < changes.keys.size(); ++i) {
+    const std::string& key = changes.keys[i];
+    const Node& change = changes.items[i];
+    const std::string here = path.empty() ? key : path + "." + key;
+    if (path.empty() && (key == "cases" || key == "trivet")) {
+      problems.error(here, "cannot be changed", "a change alters numbers of the model", "remove it").origin = change.origin;
+      continue;
+    }
+    Node* old = base.find(key);
+    if (!old) {
+      if (holds_named_things(path)) refuse_new_name(base, change, path, key, problems);
+      else {
+        base.keys.push_back(key);
+        base.items.push_back(change);
+      }
+    } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table && !(change.written_inline && is_one_thing(key))) {
+      apply_changes(*old, change, here, problems);
+    } else {
+      *old = change;
+    }
+  }
+}
+
+foundation::Expected<Node> parse_setting(const std::string& setting) {
+  const std::string source = "--set " + setting;
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    foundation::Problems problems;
+    problems.error("", "no \"=\"", "a setting is KEY=VALUE", "for instance --set elements.front.scale=1.5").origin = {source, 0, 0};
+    return tl::make_unexpected(std::move(problems));
+  }
+  foundation::Expected<Node> plain = parse_toml(setting, source);
+  if (!plain) {
+    std::string quoted = "\"";
+    for (const char c : setting.substr(equals + 1)) {
+      if (c == '"' || c == '\\') quoted += '\\';
+      quoted += c;
+    }
+    const foundation::Expected<Node> as_text = parse_toml(setting.substr(0, equals + 1) + quoted + "\"", source);
+    if (as_text) return as_text;
+    for (auto& problem : plain.error().list())
+      problem.remedy = "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front left\".scale=2), an array is replaced whole";
+  }
+  return plain;
+}
+
+}  // namespace trivet::study

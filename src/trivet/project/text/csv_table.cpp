@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/csv_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/admissible_range.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::string_view rule = "a table is a header row and rows of numbers as long as it";
+constexpr std::string_view name_column = "name";
+/// Problems of one kind that are listed; a file with the wrong separator would fill the screen.
+constexpr int most_listed = 20;
+/// Numbers of one table: 160 MB of them.
+constexpr std::size_t most_cells = 20'000'000;
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  return first == std::string_view::npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Cells of a line; a cell in quotes may hold the separator, a doubled quote is one. Empty if a quote is not closed.
+std::optional<std::vector<std::string>> cells(std::string_view line, char separator) {
+  std::vector<std::string> result;
+  for (std::size_t at = 0; at <= line.size();) {
+    while (at < line.size() && line[at] == ' ') ++at;
+    std::string cell;
+    if (at < line.size() && line[at] == '"') {
+      for (++at; at < line.size() && (line[at] != '"' || (at + 1 < line.size() && line[at + 1] == '"')); ++at) {
+        cell += line[at];
+        if (line[at] == '"') ++at;
+      }
+      if (at == line.size()) return std::nullopt;
+      ++at;
+    }
+    const std::size_t end = std::min(line.find(separator, at), line.size());
+    cell += trimmed(line.substr(at, end - at));
+    result.push_back(std::move(cell));
+    at = end + 1;
+  }
+  return result;
+}
+
+/// A number, NaN for a cell that says "not measured", nothing for anything else (inf, numbers beyond double and those that no project may hold included).
+std::optional<double> number(std::string_view cell) {
+  if (cell.empty() || cell == "-" || cell == "nan" || cell == "NaN" || cell == "NAN") return std::numeric_limits<double>::quiet_NaN();
+  if (cell.front() == '+') cell.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value) || outside_range(value, Quantity::pure)) return std::nullopt;
+  return value;
+}
+
+/// Why number() rejects a cell.
+std::string rule_of_cell(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (end == cell.data() + cell.size() && error == std::errc{} && std::isfinite(value))
+    if (const auto broken = outside_range(value, Quantity::pure)) return *broken;
+  return "a cell is a finite number with a decimal point, or empty where nothing was measured";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + foundation::shortened(name);
+  return text;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& source, std::size_t most_rows) : most_rows_(most_rows) { table_.source = source; }
+
+  foundation::Expected<CsvTable> read(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    int line = 0;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      const std::string_view content = trimmed(text.substr(at, end - at));
+      std::string_view written = text.substr(at, end - at);
+      if (written.ends_with('\r')) written.remove_suffix(1);
+      ++line;
+      at = end + 1;
+      if (content.empty() || content.front() == '#') continue;
+      if (width_ == 0) read_header(written, line);
+      else read_row(written, line);
+      if (width_ == 0 || too_long_) break;
+    }
+    if (table_.lines.empty() && !problems_.has_errors())
+      problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(rule), "check the file");
+    if (problems_.has_errors()) return tl::make_unexpected(std::move(problems_));
+    const auto rows = static_cast<Eigen::Index>(table_.lines.size()), count = static_cast<Eigen::Index>(table_.columns.size());
+    table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(values_.data(), rows, count);
+    return std::move(table_);
+  }
+
+ private:
+  void problem(int line, std::string finding, std::string broken_rule, std::string remedy) {
+    problems_.error("", std::move(finding), std::move(broken_rule), std::move(remedy)).origin = {table_.source, line, 0};
+  }
+
+  void read_header(std::string_view line, int number_of_line) {
+    separator_ = line.find('\t') != std::string_view::npos ? '\t' : line.find(';') != std::string_view::npos ? ';' : ',';
+    const auto names = cells(line, separator_);
+    if (!names) return problem(number_of_line, "a quote is not closed", std::string(rule), "close it");
+    if (std::all_of(names->begin(), names->end(), [](const std::string& name) { return number(name).has_value(); }))
+      return problem(number_of_line, "the first row holds numbers", "the first row names the columns", "add a header row");
+    if (names->size() > most_columns)
+      return problem(number_of_line, fmt::format("{} columns", names->size()), fmt::format("a table has at most {} columns", most_columns), "is this the right file? keep the columns that are wanted");
+    width_ = names->size();
+    most_rows_ = std::min(most_rows_, most_cells / width_);
+    header_ = *names;
+    std::map<std::string, int> count;
+    for (const std::string& name : *names) ++count[name];
+    for (const std::string& name : *names) {
+      if (const auto found = foundation::unprintable(name))
+        problem(number_of_line, "a column name holds " + *found, "names are printable UTF-8 on one line", "rename the column, or save the file as UTF-8");
+      if (name.empty()) problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1), "every column has a name",
+                                "name it");
+      if (count[name] > 1) {
+        count[name] = 1;  // reported once
+        problem(number_of_line, "the column " + foundation::shortened(name) + " stands twice", "every column has a name of its own", "rename one");
+      }
+      if (name == name_column) texts_at_ = &name - names->data();
+      else table_.columns.push_back(name);
+    }
+  }
+
+  void read_row(std::string_view line, int number_of_line) {
+    const auto row = cells(line, separator_);
+    if (!row || row->size() != width_) {
+      if (ragged_++ < most_listed)
+        problem(number_of_line, row ? fmt::format("{} cells", row->size()) : "a quote is not closed",
+                fmt::format("the header has {} columns", width_), "complete the row; numbers have a decimal point, not a comma");
+      return;
+    }
+    if (table_.lines.size() == most_rows_) {
+      too_long_ = true;
+      return problem(number_of_line, fmt::format("more than {} rows", most_rows_), fmt::format("a table of this kind has at most {} rows", most_rows_), "take every tenth row, or the part that is wanted");
+    }
+    table_.lines.push_back(number_of_line);
+    for (std::size_t i = 0; i < width_; ++i) {
+      if (static_cast<std::ptrdiff_t>(i) == texts_at_) {
+        if (const auto found = foundation::unprintable((*row)[i]); found && wrong_cells_++ < most_listed)
+          problem(number_of_line, "a name holds " + *found, "names are printable UTF-8 on one line", "rename it, or save the file as UTF-8");
+        table_.names.push_back((*row)[i]);
+        continue;
+      }
+      const std::string& cell = (*row)[i];
+      const auto value = number(cell);
+      if (!value && wrong_cells_++ < most_listed)
+        problem(number_of_line, foundation::shortened(header_[i]) + " = " + foundation::quoted(cell), rule_of_cell(cell),
+                "correct the cell, or begin a comment line with #");
+      values_.push_back(value.value_or(0));
+    }
+  }
+
+  CsvTable table_;
+  foundation::Problems problems_;
+  std::vector<double> values_;  // row by row
+  std::size_t width_ = 0;
+  std::ptrdiff_t texts_at_ = -1;
+  std::vector<std::string> header_;
+  std::size_t most_rows_;
+  bool too_long_ = false;
+  char separator_ = ',';
+  int ragged_ = 0, wrong_cells_ = 0;
+};
+
+tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding, std::string remedy) {
+  foundation::Problems problems;
+  problems.error("", std::move(finding), "a table must be a readable text file", std::move(remedy)).origin = {path.string(), 0, 0};
+  return tl::make_unexpected(std::move(problems));
+}
+
+}  // namespace
+
+foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows) { return Reader(source, most_rows).read(text); }
+
+foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return refused(path, error ? error.message() : "no such file", "check the path");
+  if (!std::filesystem::is_regular_file(path, error)) return refused(path, "this is no file", "name the .csv file");
+  const auto size = std::filesystem::file_size(path, error);
+  if (size > largest_csv_file) return refused(path, fmt::format("larger than {} MiB", largest_csv_file >> 20), "is this the right file?");
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return refused(path, std::strerror(errno), "check its permissions");
+  std::string text(size, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(size));
+  if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size) return refused(path, "reading failed", "check the disk");
+  if (text.find('\0') != std::string::npos) return refused(path, "the file holds zero bytes",
+                                                           "it is no text file, or in UTF-16: save it as UTF-8");
+  return csv_table(text, path.string(), most_rows);
+}
+
+foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted) {
+  foundation::Problems problems;
+  Eigen::MatrixXd result(table.values.rows(), static_cast<Eigen::Index>(wanted.size()));
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), wanted[i]);
+    if (found != table.columns.end()) {
+      result.col(static_cast<Eigen::Index>(i)) = table.values.col(found - table.columns.begin());
+      continue;
+    }
+    const std::string guess = foundation::nearest_name(wanted[i], table.columns);
+    problems.error("", "no column " + wanted[i], "the columns are: " + listed(table.columns),
+                   guess.empty() ? "add it or rename one" : "did you mean " + guess + "?").origin = {table.source, 0, 0};
+  }
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return result;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/document.h"
+#include "trivet/foundation/plain_text.h"
+
+#include <fmt/format.h>
+
+namespace trivet::study {
+
+const Node* Node::find(std::string_view key) const {
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (keys[i] == key) return &items[i];
+  return nullptr;
+}
+
+Node* Node::find(std::string_view key) { return const_cast<Node*>(std::as_const(*this).find(key)); }
+
+const char* words(Node::Kind kind) {
+  switch (kind) {
+    case Node::Kind::table: return "a table";
+    case Node::Kind::array: return "an array";
+    case Node::Kind::text: return "a text";
+    case Node::Kind::integer: return "an integer";
+    case Node::Kind::real: return "a number";
+    case Node::Kind::boolean: return "true or false";
+    case Node::Kind::other: return "a date or time";
+  }
+  return "";
+}
+
+std::string shown(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::text: return foundation::quoted(node.text);
+    case Node::Kind::integer:
+    case Node::Kind::real: return fmt::format("{:.9g}", node.number);
+    case Node::Kind::boolean: return node.boolean ? "true" : "false";
+    default: return words(node.kind);
+  }
+}
+
+std::string canonical(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::text: return "\"" + node.text + "\"";
+    case Node::Kind::integer:
+    case Node::Kind::real: return fmt::format("{:.17g}", node.number);
+    case Node::Kind::boolean: return node.boolean ? "true" : "false";
+    default: break;
+  }
+  std::string text = "{";
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    text += (node.kind == Node::Kind::table ? node.keys[i] + "=" : std::string()) + canonical(node.items[i]) + ";";
+  return text + "}";
+}
+
+const Node& deepest(const Node& root, std::string_view path) {
+  const Node* node = &root;
+  while (!path.empty()) {
+    const std::size_t dot = path.find('.');
+    const Node* next = node->find(path.substr(0, dot));
+    if (!next) break;
+    node = next;
+    path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+  }
+  return *node;
+}
+
+void locate(foundation::Problems& problems, const Node& root) {
+  for (foundation::Problem& problem : problems.list())
+    if (problem.origin.source.empty()) {
+      problem.origin = deepest(root, problem.subject).origin;
+      if (problem.origin.source.empty()) problem.origin.source = root.origin.source;
+    }
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/file_name.h"
+
+namespace trivet::study {
+
+std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key) {
+  namespace fs = std::filesystem;
+  if (!reader.has(key)) reader.missing(key, "name the file, relative to the project file: " + key + " = \"…\"");
+  const auto name = reader.text(key);
+  if (!name) return std::nullopt;
+  const fs::path folder = fs::path(reader.node(key)->origin.source).parent_path();
+  const fs::path path = fs::path(*name).is_absolute() ? fs::path(*name) : folder / *name;
+  std::error_code unreadable;
+  if (!fs::is_regular_file(path, unreadable)) {
+    reader.error(key, "\"" + name->substr(0, 200) + "\"", "no file of this name can be read", "names are relative to the folder of the project file");
+    return std::nullopt;
+  }
+  return path;
+}
+
+}  // namespace trivet::study

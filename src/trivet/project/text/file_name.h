@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::study {
+
+/// A file that a project file names, relative to its own folder. A missing key is a problem.
+[[nodiscard]] std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key);
+
+}  // namespace trivet::study

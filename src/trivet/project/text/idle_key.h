@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::study {
+
+/// Warns of a key that is read but has no effect beside the others of its table.
+void warn_of_idle_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
+                      std::string remedy);
+
+}  // namespace trivet::study

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/mentioned.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/plain_text.h"
+
+namespace trivet::study {
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) text += (i > 0 ? ", " : "") + foundation::shortened(names[i]);
+  return names.size() > most ? text + ", …" : text;
+}
+
+}  // namespace
+
+std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description, const Mentioned& mentioned) {
+  const auto name = reader.text(key);
+  if (!name) return std::nullopt;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i)
+    if (description.bodies[i].name == *name) return i;
+  const auto& known = mentioned.bodies;
+  if (mentioned.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
+  const std::string guess = foundation::nearest_name(*name, known);
+  const std::string remedy = *name == "ground" && key == "from" ? "leave `from` out for the ground"
+                             : guess.empty()                    ? "the bodies are: " + listed(known)
+                                                                : "did you mean \"" + guess + "\"?";
+  reader.error(key, foundation::quoted(*name), "no body has this name", remedy);
+  return std::nullopt;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/outside_features.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace trivet::study {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+const Words nonlinear_laws = {"law",
+                              "laws",
+                              "nonlinear",
+                              "nonlinearity",
+                              "cubic",
+                              "quadratic",
+                              "quintic",
+                              "gap",
+                              "gaps",
+                              "clearance",
+                              "backlash",
+                              "bump_stop",
+                              "bump_stops",
+                              "stop",
+                              "stops",
+                              "end_stop",
+                              "end_stops",
+                              "snubber",
+                              "snubbers",
+                              "contact",
+                              "impact",
+                              "friction",
+                              "dry_friction",
+                              "coulomb",
+                              "stick_slip",
+                              "iwan",
+                              "bouc_wen",
+                              "hardening",
+                              "softening",
+                              "progressive",
+                              "characteristic",
+                              "characteristics",
+                              "force_curve",
+                              "curve",
+                              "hydromount",
+                              "unilateral",
+                              "restoring",
+                              "force_deflection",
+                              "load_deflection",
+                              "piecewise_linear",
+                              "tension_only",
+                              "compression_only",
+                              "amplitude_dependent"};
+const Words optimising = {"optimise", "optimize", "optimisation", "optimization", "optimum", "objective",  "minimise",
+                          "minimize", "select",   "selection",    "choose",       "sample",  "tolerances", "robust"};
+const Words nonlinear_answers = {"nonlinear",       "continuation", "harmonic_balance", "backbone",  "backbones",
+                                 "nonlinear_modes", "limit_cycle",  "limit_cycles",     "stability", "bifurcations"};
+const Words turning = {"gyroscopic", "gyroscopic_moment", "spin", "spin_speed", "rotor", "rotors"};
+
+const OutsideFeature of_elements = {
+    "nonlinear elements are outside this version: every element is linear about its static state",
+    "give its stiffness and damping about the state in which it works, a coil spring or a solid mount its preload; or "
+    "remove the key"};
+const OutsideFeature of_designs = {"optimisation and the selection of mounts are outside this version",
+                                   "a map of two numbers shows which designs hold: analyses.map; or remove the key"};
+const OutsideFeature of_motions = {"answers of nonlinear elements are outside this version",
+                                   "every answer here is that of the linear system; remove the key"};
+const OutsideFeature of_shafts = {
+    "gyroscopic terms of turning shafts are outside this version",
+    "bodies vibrate about rest; give the shaft as an excitation of type \"unbalance\" or \"orders\""};
+
+bool holds(const Words& words, const std::string& key) {
+  return std::find(words.begin(), words.end(), key) != words.end();
+}
+
+bool is_in(const std::string& path, const std::string& part) { return path == part || path.starts_with(part + "."); }
+
+}  // namespace
+
+std::optional<OutsideFeature> outside_feature(const std::string& path, const std::string& key) {
+  if ((is_in(path, "elements") || is_in(path, "foundations")) && holds(nonlinear_laws, key)) return of_elements;
+  if ((path.empty() || path == "analyses") && holds(optimising, key)) return of_designs;
+  if ((path.empty() || is_in(path, "analyses")) && holds(nonlinear_answers, key)) return of_motions;
+  if (path.empty() && holds(nonlinear_laws, key)) return of_elements;
+  if (is_in(path, "bodies") && holds(turning, key)) return of_shafts;
+  return std::nullopt;
+}
+
+std::optional<OutsideFeature> outside_type(const std::string& type) {
+  const bool spring = type.ends_with("_spring") &&
+                      holds(nonlinear_laws, type.substr(0, type.size() - std::string_view("_spring").size()));
+  const bool damper = type.ends_with("_damper") &&
+                      holds(nonlinear_laws, type.substr(0, type.size() - std::string_view("_damper").size()));
+  return spring || damper || holds(nonlinear_laws, type) ? std::optional(of_elements) : std::nullopt;
+}
+
+bool is_outside_analysis(const std::string& key) { return outside_feature("analyses", key).has_value(); }
+
+}  // namespace trivet::study

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trivet/project/text/document.h"
+#include "trivet/project/text/units.h"
+
+namespace trivet::study {
+
+/// Reads one table of a project file key by key; every problem goes to the list, and reading goes on. What no call asked
+/// for is an unknown key, reported by `finish`.
+class TableReader {
+ public:
+  TableReader(const Node& table, std::string path, foundation::Problems& problems);
+
+  [[nodiscard]] bool has(const std::string& key) const { return table_.find(key) != nullptr; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] foundation::Problems& problems() const { return problems_; }
+
+  /// The node behind a key, or none; the key counts as known.
+  const Node* node(const std::string& key);
+  /// A table behind a key; another kind of value is a problem.
+  const Node* table(const std::string& key);
+
+  /// Keys that belong here even if reading ends before it comes to them.
+  void also_known(std::initializer_list<const char*> keys);
+  /// Errors found so far, here and elsewhere; warnings do not count.
+  [[nodiscard]] std::size_t errors() const;
+
+  /// What a check calls a value, and the key that the user gave for it.
+  using Names = std::vector<std::pair<const char*, const char*>>;
+  /// Findings of a check whose subjects are keys of this table. A key that could not be read has no finding of its own.
+  void add(const foundation::Problems& findings, const Names& names = {});
+  /// Problems of the file that a key names: they keep their place in it.
+  void add_of_file(const std::string& key, const foundation::Problems& findings);
+
+  std::optional<double> number(const std::string& key, Quantity quantity);
+  double required_number(const std::string& key, Quantity quantity);
+  std::optional<std::string> text(const std::string& key);
+  std::string required_text(const std::string& key);
+  std::optional<bool> boolean(const std::string& key);
+  /// One text or several. @param example  of both brackets and words, for the message
+  std::optional<std::vector<std::string>> texts(const std::string& key, const std::string& example);
+  std::optional<Eigen::Vector3d> vector(const std::string& key, Quantity quantity);
+  std::optional<std::vector<double>> numbers(const std::string& key, Quantity quantity);
+  /// rows × columns of numbers; `quantity_of(i, j)` says what each entry measures.
+  std::optional<Eigen::MatrixXd> matrix(const std::string& key, const std::function<Quantity(int, int, int)>& quantity_of,
+                                        const std::vector<int>& allowed_sizes);
+  /// A direction: "x", "-z" or three numbers; unit vector.
+  std::optional<Eigen::Vector3d> direction(const std::string& key);
+  /// Local axes as columns, from {axis, angle} or {matrix}.
+  std::optional<Eigen::Matrix3d> orientation(const std::string& key);
+  /// One of the given words.
+  std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& words);
+
+  void missing(const std::string& key, const std::string& remedy);
+  /// An empty key: the table itself.
+  foundation::Problem& error(const std::string& key, std::string finding, std::string rule, std::string remedy);
+  /// Reports keys that nobody asked for.
+  void finish();
+
+  /// One number or text with a unit.
+  std::optional<double> scalar(const Node& value, const std::string& where, Quantity quantity);
+
+ private:
+  foundation::Problem& error_at(const Node& node, const std::string& where, std::string finding, std::string rule, std::string remedy);
+
+  const Node& table_;
+  std::string path_;
+  foundation::Problems& problems_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace trivet::study

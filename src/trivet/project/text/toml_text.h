@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "trivet/project/text/document.h"
+
+namespace trivet::study {
+
+/// Parses TOML text. `source` names it in messages. Nesting and dotted keys deeper than 64 are refused.
+[[nodiscard]] foundation::Expected<Node> parse_toml(std::string_view text, const std::string& source);
+
+}  // namespace trivet::study

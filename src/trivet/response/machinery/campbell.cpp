@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/machinery/campbell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::response {
+namespace {
+
+/// φᵀF of every mode: forces act on bodies only.
+Eigen::VectorXd modal_forces(const assembly::Layout& layout, const modal::Modes& modes, const Eigen::VectorXcd& force) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(modes.list.size()));
+  for (std::size_t m = 0; m < modes.list.size(); ++m) {
+    const Eigen::VectorXd& shape = modes.list[m].shape;
+    std::complex<double> sum = 0;
+    for (Eigen::Index j = 0; j < shape.size(); ++j)
+      if (const Eigen::Index row = layout.row(static_cast<std::size_t>(j / 6), static_cast<int>(j % 6)); row >= 0)
+        sum += shape(j) * force(row);
+    result(static_cast<Eigen::Index>(m)) = std::abs(sum);
+  }
+  return result;
+}
+
+std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
+  std::vector<NaturalLine> lines;
+  for (const modal::Root& root : roots.list)
+    if (root.damped_angular_frequency && root.eigenvalue.imag() > 0)
+      lines.push_back({root.eigenvalue.imag(), root.damping_ratio.value_or(0), root.nearest_mode});
+  std::sort(lines.begin(), lines.end(),
+            [](const NaturalLine& a, const NaturalLine& b) { return a.angular_frequency < b.angular_frequency; });
+  return lines;
+}
+
+}  // namespace
+
+Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes,
+                  const modal::Roots& roots, const Band& speed) {
+  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
+    throw foundation::InvalidInput("campbell: a range of speed needs 0 ≤ from < to");
+  Campbell result{speed, {}, natural_lines(roots), {}};
+  for (const OrderLoading& order : order_loadings) {
+    result.orders.push_back(order.order);
+    for (std::size_t i = 0; i < result.natural.size(); ++i) {
+      const NaturalLine& line = result.natural[i];
+      Interference point{i, order.order, line.angular_frequency / order.order, line.angular_frequency, line.nearest_mode, {}, false};
+      if (point.speed < speed.from || point.speed > speed.to) continue;
+      const Eigen::VectorXd forces = modal_forces(assembled.layout, modes, order.loading.force.at(line.angular_frequency));
+      const auto mode = std::find_if(modes.list.begin(), modes.list.end(), [&](const modal::Mode& m) { return m.number == point.mode; });
+      if (mode != modes.list.end() && forces.squaredNorm() > 0) {
+        point.modal_force_share = std::pow(forces(mode - modes.list.begin()), 2) / forces.squaredNorm();
+        point.excited = *point.modal_force_share >= excited_from;
+      }
+      result.points.push_back(point);
+    }
+  }
+  std::stable_sort(result.points.begin(), result.points.end(),
+                   [](const Interference& a, const Interference& b) { return a.speed < b.speed; });
+  return result;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/machinery/load_sharing.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/mounts.h"
+#include "trivet/response/steady/static_response.h"
+
+namespace trivet::response {
+
+LoadSharing load_sharing(const model::System& system, const assembly::Assembled& assembled) {
+  const auto& gravity = system.description().gravity;
+  if (!gravity || gravity->isZero(0))
+    throw foundation::NotComputable("load sharing: without gravity no load has a direction; give gravity = [0, 0, -9.80665]");
+  LoadSharing result;
+  std::vector<std::string> words;
+  for (const std::size_t e : mounts(system)) {
+    result.mounts.emplace_back().element = system.elements()[e].name;
+    words.insert(words.end(), {result.mounts.back().element, result.mounts.back().element + ".deflection"});
+  }
+  const StaticResponse rest = static_response(system, assembled,
+                                              assembly::channels(system, assembled, words, assembly::Quantity::displacement));
+  const Eigen::Vector3d down = gravity->normalized();
+  // Each mount has its six of wrench, then its six of deflection.
+  double largest = 0;
+  for (std::size_t m = 0; m < result.mounts.size(); ++m) {
+    MountLoad& mount = result.mounts[m];
+    for (std::size_t j = 0; j < 6; ++j) {
+      if (j < 3) mount.force(static_cast<Eigen::Index>(j)) = rest.values[12 * m + j].value;
+      mount.deflection(static_cast<Eigen::Index>(j)) = rest.values[12 * m + 6 + j].value;
+    }
+    mount.bearing = mount.force.dot(down);
+    result.bearing_in_total += mount.bearing;
+    largest = std::max(largest, mount.force.norm());
+  }
+  constexpr double round_off = 1e-12;
+  if (!(result.bearing_in_total > round_off * largest))
+    throw foundation::NotComputable("load sharing: the mounts bear nothing in the direction of gravity: there is nothing to share");
+  for (MountLoad& mount : result.mounts) mount.share = mount.bearing / result.bearing_in_total;
+  return result;
+}
+
+}  // namespace trivet::response

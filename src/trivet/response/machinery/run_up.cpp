@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/machinery/run_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::response {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Ascending; speeds equal but for round-off once.
+void sort_apart(std::vector<double>& speed) {
+  constexpr double same = 1e-13;
+  std::sort(speed.begin(), speed.end());
+  speed.erase(std::unique(speed.begin(), speed.end(), [](double a, double b) { return b - a <= same * b; }), speed.end());
+}
+
+/// Peaks of one order within the range of speed.
+void note_critical(const Peaks& found, double order, const Band& speed, std::vector<CriticalSpeed>& critical) {
+  for (const Peak& peak : found.list) {
+    const double at = peak.angular_frequency / order;
+    if (at < speed.from || at > speed.to) continue;
+    critical.push_back({peak.curve, order, at, peak.angular_frequency, peak.amplitude, peak.prominence, 0, peak.nearest_mode});
+  }
+}
+
+void set_relative_heights(std::size_t curves, std::vector<CriticalSpeed>& critical) {
+  std::vector<double> highest(curves, 0);
+  for (const CriticalSpeed& c : critical) highest[c.curve] = std::max(highest[c.curve], c.amplitude);
+  for (CriticalSpeed& c : critical) c.relative_height = c.amplitude == highest[c.curve] ? 1 : c.amplitude / highest[c.curve];
+}
+
+/// Speeds around a resonance, in widths of its root.
+void add_around(const CriticalSpeed& critical, const Eigen::VectorXcd& poles, std::vector<double>& speed) {
+  Eigen::Index nearest = 0;
+  (poles.array() - std::complex<double>(0, critical.angular_frequency)).abs().minCoeff(&nearest);
+  const double width = std::max(std::abs(poles(nearest).real()), 1e-6 * critical.angular_frequency);
+  for (const double t : {0.25, 0.5, 0.8, 1.2, 1.8, 2.8, 4.5, 8.0})
+    for (const int side : {-1, 1}) speed.push_back((poles(nearest).imag() + side * t * width) / critical.order);
+}
+
+OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const OrderLoading& order,
+                         RunUp& result) {
+  std::vector<double> omega;
+  for (const double speed : result.speed) omega.push_back(order.order * speed);
+  FrequencyResponse response = frequency_response(assembled, channels, order.loading, omega);
+  result.worst_backward_error = std::max(result.worst_backward_error, response.check.worst_backward_error);
+  for (const double at : response.check.undefined_at) result.undefined_at.push_back(at / order.order);
+  return {order.order, std::move(response.curves)};
+}
+
+Overall overall(const RunUp& run_up, std::size_t curve) {
+  const Curve& first = run_up.orders.front().curves[curve];
+  const Eigen::Index count = first.value.size();
+  Overall sum{first.name, first.unit, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), 0, run_up.speed.front()};
+  for (const OrderCurves& order : run_up.orders) {
+    const Eigen::VectorXd amplitude = order.curves[curve].value.cwiseAbs();
+    sum.rms += 0.5 * amplitude.cwiseAbs2();
+    sum.bound += amplitude;
+  }
+  sum.rms = sum.rms.cwiseSqrt().eval();
+  const auto raise = [&](double rms, double speed) {
+    if (!(rms > sum.highest_rms)) return;
+    sum.highest_rms = rms;
+    sum.highest_rms_at = speed;
+  };
+  for (Eigen::Index i = 0; i < count; ++i) raise(sum.rms(i), run_up.speed[static_cast<std::size_t>(i)]);
+  for (const CriticalSpeed& critical : run_up.critical)
+    if (critical.curve == curve && std::isinf(critical.amplitude)) raise(infinity, critical.speed);
+  return sum;
+}
+
+}  // namespace
+
+RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+             const std::vector<OrderLoading>& order_loadings,
+             const modal::Modes& modes, const modal::Roots& roots, const RunUpOptions& options, const foundation::Progress& progress) {
+  const Band& speed = options.speed;
+  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
+    throw foundation::InvalidInput("run-up: a range of speed needs 0 ≤ from < to");
+  if (order_loadings.empty()) throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
+  if (options.points < 2) throw foundation::InvalidInput("run-up: fewer than two speeds");
+  RunUp result;
+  for (const OrderLoading& order : order_loadings)
+    note_critical(peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false},
+                        progress), order.order, speed, result.critical);
+  set_relative_heights(channels.size(), result.critical);
+  result.speed = linear_grid(speed, options.points);
+  for (const CriticalSpeed& critical : result.critical) {
+    if (critical.relative_height < options.tall_from) continue;
+    if (std::isfinite(critical.amplitude)) result.speed.push_back(critical.speed);
+    add_around(critical, roots.poles, result.speed);
+  }
+  std::erase_if(result.speed, [&](double at) { return at < speed.from || at > speed.to; });
+  sort_apart(result.speed);
+  std::stable_sort(result.critical.begin(), result.critical.end(),
+                   [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.curve != b.curve
+                       ? a.curve < b.curve : a.speed < b.speed; });
+  for (std::size_t k = 0; k < order_loadings.size(); ++k) {
+    foundation::report_progress(progress, "run-up", static_cast<double>(k) / static_cast<double>(order_loadings.size()));
+    result.orders.push_back(order_curves(assembled, channels, order_loadings[k], result));
+  }
+  sort_apart(result.undefined_at);
+  for (std::size_t c = 0; c < channels.size(); ++c) result.overall.push_back(overall(result, c));
+  return result;
+}
+
+std::vector<WaterfallLine> waterfall(const RunUp& run_up, std::size_t curve, int spectra) {
+  if (spectra < 2 || run_up.orders.empty() || curve >= run_up.orders.front().curves.size())
+    throw foundation::InvalidInput("waterfall: needs a curve of the run-up and at least two spectra");
+  std::vector<WaterfallLine> lines;
+  std::size_t last = run_up.speed.size();
+  for (const double wanted : linear_grid({run_up.speed.front(), run_up.speed.back()}, spectra)) {
+    const auto above = std::lower_bound(run_up.speed.begin(), run_up.speed.end(), wanted);
+    auto nearest = static_cast<std::size_t>(std::min(above, run_up.speed.end() - 1) - run_up.speed.begin());
+    if (nearest > 0 && wanted - run_up.speed[nearest - 1] < run_up.speed[nearest] - wanted) --nearest;
+    if (nearest == last) continue;
+    last = nearest;
+    for (const OrderCurves& order : run_up.orders)
+      lines.push_back({run_up.speed[nearest], order.order * run_up.speed[nearest], order.order,
+                       std::abs(order.curves[curve].value(static_cast<Eigen::Index>(nearest)))});
+  }
+  return lines;
+}
+
+}  // namespace trivet::response

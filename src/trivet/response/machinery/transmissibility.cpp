@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/machinery/transmissibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/mounts.h"
+
+namespace trivet::response {
+namespace {
+
+using Complex = std::complex<double>;
+using Amplitude = model::Action::Amplitude;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Components x … z or rx … rz of a unit length along the direction, in axes turned by `rotation` against the ground.
+spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rotation) {
+  const double length = direction.axis.norm();
+  if (!(length > 0 && std::isfinite(length))) throw foundation::InvalidInput("transmissibility: a direction needs a finite length > 0");
+  spatial::Vector6 six = spatial::Vector6::Zero();
+  six.segment<3>(direction.rotation ? 3 : 0) = rotation.transpose() * direction.axis / length;
+  return six;
+}
+
+Direction like(const Direction& applied, const std::optional<Direction>& wanted, const char* translation, const char* rotation) {
+  if (wanted && wanted->rotation != applied.rotation)
+    throw foundation::InvalidInput(fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; compare like with like",
+                                               wanted->rotation ? rotation : translation, applied.rotation ? rotation : translation,
+                                               wanted->rotation == (std::string(translation) == "force") ? "m" : "1/m"));
+  return wanted.value_or(applied);
+}
+
+/// Index 0 … 5 of the component at the end of a channel's name: "…x" or "…rz", "….force.x" or "….moment.z".
+Eigen::Index component(const std::string& name, bool of_force) {
+  const std::string last = name.substr(name.rfind('.') + 1);
+  for (std::size_t j = 0; j < 6; ++j)
+    if (last == model::coordinate_names[j]) return static_cast<Eigen::Index>(j) + (of_force && name.ends_with(".moment." + last) ? 3 : 0);
+  return 0;
+}
+
+/// Σ weight · channel over the components of one word.
+assembly::Channel combined(const std::vector<assembly::Channel>& parts, const spatial::Vector6& weights, const std::string& name) {
+  assembly::Channel sum{{Eigen::VectorXcd::Zero(parts.front().on_displacement.size()), Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
+                         Eigen::VectorXd::Zero(parts.front().on_acceleration.size())}, name, "1", 0, {}, {}, 0};
+  for (const assembly::Channel& part : parts) {
+    const double weight = weights(component(part.name, part.unit.starts_with("N")));
+    if (weight == 0) continue;
+    sum.on_displacement += weight * part.on_displacement;
+    sum.on_velocity += weight * part.on_velocity;
+    sum.on_acceleration += weight * part.on_acceleration;
+    for (const assembly::DynamicForce& force : part.dynamic_forces) sum.dynamic_forces.push_back({force.element, weight * force.row});
+    if (part.ground.empty()) continue;
+    const Eigen::Index size = part.ground.on_displacement.size();
+    if (sum.ground.empty()) sum.ground = {Eigen::VectorXcd::Zero(size), Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
+    sum.ground.on_displacement += weight * part.ground.on_displacement;
+    sum.ground.on_velocity += weight * part.ground.on_velocity;
+    sum.ground.on_acceleration += weight * part.ground.on_acceleration;
+  }
+  return sum;
+}
+
+/// The body that a word BODY or BODY.POINT names.
+const model::Body& body_of(const model::System& system, const std::string& word) {
+  for (const model::Body& body : system.bodies()) {
+    if (word == body.name) return body;
+    for (const model::Point& point : body.points)
+      if (word == body.name + "." + point.name) return body;
+  }
+  throw foundation::InvalidInput("transmissibility: \"" + word + "\" names no body and no point of one");
+}
+
+/// |T| this close to 1 counts as 1: at rest, and towards ω = ∞ where a relative motion ends.
+constexpr double like_one = 1e-9;
+
+/// Root of |T| = 1 between `above` (|T| > 1) and `below` (|T| ≤ 1), where |T| is monotonic.
+template <typename Size>
+double root_between(double above, double below, const Size& size) {
+  constexpr int most_steps = 200;
+  for (int step = 0; step < most_steps; ++step) {
+    const double middle = above > 0 && below > 2 * above ? std::sqrt(above * below) : 0.5 * (above + below);
+    if (!(middle > above && middle < below)) break;
+    (size(middle) > 1 ? above : below) = middle;
+  }
+  return 0.5 * (above + below);
+}
+
+}  // namespace
+
+AppliedForce applied_force(const model::System& system, const std::string& excitation) {
+  const auto& all = system.description().excitations;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
+  if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
+    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" names no harmonic excitation of this model");
+  const model::Action& action = found->action;
+  if (!action.body)
+    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" moves the ground; force transmissibility needs a force on a body");
+  const Eigen::Vector3cd force = action.amplitude.head<3>(), moment = action.amplitude.tail<3>();
+  if (force.isZero(0) == moment.isZero(0))
+    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
+                                   (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
+                                   "; it needs one of them, to compare like with like");
+  const bool rotation = force.isZero(0);
+  const Eigen::Vector3cd vector = rotation ? moment : force;
+  Eigen::Index largest = 0;
+  vector.cwiseAbs().maxCoeff(&largest);
+  const Eigen::Vector3cd in_phase = vector * std::conj(vector(largest)) / std::abs(vector(largest));
+  constexpr double round_off = 1e-12;
+  if (in_phase.imag().norm() > round_off * vector.norm())
+    throw foundation::InvalidInput("transmissibility: the components of \"" + excitation +
+                                   "\" differ in phase, so that it has no one direction; give it one phase");
+  return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), rotation}};
+}
+
+Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled, const AppliedForce& applied,
+                                const std::optional<Direction>& transmitted) {
+  const Direction out = like(applied.direction, transmitted, "force", "moment");
+  if (applied.body >= system.bodies().size()) throw foundation::InvalidInput("transmissibility: the force acts on no body of this model");
+  model::Action action;
+  action.body = applied.body;
+  action.at = applied.at;
+  action.amplitude = unit_six(applied.direction, system.bodies()[applied.body].pose.rotation).cast<Complex>();
+  Transmission result{assembly::loading(assembled, action), {}};
+  std::vector<std::string> words = {"ground"};
+  for (const std::size_t e : mounts(system)) words.push_back(system.elements()[e].name);
+  for (const std::string& word : words)
+    result.channels.push_back(combined(assembly::channels(system, assembled, {word}, assembly::Quantity::displacement),
+                                       unit_six(out, Eigen::Matrix3d::Identity()), word));
+  return result;
+}
+
+Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
+                                       const std::vector<std::string>& of,
+                                       const Direction& moved, const std::optional<Direction>& answered, const Eigen::Vector3d& base_at) {
+  const Direction out = like(moved, answered, "translation", "rotation");
+  model::Action action;
+  action.at = base_at;
+  action.amplitude = unit_six(moved, Eigen::Matrix3d::Identity()).cast<Complex>();
+  Transmission result{assembly::loading(assembled, action), {}};
+  for (const std::string& word : of) {
+    const model::Body& body = body_of(system, word);
+    const auto parts = assembly::channels(system, assembled, {word}, assembly::Quantity::displacement);
+    result.channels.push_back(combined(parts, unit_six(out, body.pose.rotation), word));
+  }
+  return result;
+}
+
+std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Transmission& transmission, const Peaks& peaks) {
+  constexpr double far_above = 1e6;  // beyond the last extremum a curve is monotonic: there it shows whether it grows past 1
+  std::vector<Crossover> result;
+  for (std::size_t c = 0; c < transmission.channels.size(); ++c) {
+    const auto size = [&](double omega) {
+      return std::abs(frequency_response(assembled, {transmission.channels[c]}, transmission.loading, {omega}).curves[0].value(0));
+    };
+    Crossover& crossover = result.emplace_back(Crossover{transmission.channels[c].name, 0.0, peaks.searched_to});
+    if (peaks.curves[c].vanishes) continue;
+    std::vector<std::pair<double, double>> places = {{peaks.searched_from, size(peaks.searched_from)}};
+    for (const Extremum& t : peaks.turnings[c]) places.emplace_back(t.angular_frequency, t.amplitude);
+    double far = peaks.searched_to;
+    if (std::isinf(far)) far = far_above * std::max({places.back().first, peaks.searched_from, 1.0});
+    places.emplace_back(far, size(far));
+    const auto last = std::find_if(places.rbegin(), places.rend(), [](const auto& place) { return place.second > 1 + like_one; });
+    if (!(places.back().second < 1 - like_one)) crossover.angular_frequency.reset();
+    else if (last != places.rend()) crossover.angular_frequency = root_between(last->first, std::prev(last)->first, size);
+  }
+  return result;
+}
+
+double transmissibility_level(double transmissibility) { return transmissibility == 0 ? -infinity : 20 * std::log10(std::abs(transmissibility)); }
+
+double isolation_efficiency(double transmissibility) { return 1 - std::abs(transmissibility); }
+
+}  // namespace trivet::response

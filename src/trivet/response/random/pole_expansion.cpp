@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/random/pole_expansion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/response/steady/channel_terms.h"
+
+namespace trivet::response {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr std::size_t powers = highest_power - lowest_power + 1;
+
+std::size_t index_of(int power) { return static_cast<std::size_t>(power - lowest_power); }
+
+/// A Laurent polynomial in s and, beside it, its magnitude if all terms worked together.
+struct Laurent {
+  std::array<Complex, powers> value{};
+  std::array<double, powers> possible{};
+  void add(int power, Complex term, double size) { value[index_of(power)] += term, possible[index_of(power)] += size; }
+};
+
+/// λ^m for the powers that are kept.
+std::array<Complex, powers> powers_of(Complex lambda) {
+  std::array<Complex, powers> result;
+  result[index_of(0)] = 1;
+  for (int m = 1; m <= highest_power; ++m) result[index_of(m)] = result[index_of(m - 1)] * lambda;
+  for (int m = -1; m >= lowest_power; --m) result[index_of(m)] = result[index_of(m + 1)] / lambda;
+  return result;
+}
+
+/// P(s)/(s − λ) = P(λ)/(s − λ) + powers of s.
+void add_fraction(const Laurent& p, const std::array<Complex, powers>& of_pole, Eigen::Index c, Eigen::Index k, PoleExpansion& to) {
+  for (int m = lowest_power; m <= highest_power; ++m) {
+    const Complex value = p.value[index_of(m)];
+    const double possible = p.possible[index_of(m)];
+    if (possible == 0) continue;
+    to.residue(c, k) += value * of_pole[index_of(m)];
+    to.possible_residue(c, k) += possible * std::abs(of_pole[index_of(m)]);
+    for (int j = 0; j < m; ++j) {
+      to.power(c, j - lowest_power) += value * of_pole[index_of(m - 1 - j)];
+      to.possible_power(c, j - lowest_power) += possible * std::abs(of_pole[index_of(m - 1 - j)]);
+    }
+    for (int j = -1; j >= m; --j) {
+      to.power(c, j - lowest_power) -= value * of_pole[index_of(m - 1 - j)];
+      to.possible_power(c, j - lowest_power) += possible * std::abs(of_pole[index_of(m - 1 - j)]);
+    }
+  }
+}
+
+void add_powers(const Laurent& p, int shift, Eigen::Index c, PoleExpansion& to) {
+  for (int m = lowest_power; m <= highest_power; ++m) {
+    if (p.possible[index_of(m)] == 0) continue;
+    to.power(c, m + shift - lowest_power) += p.value[index_of(m)];
+    to.possible_power(c, m + shift - lowest_power) += p.possible[index_of(m)];
+  }
+}
+
+/// A right side by columns of one matrix that all loads share.
+struct Column {
+  std::size_t load;
+  std::size_t group;  ///< of channels that are answered in the same coordinates
+  int power;
+  double delay;
+};
+
+/// A load for the channels of one group of it, see assembly::by_coordinates.
+struct GroupedLoad {
+  std::size_t load;
+  std::size_t group;
+  assembly::Loading loading;
+};
+
+/// What the terms of a channel make of each column of a matrix of coordinates, for s⁰, s¹, s² apart.
+struct Projection {
+  std::array<Eigen::RowVectorXcd, 3> value;
+  std::array<Eigen::RowVectorXd, 3> possible;
+};
+
+Projection projected(const std::vector<ChannelTerm>& terms, const Eigen::MatrixXcd& coordinates) {
+  Projection result;
+  for (std::size_t t = 0; t < 3; ++t) {
+    result.value[t] = Eigen::RowVectorXcd::Zero(coordinates.cols());
+    result.possible[t] = Eigen::RowVectorXd::Zero(coordinates.cols());
+    if (coordinates.cols() == 0) continue;
+    for (const ChannelTerm& term : terms) {
+      if (term.by_power[t] == 0.0) continue;
+      result.value[t] += term.by_power[t] * coordinates.row(term.row);
+      result.possible[t] += std::abs(term.by_power[t]) * coordinates.row(term.row).cwiseAbs();
+    }
+  }
+  return result;
+}
+
+/// All terms of one channel in one pole, or in free motion: projection × s^(derivative + power of the load + 0, 1, 2).
+Laurent laurent(const Projection& projection, Eigen::Index column, int power, Complex factor) {
+  Laurent p;
+  for (int t = 0; t < 3; ++t) {
+    const auto at = static_cast<std::size_t>(t);
+    if (projection.possible[at](column) > 0)
+      p.add(power + t, projection.value[at](column) * factor, projection.possible[at](column) * std::abs(factor));
+  }
+  return p;
+}
+
+PoleExpansion& part(std::vector<PoleExpansion>& parts, std::size_t load, double delay, Eigen::Index channels, Eigen::Index poles) {
+  for (PoleExpansion& p : parts)
+    if (p.load == load && p.delay == delay) return p;
+  constexpr auto count = static_cast<Eigen::Index>(powers);
+  parts.push_back({load, delay, Eigen::MatrixXcd::Zero(channels, poles), Eigen::MatrixXd::Zero(channels, poles),
+                   Eigen::MatrixXcd::Zero(channels, count), Eigen::MatrixXd::Zero(channels, count)});
+  return parts.back();
+}
+
+/// Poles at rest (drift against a damper, which stands anywhere) within round-off of the fastest are exactly 0.
+void settle_poles_at_rest(Eigen::VectorXcd& poles) {
+  if (poles.size() == 0) return;
+  const double round_off = 64 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs().maxCoeff();
+  for (Complex& pole : poles)
+    if (std::abs(pole) <= round_off) pole = 0;
+}
+
+}  // namespace
+
+PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                               const std::vector<const assembly::Loading*>& loads) {
+  std::vector<Column> columns;
+  std::vector<Eigen::VectorXcd> sides;
+  std::vector<GroupedLoad> grouped;
+  std::vector<std::vector<std::size_t>> group_of(loads.size(), std::vector<std::size_t>(channels.size(), 0));  // load, channel
+  PoleExpansions result;
+  result.real = !assembled.matrices.lossy();
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, *loads[i]);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (const std::size_t c : groups[g].which) group_of[i][c] = g;
+      const numerics::Load side = assembly::right_side(assembled, groups[g].loading);
+      for (const numerics::LoadTerm& term : side.terms()) {
+        columns.push_back({i, g, term.power, term.delay});
+        sides.push_back(term.value);
+        result.real = result.real && term.value.imag().isZero(0);
+      }
+      for (const numerics::LoadTerm& term : groups[g].loading.motion.terms()) result.real = result.real && term.value.imag().isZero(0);
+      grouped.push_back({i, g, groups[g].loading});
+    }
+  }
+  Eigen::MatrixXcd right_sides(assembled.matrices.size(), static_cast<Eigen::Index>(sides.size()));
+  for (std::size_t j = 0; j < sides.size(); ++j) right_sides.col(static_cast<Eigen::Index>(j)) = sides[j];
+  numerics::PoleResidueForm form = numerics::pole_residue_form(assembled.matrices, right_sides);
+  settle_poles_at_rest(form.poles);
+
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index k = 0; k < form.poles.size(); ++k)
+    if (form.poles(k) != 0.0) moving.push_back(k);
+  result.poles = form.poles(moving);
+  std::vector<std::array<Complex, powers>> of_pole;
+  for (const Complex& pole : result.poles) of_pole.push_back(powers_of(pole));
+  const std::vector<ChannelTerms> terms = channel_terms(channels);
+  const auto count = static_cast<Eigen::Index>(channels.size());
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const ChannelTerms& channel = terms[static_cast<std::size_t>(c)];
+    const Projection shapes = projected(channel.free, form.shapes);
+    const Projection drifting = projected(channel.free, form.free_motion), statics = projected(channel.free, form.static_part);
+    for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
+      const Column& column = columns[static_cast<std::size_t>(j)];
+      if (column.group != group_of[column.load][static_cast<std::size_t>(c)]) continue;
+      PoleExpansion& to = part(result.parts, column.load, column.delay, count, result.poles.size());
+      const int power = channel.derivative + column.power;
+      for (Eigen::Index k = 0, m = 0; k < form.poles.size(); ++k) {
+        const Laurent p = laurent(shapes, k, power, form.participation(k, j));
+        if (form.poles(k) == 0.0) add_powers(p, -1, c, to);
+        else add_fraction(p, of_pole[static_cast<std::size_t>(m)], c, m, to), ++m;
+      }
+      add_powers(laurent(drifting, j, power, 1), -2, c, to);
+      add_powers(laurent(statics, j, power, 1), 0, c, to);
+    }
+    for (const GroupedLoad& each : grouped)
+      for (const numerics::LoadTerm& term : each.loading.motion.terms())
+        if (each.group == group_of[each.load][static_cast<std::size_t>(c)])
+          add_powers(laurent(projected(channel.ground, term.value), 0, channel.derivative + term.power, 1), 0, c,
+                     part(result.parts, each.load, term.delay, count, result.poles.size()));
+  }
+  return result;
+}
+
+PoleExpansion differentiated(const PoleExpansion& part, const Eigen::VectorXcd& poles) {
+  // What a sum of residues leaves that must vanish, as a displacement under a force starts like 1/s².
+  constexpr double cancelled = 1e-12;
+  PoleExpansion result = part;
+  result.residue = part.residue * poles.asDiagonal();
+  result.possible_residue = part.possible_residue * poles.cwiseAbs().asDiagonal();
+  const Eigen::Index last = part.power.cols() - 1, at_0 = -lowest_power;
+  result.power.rightCols(last) = part.power.leftCols(last);
+  result.possible_power.rightCols(last) = part.possible_power.leftCols(last);
+  result.power.col(0).setZero();
+  result.possible_power.col(0).setZero();
+  result.power.col(at_0) += part.residue.rowwise().sum();
+  result.possible_power.col(at_0) += part.possible_residue.rowwise().sum();
+  for (Eigen::Index c = 0; c < result.power.rows(); ++c)
+    if (std::abs(result.power(c, at_0)) <= cancelled * result.possible_power(c, at_0)) result.power(c, at_0) = 0;
+  return result;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/random/random_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/random/pole_expansion.h"
+#include "trivet/response/random/random_poles.h"
+#include "trivet/response/random/random_quadrature.h"
+
+namespace trivet::response {
+namespace {
+
+/// Above this estimated error of the quadrature a number is not given.
+constexpr double hopeless = 1e-2;
+
+void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
+                   const RandomOptions& options) {
+  const foundation::Problems problems = check(loading, "random response");
+  for (const foundation::Problem& problem : problems.list())
+    if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
+  for (const RandomInput& input : loading.inputs)
+    if (input.loading.force.size() != assembled.layout.size())
+      throw foundation::InvalidInput(fmt::format("random input \"{}\": its load belongs to another model", input.name));
+  for (const WeightedChannel& weighted : options.weighted) {
+    if (weighted.channel >= channels.size())
+      throw foundation::InvalidInput(fmt::format("weighted channel {}: there are {} channels", weighted.channel, channels.size()));
+    const std::string& unit = channels[weighted.channel].unit;
+    if (!unit.starts_with("m") && !unit.starts_with("rad"))
+      throw foundation::InvalidInput(
+          fmt::format("\"{}\" [{}]: only motions are weighted for people", channels[weighted.channel].name, unit));
+  }
+  if (!(options.accuracy >= 1e-13 && options.accuracy <= 1e-2))
+    throw foundation::InvalidInput(fmt::format("accuracy {}: it must be within 1e-13 … 1e-2", options.accuracy));
+}
+
+/// A free motion that grows has no stationary vibration. With loss factors only the half plane of ω > 0 has a meaning.
+bool grows(const assembly::Assembled& assembled, const Eigen::VectorXcd& poles) {
+  const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
+  return std::any_of(poles.begin(), poles.end(), [&](const std::complex<double>& pole) {
+    return pole.real() > 1e-12 * fastest && (!assembled.matrices.lossy() || pole.imag() > 0);
+  });
+}
+
+RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& found, const std::vector<RandomMoment>& moments,
+                    Eigen::Index c) {
+  RandomAnswer result;
+  result.name = channel.name;
+  result.unit = channel.unit;
+  result.estimated_error = found.error(c);
+  result.vanishes = found.vanishes[static_cast<std::size_t>(c)];
+  const std::vector<std::string>& reason = found.reason[static_cast<std::size_t>(c)];
+  // Of its moments, the first that is missing says why.
+  for (const std::string& r : reason)
+    if (result.reason.empty()) result.reason = r;
+  if (!(result.estimated_error <= hopeless)) {
+    result.reason = fmt::format("the integral did not settle: its error is estimated as {:.2g} of its value", result.estimated_error);
+    return result;
+  }
+  const auto root = [&](std::size_t moment) -> std::optional<double> {
+    if (!reason[moment].empty()) return std::nullopt;
+    return result.vanishes ? 0 : std::sqrt(std::max(0.0, found.mean_square(c, static_cast<Eigen::Index>(moment))));
+  };
+  result.rms = root(0);
+  result.rms_of_derivative = root(1);
+  result.infinite_rms = !result.rms;  // a moment that has a reason has no bound
+  result.infinite_rms_of_derivative = !result.rms_of_derivative;
+  for (std::size_t m = 2; m < moments.size(); ++m)
+    if (moments[m].channels.front() == c) {
+      result.weighted_rms = root(m);
+      result.infinite_weighted_rms = !result.weighted_rms;
+    }
+  if (!result.rms && !result.rms_of_derivative && !result.weighted_rms) result.estimated_error = std::numeric_limits<double>::quiet_NaN();
+  if (!result.rms) return result;
+  result.three_sigma = 3 * *result.rms;
+  if (*result.rms == 0) return result;
+  if (result.rms_of_derivative) result.zero_crossings = *result.rms_of_derivative / (2 * std::numbers::pi * *result.rms);
+  const double variance = found.mean_square(c, 0);
+  for (Eigen::Index i = 0; i < found.share.cols(); ++i) result.variance_share.push_back(found.share(c, i) / variance);
+  return result;
+}
+
+bool poles_hold(const RandomVariances& found, double accuracy) { return found.misfit.size() == 0 || found.misfit.maxCoeff() <= accuracy; }
+
+}  // namespace
+
+const char* name(RandomMethod method) { return method == RandomMethod::poles ? "poles" : "quadrature"; }
+
+foundation::Problems check(const RandomLoading& loading, const std::string& subject) {
+  foundation::Problems problems;
+  if (loading.inputs.empty())
+    problems.error(subject, "no random excitation", "something must drive the system", "add an excitation of type \"random\"");
+  excitation::RandomInputs inputs{{}, loading.pairs};
+  for (const RandomInput& input : loading.inputs) {
+    inputs.spectra.push_back(input.spectrum);
+    const std::string of_input = subject + "." + input.name;
+    if (input.loading.vanishes())
+      problems.error(of_input, "acts on no free coordinate", "an excitation moves something", "give it a direction that is free");
+    if (input.spectrum.pieces.empty())
+      problems.error(of_input, "no spectrum", "a random excitation has a power spectral density", "add psd");
+    for (const excitation::SpectrumPiece& p : input.spectrum.pieces)
+      if (!(p.from >= 0 && p.from < p.to && p.density_from >= 0 && p.density_to >= 0) ||
+          !std::isfinite(p.to + p.density_from + p.density_to))
+        problems.error(of_input,
+                       fmt::format("density {:.6g} … {:.6g} from {:.6g} to {:.6g} rad/s", p.density_from, p.density_to, p.from, p.to),
+                       "frequencies ascend, and densities are finite and not negative", "correct the table");
+  }
+  if (!problems.has_errors()) problems.add(excitation::check(inputs, subject));
+  return problems;
+}
+
+RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                               const RandomLoading& loading, const RandomOptions& options, const foundation::Progress& progress) {
+  refuse_errors(assembled, channels, loading, options);
+  const std::vector<RandomMoment> moments = random_moments(channels, options);
+  std::vector<const assembly::Loading*> loads;
+  for (const RandomInput& input : loading.inputs) loads.push_back(&input.loading);
+  const PoleExpansions expansions = pole_expansions(assembled, channels, loads);
+
+  RandomResponse result;
+  result.from = std::numeric_limits<double>::infinity();
+  for (const RandomInput& input : loading.inputs) {
+    result.from = std::min(result.from, input.spectrum.from());
+    result.to = std::max(result.to, input.spectrum.to());
+  }
+  if (grows(assembled, expansions.poles)) {
+    for (const assembly::Channel& channel : channels) {
+      RandomAnswer none;
+      none.name = channel.name;
+      none.unit = channel.unit;
+      none.reason = "the free motion grows: no stationary vibration exists";
+      result.answers.push_back(std::move(none));
+    }
+    return result;
+  }
+  RandomVariances found;
+  if (assembled.frequency_dependent()) {
+    result.remark = "elements depend on frequency in their own way";
+  } else {
+    found = variances_by_poles(assembled, channels, loading, moments, expansions, progress);
+    result.solutions = found.solutions;
+    const double misfit = 0.5 * found.misfit.maxCoeff();
+    if (!poles_hold(found, options.accuracy))
+      result.remark = std::isfinite(misfit)
+                          ? fmt::format("two poles stand together with one shape between them, as at critical damping: their fractions miss the response by {:.1g} of it", misfit)
+                          : "the poles lie too far apart for partial fractions";
+  }
+  if (!result.remark.empty()) {
+    result.method = RandomMethod::quadrature;
+    found = variances_by_quadrature(assembled, channels, loading, moments, expansions.poles, options, progress);
+    result.solutions += found.solutions;
+  }
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    result.answers.push_back(answer(channels[c], found, moments, static_cast<Eigen::Index>(c)));
+  return result;
+}
+
+}  // namespace trivet::response

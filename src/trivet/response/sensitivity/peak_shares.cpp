@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/sensitivity/peak_shares.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <array>
+
+#include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/massless.h"
+#include "trivet/response/steady/body_dynamics.h"
+#include "trivet/response/steady/element_directions.h"
+
+namespace trivet::response {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+using Vector12c = Eigen::Matrix<Complex, 12, 1>;
+
+/// Undamped modes in all coordinates, numbered as modal::modes does.
+struct AllModes {
+  std::vector<Eigen::Index> massive;
+  numerics::GeneralizedModes raw;
+  Eigen::MatrixXd shapes;
+};
+
+AllModes all_modes(const assembly::Assembled& assembled) {
+  const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
+  AllModes result;
+  result.massive = numerics::massive_rows(assembled.matrices.A);
+  result.raw = numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
+  result.shapes = massive.recovery * result.raw.shapes;
+  return result;
+}
+
+/// Inner coordinates of frequency-dependent elements follow as in their nearest linear system.
+VectorXcd with_inner(const assembly::Assembled& assembled, const VectorXcd& known, double omega) {
+  const Eigen::Index n = known.size(), rest = assembled.matrices.size() - n;
+  VectorXcd all(n + rest);
+  all.head(n) = known;
+  if (rest == 0) return all;
+  const MatrixXcd z = assembled.matrices.at(omega);
+  all.tail(rest) = -z.bottomRightCorner(rest, rest).partialPivLu().solve(z.bottomLeftCorner(rest, n) * known);
+  return all;
+}
+
+void share_among_modes(const assembly::Assembled& assembled, const Dynamics& dynamics, const VectorXcd& q, double omega,
+                       PeakShares& result) {
+  const double size = std::norm(result.value);
+  if (size == 0) return;
+  const AllModes modes = all_modes(assembled);
+  const VectorXcd all = with_inner(assembled, q, omega);
+  const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).cwiseInverse();
+  const Eigen::VectorXd weight = unit(modes.massive);
+  const Eigen::MatrixXd basis = weight.asDiagonal() * Eigen::MatrixXd(modes.shapes(modes.massive, Eigen::all));
+  const VectorXcd wanted = weight.asDiagonal() * VectorXcd(all(modes.massive));
+  const VectorXcd amplitude = basis.cast<Complex>().completeOrthogonalDecomposition().solve(wanted);
+  result.beyond_modes = 1;
+  for (Eigen::Index k = 0; k < amplitude.size(); ++k) {
+    const VectorXcd shape = modes.shapes.col(k).head(q.size()).cast<Complex>();
+    const Complex part = dynamics.channel[0].cwiseProduct(shape).sum() * amplitude(k);
+    result.modes.push_back({static_cast<int>(k) + 1, part, (part * std::conj(result.value)).real() / size});
+    result.beyond_modes -= result.modes.back().share;
+  }
+}
+
+/// zᴴ M z of a symmetric M: real.
+double form(const VectorXcd& z, const Eigen::MatrixXd& matrix) { return z.dot(matrix.cast<Complex>() * z).real(); }
+
+struct ElementEnergy {
+  double stored = 0;      // [J]
+  double dissipated = 0;  // [W]
+  spatial::Vector6 by_direction = spatial::Vector6::Zero();
+};
+
+/// `ground`: motion of the ground, no rows if it rests.
+ElementEnergy energy(const model::System& system, std::size_t e, const assembly::ElementMap& map,
+                     const std::optional<Jet<elements::Matrix12c>>& jet, const VectorXcd& q, const VectorXcd& ground, double omega) {
+  ElementEnergy result;
+  ElementDirections directions = element_directions(system, system.elements()[e]);
+  Vector12c ends = Vector12c::Zero();
+  for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[static_cast<std::size_t>(j)]);
+  if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();
+  if (jet) {
+    const elements::Matrix12c& d = (*jet)[0];
+    result.stored = 0.25 * form(ends, d.real());
+    result.dissipated = 0.5 * omega * ends.dot(d * ends).imag();
+    // Its stiffness in vibration, seen at the same centre.
+    const Eigen::Matrix<double, 6, 6> from_centre = directions.deformation.rightCols<6>().inverse();
+    directions.stiffness = from_centre.transpose() * d.bottomRightCorner<6, 6>().real() * from_centre;
+  } else {
+    VectorXcd all = map.coordinates(q);
+    all.head<12>() = ends;
+    result.stored = 0.25 * form(all, map.matrices.stiffness);
+    result.dissipated =
+        0.5 * omega * (map.matrices.loss_factor * form(all, map.matrices.stiffness) + omega * form(all, map.matrices.damping));
+  }
+  const Eigen::Matrix<Complex, 6, 1> deformation = directions.deformation.cast<Complex>() * ends,
+                                     force = directions.stiffness.cast<Complex>() * deformation;
+  result.by_direction = 0.25 * deformation.conjugate().cwiseProduct(force).real();
+  return result;
+}
+
+/// Stored energy [J] and dissipated power [W] of the foundations' own springs and dashpots.
+std::array<double, 2> foundation_energy(const model::System& system, const assembly::Layout& layout, const VectorXcd& q, double omega) {
+  std::array<double, 2> sum = {0, 0};
+  const auto& foundations = system.description().foundations;
+  for (std::size_t i = 0; i < foundations.size(); ++i) {
+    const VectorXcd p = q.segment(layout.foundation_row(i), foundations[i].stiffness.rows());
+    sum[0] += 0.25 * form(p, foundations[i].stiffness);
+    sum[1] += 0.5 * omega * omega * form(p, foundations[i].damping);
+  }
+  return sum;
+}
+
+/// Power of Rayleigh or modal damping, ½ω² vᴴBv of the motion v = q + x beyond that with which the system follows the ground, B x = B_g g.
+double system_damping_power(const model::System& system, const assembly::Assembled& assembled, const VectorXcd& q, const VectorXcd& ground,
+                            double omega) {
+  if (std::holds_alternative<std::monostate>(system.description().damping)) return 0;
+  model::Description without = system.description();
+  without.damping = std::monostate{};
+  const assembly::Assembled plain = assembly::assemble(model::System::checked(std::move(without)).value());
+  const Eigen::Index n = q.size();
+  const Eigen::MatrixXd own = (assembled.matrices.B - plain.matrices.B).topLeftCorner(n, n);
+  VectorXcd beyond = q;
+  if (ground.size() > 0) {
+    const VectorXcd brought = (assembled.ground.B - plain.ground.B).topRows(n) * ground;
+    beyond += own.cast<Complex>().completeOrthogonalDecomposition().solve(brought);
+  }
+  return 0.5 * omega * omega * form(beyond, own);
+}
+
+/// q in all rows that `dynamics` has, and y; the mode, and 0, where y is unbounded.
+struct Answer {
+  VectorXcd coordinates;
+  Complex value;
+};
+
+Answer moved(const assembly::Assembled& assembled, const Dynamics& dynamics, const PeakPlace& place) {
+  if (place.unbounded_mode)
+    return {all_modes(assembled).shapes.col(*place.unbounded_mode - 1).head(dynamics.load[0].size()).cast<Complex>(), 0};
+  const Motion found = motion(dynamics);
+  return {found.coordinates[0], found.value[0]};
+}
+
+Dynamics looked_at(const model::System& system, const assembly::Assembled& assembled, const Question& question, const PeakPlace& place,
+                   const ElementJets& jets) {
+  if (!(place.angular_frequency > 0)) throw foundation::InvalidInput("peak_shares: the angular frequency must be > 0");
+  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, question.channels, question.quantity);
+  return dynamics(assembled, channels.at(place.channel), question.load(system, assembled), place.angular_frequency, jets);
+}
+
+}  // namespace
+
+double alignment(const model::System& system, const assembly::Assembled& assembled, const Question& question, const PeakPlace& place) {
+  const Dynamics at = looked_at(system, assembled, question, place, element_jets(assembled, place.angular_frequency));
+  const VectorXcd q = moved(assembled, at, place).coordinates;
+  const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(q.size());
+  const double most = (unit.asDiagonal() * at.channel[0]).norm() * (unit.cwiseInverse().asDiagonal() * q).norm();
+  return most > 0 ? std::abs(at.channel[0].cwiseProduct(q).sum()) / most : 0;
+}
+
+PeakShares peak_shares(const model::System& system, const assembly::Assembled& assembled, const Question& question,
+                       const PeakPlace& place) {
+  const double omega = place.angular_frequency;
+  const ElementJets jets = element_jets(assembled, omega);
+  const Dynamics at = looked_at(system, assembled, question, place, jets);
+  PeakShares result;
+  const auto [q, value] = moved(assembled, at, place);
+  result.value = value;
+  share_among_modes(assembled, at, q, omega, result);
+
+  const assembly::Loading loading = question.load(system, assembled);
+  const VectorXcd ground = place.unbounded_mode || loading.motion.vanishes() ? VectorXcd() : loading.motion.at(omega);
+  std::vector<ElementEnergy> energies;
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
+    energies.push_back(energy(system, e, assembled.elements[e], jets[e], q, ground, omega));
+    result.strain_energy += energies.back().stored;
+    result.dissipated_power += energies.back().dissipated;
+  }
+  const Eigen::Index n = q.size();
+  const double geometric = 0.25 * form(q, assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n, n));
+  const auto [in_foundations, by_foundations] = foundation_energy(system, assembled.layout, q, omega);
+  const double by_system = system_damping_power(system, assembled, q, ground, omega);
+  result.strain_energy += geometric + in_foundations;
+  result.dissipated_power += by_system + by_foundations;
+  const auto share = [](double part, double whole) { return whole == 0 ? 0.0 : part / whole; };
+  for (const ElementEnergy& e : energies) {
+    ElementShare& element = result.elements.emplace_back();
+    element.stored = share(e.stored, result.strain_energy);
+    element.dissipated = share(e.dissipated, result.dissipated_power);
+    for (int j = 0; j < 6; ++j) element.by_direction(j) = share(e.by_direction(j), result.strain_energy);
+  }
+  result.geometric = share(geometric, result.strain_energy);
+  result.in_foundations = share(in_foundations, result.strain_energy);
+  result.system_damping = share(by_system, result.dissipated_power);
+  result.by_foundations = share(by_foundations, result.dissipated_power);
+  return result;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/steady/channel_terms.h"
+
+#include <algorithm>
+
+#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/response/steady/exact_response.h"
+#include "trivet/response/steady/steady_solution.h"
+
+namespace trivet::response {
+namespace {
+
+using Complex = std::complex<double>;
+/// Callers take an answer below 1e-12 of `possible` for 0. Of the largest coordinate 1e-14 is the round-off of a solution.
+constexpr double round_off_share = 1e-2;
+
+std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
+                                       const Eigen::VectorXd& on_acceleration) {
+  std::vector<ChannelTerm> terms;
+  for (Eigen::Index i = 0; i < on_displacement.size(); ++i)
+    if (on_displacement(i) != 0.0 || on_velocity(i) != 0 || on_acceleration(i) != 0)
+      terms.push_back({i, {on_displacement(i), on_velocity(i), on_acceleration(i)}});
+  return terms;
+}
+
+/// What an answer would be if all coordinates moved as much as the largest, as a share that is round-off of every solution: an answer that
+/// vanishes by symmetry is as small as its own terms.
+Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::MatrixXcd& q,
+                          const Eigen::RowVectorXd& omega) {
+  const Eigen::VectorXd unit = numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices).head(q.rows());
+  const Eigen::MatrixXd alike = unit * (unit.cwiseInverse().asDiagonal() * q.cwiseAbs()).colwise().maxCoeff();
+  Eigen::MatrixXd result(std::ssize(channels), q.cols());
+  for (Eigen::Index c = 0; c < result.rows(); ++c)
+    result.row(c) = round_off_share * numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, omega);
+  return result;
+}
+
+AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                            const assembly::Loading& loading, const std::vector<double>& omega) {
+  const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
+  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
+  for (Eigen::Index i = 0; i < points; ++i) {
+    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]);
+    result.value.col(i) = exact.values;
+    result.possible.col(i) = exact.possible;
+  }
+  const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
+  result.possible = result.possible.cwiseMax(round_off(assembled, channels, q, at));
+  return result;
+}
+
+/// All channels in the coordinates of the loading.
+AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                         const assembly::Loading& loading, const std::vector<double>& omega) {
+  if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
+  const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
+  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
+  const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
+  const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
+  const Eigen::MatrixXcd ground = given.given.at(omega);
+  const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
+  const Eigen::MatrixXd size = q.cwiseAbs(), ground_size = ground.cwiseAbs();
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const numerics::ObservedCurve& curve = given.curves[static_cast<std::size_t>(c)];
+    result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
+    result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
+  }
+  result.possible = result.possible.cwiseMax(round_off(assembled, channels, q, at));
+  return result;
+}
+
+}  // namespace
+
+std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& channels) {
+  std::vector<ChannelTerms> result;
+  for (const assembly::Channel& channel : channels)
+    result.push_back({channel.derivative, nonzero_terms(channel.on_displacement, channel.on_velocity, channel.on_acceleration),
+                      nonzero_terms(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration)});
+  return result;
+}
+
+AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                             const assembly::Loading& loading, const std::vector<double>& omega) {
+  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+  if (groups.size() == 1) return samples_in(assembled, channels, groups[0].loading, omega);
+  AnswerSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)), Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
+  for (const assembly::AnsweredTogether& group : groups) {
+    const AnswerSamples part = samples_in(assembled, group.channels, group.loading, omega);
+    for (Eigen::Index k = 0; k < std::ssize(group.which); ++k) {
+      const auto row = static_cast<Eigen::Index>(group.which[static_cast<std::size_t>(k)]);
+      result.value.row(row) = part.value.row(k);
+      result.possible.row(row) = part.possible.row(k);
+    }
+  }
+  return result;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/steady/curve_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "trivet/response/steady/parts_by_delay.h"
+
+namespace trivet::response {
+namespace {
+
+constexpr double fit_tolerance = 1e-6;      // above the round-off of a solve at a resonance with damping ratios down to 1e-9
+constexpr double floor_share = 1e-10;       // of a curve's largest value, or of the largest of its unit at the same ω: below, errors are absolute
+constexpr double near_zero_share = 1e-3;    // of the neighbours of a zero, beside which a curve's own value is no scale
+constexpr std::size_t solves_per_round = 8;
+constexpr std::size_t most_corners = 42;
+constexpr std::size_t most_samples = 100;   // of one piece: with those of its tests, 120 solves
+constexpr double apart = 1e-10;             // of ω: nearer frequencies are one
+
+/// A fit with a pole at the very frequency gives no number: nothing could be worse.
+double as_error(double difference) { return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference; }
+
+using Samples = std::map<double, Eigen::VectorXcd>;  // ω → a value per delay and curve
+
+/// Three frequencies for each pole of the band and, if `spread_too`, a few over all of it.
+std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const Band& band, bool spread_too) {
+  constexpr int spread = 9, decades = 4;
+  constexpr double undamped = 1e-9;
+  std::vector<double> omega;
+  for (int i = 0; spread_too && i < spread; ++i) omega.push_back(0.5 * (band.from + band.to - (band.to - band.from) * std::cos(std::numbers::pi * i / (spread - 1))));
+  for (int k = 1; spread_too && k <= decades; ++k) omega.push_back(band.to * std::pow(10.0, -k));
+  for (Eigen::Index k = 0; k < poles.size(); ++k) {
+    const double centre = poles(k).imag(), width = std::max(std::abs(poles(k).real()), 1e-6 * centre);
+    if (!(centre > 0)) continue;
+    for (const double t : {-1.0, 0.0, 1.0})
+      if (t != 0 || std::abs(poles(k).real()) > undamped * centre) omega.push_back(centre + t * width);
+  }
+  omega.insert(omega.end(), {band.from, band.to});
+  std::erase_if(omega, [&](double w) { return !(w >= band.from && w <= band.to); });
+  return omega;
+}
+
+class Modelling {
+ public:
+  Modelling(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+            const Peaks& peaks, const CurveModelOptions& options, const foundation::Progress& progress, CurveModel& model)
+      : assembled_(assembled), channels_(channels), options_(options), progress_(progress), model_(model) {
+    for (const double delay : model.delays) loadings_.push_back(undelayed(loading, delay));
+    extrema_ = extrema(peaks, model.band);
+    for (const Peak& peak : peaks.list)
+      if (std::isinf(peak.amplitude) && peak.angular_frequency >= model.band.from && peak.angular_frequency <= model.band.to)
+        model.check.undefined_at.push_back(peak.angular_frequency);
+    for (const assembly::ElementMap& map : assembled.elements) knots_.insert(knots_.end(), map.knots.begin(), map.knots.end());
+    std::sort(knots_.begin(), knots_.end());
+    for (const assembly::Channel& channel : channels)
+      same_unit_.push_back(std::find_if(channels.begin(), channels.end(), [&](const assembly::Channel& c) { return c.unit == channel.unit; }) - channels.begin());
+    largest_ = Eigen::VectorXd::Zero(std::ssize(model.delays) * std::ssize(channels));
+    idle_ = Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(std::ssize(channels), false);
+    for (std::size_t c = 0; c < peaks.curves.size() && c < channels.size(); ++c) idle_(static_cast<Eigen::Index>(c)) = peaks.curves[c].vanishes;
+  }
+
+  void solve(std::vector<double> omega) {
+    std::sort(omega.begin(), omega.end());
+    std::vector<double> fresh;
+    for (const double w : omega)
+      if (!is_known(w) && (fresh.empty() || w - fresh.back() > apart * w)) fresh.push_back(w);
+    if (fresh.empty()) return;
+    foundation::report_progress(progress_, "curves", static_cast<double>(model_.solves) / options_.most_solves);
+    std::vector<FrequencyResponse> parts;
+    for (const assembly::Loading& loading : loadings_) parts.push_back(frequency_response(assembled_, channels_, loading, fresh));
+    model_.solves += static_cast<int>(fresh.size());
+    for (const FrequencyResponse& part : parts) add(part.check);
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      Eigen::VectorXcd values(largest_.size());
+      Eigen::Index row = 0;
+      for (const FrequencyResponse& part : parts)
+        for (const Curve& curve : part.curves) values(row++) = curve.value(static_cast<Eigen::Index>(i));
+      if (!values.allFinite()) {
+        model_.check.undefined_at.push_back(fresh[i]);
+        continue;  // an undamped resonance or a free motion
+      }
+      largest_ = largest_.cwiseMax(values.cwiseAbs());
+      samples_.emplace(fresh[i], std::move(values));
+    }
+  }
+
+  /// Pieces from corner to corner of the tables, if they are few.
+  void add_pieces_between_corners(const Band& band, const Eigen::VectorXcd& poles) {
+    std::vector<double> corners = {band.from};
+    for (const double knot : knots_)
+      if (knot > corners.back() * (1 + apart) && knot < band.to * (1 - apart)) corners.push_back(knot);
+    corners.push_back(band.to);
+    solve(first_frequencies(poles, band, corners.size() == 2 || corners.size() > most_corners));
+    if (corners.size() > most_corners) return add_pieces(band);
+    std::vector<double> omega = corners;
+    if (corners.size() > 2)
+      for (std::size_t i = 0; i + 1 < corners.size(); ++i) omega.push_back(0.5 * (corners[i] + corners[i + 1]));
+    solve(omega);
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) add_pieces({corners[i], corners[i + 1]});
+  }
+
+  /// Fits a piece of the band, or its halves.
+  void add_pieces(const Band& band) {
+    const Samples::const_iterator from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
+    std::size_t known = static_cast<std::size_t>(std::distance(from, to));
+    for (bool enough = known >= 2; enough;) {
+      const numerics::RationalFit fit = fitted(band);
+      const std::vector<double> wanted = doubtful(band, fit, known);
+      double error = error_at_extrema(band, fit), error_at = doubted_extremum_;
+      const std::size_t before = samples_.size();
+      std::vector<double> all = wanted;
+      if (error > options_.tolerance) all.push_back(error_at);
+      const int tests_before = model_.solves;
+      solve(all);
+      for (const double w : wanted)
+        if (const auto found = samples_.find(w); found != samples_.end())
+          if (const double off = error_of(fit, w, found->second); off > error) error = off, error_at = w;
+      const bool exhausted = model_.solves >= options_.most_solves, settled = samples_.size() == before && error > options_.tolerance;
+      if (error <= options_.tolerance || exhausted || settled) {
+        model_.tests += tests_;
+        model_.tests += model_.solves - tests_before;
+        if (error > model_.worst_error) model_.worst_error = error, model_.worst_error_at = error_at;
+        model_.pieces.push_back({band, fit});
+        return;
+      }
+      known += samples_.size() - before;
+      enough = known < most_samples;
+    }
+    if (known < 2) return;
+    const double middle = cut(band);
+    add_pieces({band.from, middle});
+    add_pieces({middle, band.to});
+  }
+
+ private:
+  void add(const SolutionCheck& check) {
+    model_.check.fallbacks += check.fallbacks;
+    if (!(check.worst_backward_error > model_.check.worst_backward_error)) return;
+    model_.check.worst_backward_error = check.worst_backward_error;
+    model_.check.at_angular_frequency = check.at_angular_frequency;
+  }
+
+  [[nodiscard]] bool is_known(double w) const {
+    const auto above = samples_.lower_bound(w * (1 - apart));
+    return (above != samples_.end() && above->first <= w * (1 + apart)) ||
+           std::any_of(model_.check.undefined_at.begin(), model_.check.undefined_at.end(), [&](double u) { return std::abs(u - w) <= apart * w; });
+  }
+
+  /// Where a piece is cut: at the corner of a table nearest to the middle of its samples, or there.
+  double cut(const Band& band) {
+    std::vector<double> inside;
+    for (auto s = samples_.lower_bound(band.from); s != samples_.end() && s->first <= band.to; ++s) inside.push_back(s->first);
+    const double middle = inside[inside.size() / 2];
+    double place = middle, distance = std::numeric_limits<double>::infinity();
+    for (const double knot : knots_)
+      if (knot > band.from && knot < band.to && std::abs(knot - middle) < distance) place = knot, distance = std::abs(knot - middle);
+    solve({place});
+    return place;
+  }
+
+  [[nodiscard]] numerics::RationalFit fitted(const Band& band) const {
+    const auto from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
+    const Eigen::Index count = std::distance(from, to);
+    Eigen::VectorXd x(count);
+    Eigen::MatrixXcd values(largest_.size(), count);
+    Eigen::MatrixXd scales(largest_.size(), count);
+    Eigen::Index k = 0;
+    for (auto s = from; s != to; ++s, ++k) {
+      x(k) = s->first;
+      values.col(k) = s->second;
+      scales.col(k) = scale(s->second);
+    }
+    return numerics::rational_fit(x, values, scales, fit_tolerance);
+  }
+
+  /// What round-off leaves of each curve, or of each part by a delay.
+  [[nodiscard]] Eigen::VectorXd floors(const Eigen::VectorXcd& values) const {
+    const Eigen::Index curves = idle_.size();
+    Eigen::VectorXd of_unit = Eigen::VectorXd::Zero(curves);
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      double& most = of_unit(same_unit_[static_cast<std::size_t>(i % curves)]);
+      most = std::max(most, std::abs(values(i)));
+    }
+    Eigen::VectorXd floor = floor_share * largest_.head(values.size());
+    for (Eigen::Index i = 0; i < values.size(); ++i) floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[static_cast<std::size_t>(i % curves)]));
+    return floor;
+  }
+
+  [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXcd& values) const {
+    Eigen::VectorXd scale = values.cwiseAbs().cwiseMax(floors(values));
+    for (Eigen::Index i = 0; i < scale.size(); ++i)
+      if (idle_(i % idle_.size()) || !(scale(i) > 0)) scale(i) = std::numeric_limits<double>::max() / 4;  // zero but for round-off
+    return scale;
+  }
+
+  /// Middles of the gaps between samples and real poles of the fit, where it changes most when its last node is left out.
+  [[nodiscard]] std::vector<double> doubtful(const Band& band, const numerics::RationalFit& fit, std::size_t known) const {
+    std::vector<double> places, gaps;
+    auto s = samples_.lower_bound(band.from);
+    double before = band.from;
+    for (; s != samples_.end() && s->first <= band.to; before = s->first, ++s)
+      if (s->first - before > 4 * apart * s->first)
+        for (const double share : {0.25, 0.5, 0.75}) places.push_back(before + share * (s->first - before));
+    if (band.to - before > 4 * apart * band.to) places.push_back(0.5 * (before + band.to));
+    std::vector<double> chosen = false_poles(band, fit);
+    std::erase_if(places, [&](double w) { return is_known(w); });
+    if (places.empty()) return chosen;
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(places.data(), std::ssize(places));
+    const Eigen::MatrixXcd with = fit.at(x), without = fewer_nodes(fit).at(x);
+    std::vector<std::pair<double, double>> doubts;  // largest first, one for each gap
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const double doubt = ((with.col(k) - without.col(k)).cwiseAbs().array() / scale(with.col(k)).array()).maxCoeff();
+      doubts.emplace_back(std::isfinite(doubt) ? doubt : std::numeric_limits<double>::max(), x(k));
+    }
+    std::sort(doubts.begin(), doubts.end(), std::greater<>());
+    for (const auto& [doubt, w] : doubts) {
+      if (chosen.size() >= std::clamp(known / 4, std::size_t{2}, solves_per_round)) break;
+      const double gap = samples_.lower_bound(w) == samples_.end() ? band.to : samples_.lower_bound(w)->first;
+      if (std::find(gaps.begin(), gaps.end(), gap) != gaps.end()) continue;
+      gaps.push_back(gap);
+      chosen.push_back(w);
+    }
+    return chosen;
+  }
+
+  /// The least different model with one node less: its weights follow by moving each node's share along.
+  [[nodiscard]] static numerics::RationalFit fewer_nodes(const numerics::RationalFit& fit) {
+    const Eigen::Index n = fit.nodes.size() - 1;
+    if (n < 1) return fit;
+    numerics::RationalFit fewer{fit.nodes.head(n), fit.weights.head(n), fit.values.leftCols(n), 0};
+    fewer.weights.array() *= (fit.nodes.head(n).array() - fit.nodes(n)).cast<std::complex<double>>();
+    return fewer;
+  }
+
+  /// Poles so near the axis that no sample saw them: they need not be real.
+  [[nodiscard]] std::vector<double> false_poles(const Band& band, const numerics::RationalFit& fit) const {
+    std::vector<double> places;
+    if (fit.nodes.size() < 2) return places;
+    const Eigen::VectorXcd poles = fit.poles();
+    for (Eigen::Index k = 0; k < poles.size() && places.size() < solves_per_round; ++k) {
+      const double w = poles(k).real();
+      if (!(w > band.from && w < band.to) || is_known(w)) continue;
+      const auto above = samples_.lower_bound(w);
+      double gap = std::numeric_limits<double>::infinity();
+      if (above != samples_.end()) gap = above->first - w;
+      if (above != samples_.begin()) gap = std::min(gap, w - std::prev(above)->first);
+      if (std::abs(poles(k).imag()) < 0.5 * gap) places.push_back(w);
+    }
+    return places;
+  }
+
+  /// The lesser amplitude of each curve at the samples on either side.
+  [[nodiscard]] Eigen::VectorXd beside(double w) const {
+    const auto amplitudes = [&](Samples::const_iterator s) { return Eigen::VectorXd(summed(s->second, model_.delays, s->first).cwiseAbs()); };
+    const auto above = samples_.upper_bound(w), at = samples_.lower_bound(w);
+    if (above == samples_.end() || at == samples_.begin()) return Eigen::VectorXd::Zero(idle_.size());
+    return amplitudes(above).cwiseMin(amplitudes(std::prev(at)));
+  }
+
+  /// Of the curves, relative to their values or, near a zero, to their neighbours.
+  [[nodiscard]] double error_of(const numerics::RationalFit& fit, double w, const Eigen::VectorXcd& truth) const {
+    const Eigen::VectorXcd y = summed(truth, model_.delays, w), model = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
+    const Eigen::VectorXd neighbours = beside(w);
+    const Eigen::VectorXd floor = floors(y);
+    double worst = 0;
+    for (Eigen::Index c = 0; c < y.size(); ++c) {
+      const double size = std::max({std::abs(y(c)), near_zero_share * neighbours(c), floor(c)});
+      if (!idle_(c) && size > 0) worst = std::max(worst, as_error(std::abs(model(c) - y(c)) / size));
+    }
+    return worst;
+  }
+
+  /// The extrema were found in another way: comparing with them costs no solve.
+  double error_at_extrema(const Band& band, const numerics::RationalFit& fit) {
+    double worst = 0;
+    tests_ = 0;
+    for (std::size_t c = 0; c < extrema_.size(); ++c)
+      for (const Extremum& extremum : extrema_[c]) {
+        const double w = extremum.angular_frequency;
+        const auto curve = static_cast<Eigen::Index>(c);
+        if (!extremum.maximum || !(w >= band.from && w <= band.to) || idle_(curve)) continue;
+        const Eigen::VectorXcd y = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
+        const double size = std::max(extremum.amplitude, floors(y)(curve));
+        const double off = as_error(std::abs(std::abs(y(curve)) - extremum.amplitude) / size);
+        if (off > worst) worst = off, doubted_extremum_ = w;
+        ++tests_;
+      }
+    return worst;
+  }
+
+  const assembly::Assembled& assembled_;
+  const std::vector<assembly::Channel>& channels_;
+  const CurveModelOptions& options_;
+  const foundation::Progress& progress_;
+  CurveModel& model_;
+  std::vector<assembly::Loading> loadings_;  // one for each delay, taken out of it
+  std::vector<std::vector<Extremum>> extrema_;
+  std::vector<double> knots_;
+  std::vector<std::ptrdiff_t> same_unit_;    // of each curve: the first of its unit
+  Samples samples_;
+  Eigen::VectorXd largest_;
+  Eigen::Array<bool, Eigen::Dynamic, 1> idle_;
+  double doubted_extremum_ = 0;
+  int tests_ = 0;
+};
+
+}  // namespace
+
+CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                       const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band, const CurveModelOptions& options,
+                       const foundation::Progress& progress) {
+  CurveModel model;
+  model.band = band;
+  model.curves = std::ssize(channels);
+  model.delays = delays_of(loading);
+  if (channels.empty()) return model;
+  Modelling modelling(assembled, channels, loading, peaks, options, progress, model);
+  modelling.add_pieces_between_corners(band, poles);
+  return model;
+}
+
+}  // namespace trivet::response

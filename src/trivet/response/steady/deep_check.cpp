@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/steady/deep_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/elements/law.h"
+#include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/response/steady/prescribed_ends.h"
+#include "trivet/response/steady/steady_solution.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::response {
+namespace {
+
+using Extended = long double;
+using Complex = std::complex<Extended>;
+using numerics::ExtendedMatrix;
+using numerics::ExtendedVector;
+using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// What the damping of the system as a whole brings into the free rows where the ground moves; it has no second derivation here.
+Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, Eigen::Index n) {
+  Eigen::MatrixXd rest = assembled.ground.B.topRows(n);
+  for (const assembly::ElementMap& map : assembled.elements) {
+    if (map.frequency_dependent() || map.ground_rows.empty()) continue;
+    rest(map.rows, map.ground_rows) -= map.ends.transpose() * map.matrices.damping * map.ground_ends;
+  }
+  return rest;
+}
+
+/// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an internal coordinate
+/// does to the coordinates of the system.
+Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal, Eigen::Index n) {
+  Carrier t = Carrier::Zero(n, 12 + internal);
+  for (Eigen::Index i = 0; i < internal; ++i) t(layout.internal_row(index) + i, 12 + i) = 1;
+  int first = 0;
+  for (const model::End* end : {&element.n, &element.k}) {
+    if (end->body)
+      for (int j = 0; j < 6; ++j) {
+        const Eigen::Index row = layout.row(*end->body, j);
+        if (row < 0) continue;
+        const Eigen::Matrix<Extended, 6, 6> x = spatial::rigid_motion(end->at).cast<Extended>();
+        const Eigen::Matrix<Extended, 6, 6> r = spatial::both_blocks(end->axes).cast<Extended>();
+        t.block<1, 6>(row, first) += (x.transpose() * r).row(j);
+      }
+    if (end->foundation)
+      t.block(layout.foundation_row(end->foundation->foundation), first, end->foundation->shape.cols(), 6) +=
+          end->foundation->shape.transpose().cast<Extended>() * spatial::both_blocks(end->axes).cast<Extended>();
+    first += 6;
+  }
+  return t;
+}
+
+/// Largest column sum of the magnitudes of entries.
+Extended one_norm(const ExtendedMatrix& m) { return m.cwiseAbs().colwise().sum().maxCoeff(); }
+
+/// Relative difference that round-off explains: that of the terms of Z, and of the load per motion that they stand
+/// against, times the size of Z⁻¹. An entry of Z sums the 12×12 of elements, so that at least twelve terms take part in
+/// it however few coordinates are free. K, iωB and −ω²A may cancel: their digits are lost before any solver begins,
+/// which the condition of Z does not show (that of a single coordinate is always 1).
+double allowed_difference(Eigen::Index n, double condition, Extended terms, Extended load, Extended sum) {
+  constexpr Eigen::Index least_terms = 12;
+  constexpr double per_term = 16;
+  const double lost = sum > 0 ? static_cast<double>(std::max(terms, load) / sum) : 1;
+  return per_term * static_cast<double>(std::max(n, least_terms)) * std::numeric_limits<double>::epsilon() * condition *
+         std::max(lost, 1.0);
+}
+
+}  // namespace
+
+DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
+                     const std::vector<double>& angular_frequency, const std::vector<std::string>& excitations) {
+  const PrescribedEnds ends(system, excitations);
+  const assembly::Layout& layout = assembled.layout;
+  const numerics::DynamicMatrices& constant = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
+  const Eigen::Index n = constant.size();
+  const Eigen::VectorXd d = numerics::unit_scale(constant);
+  ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n), mass = ExtendedMatrix::Zero(n, n);
+  Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
+  struct Dependent {
+    std::size_t element;
+    Carrier free;
+  };
+  std::vector<Dependent> dependent;
+  struct Driven {
+    std::size_t element;
+    elements::Matrices matrices;
+  };
+  std::vector<Driven> driven;
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    if (elements::is_frequency_dependent(element.law)) {
+      dependent.push_back({e, carrier(layout, e, element, 0, n)});
+      continue;
+    }
+    const elements::Matrices m = elements::matrices(element.law);
+    const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n);
+    const auto carried = [&](const Eigen::MatrixXd& local) -> Carrier { return t * local.cast<Extended>() * t.transpose(); };
+    stiffness += carried(m.stiffness).cast<Complex>() * Complex(1, m.loss_factor);
+    mass += carried(m.mass).cast<Complex>();
+    damping += carried(m.damping).cast<Complex>();
+    element_damping += carried(m.damping).cast<double>();
+    if (ends.can_move(e)) driven.push_back({e, m});
+  }
+  for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
+    const model::Foundation& foundation = system.description().foundations[f];
+    const Eigen::Index row = layout.foundation_row(f), size = foundation.mass.rows();
+    stiffness.block(row, row, size, size) += foundation.stiffness.cast<Complex>();
+    damping.block(row, row, size, size) += foundation.damping.cast<Complex>();
+    mass.block(row, row, size, size) += foundation.mass.cast<Complex>();
+    element_damping.block(row, row, size, size) += foundation.damping;
+  }
+  // What the system as a whole adds to the damping (Rayleigh, modal ratios) has no second derivation here.
+  ExtendedMatrix driven_damping;
+  if (!std::holds_alternative<std::monostate>(system.description().damping)) {
+    damping += (constant.B - element_damping).cast<Complex>();
+    driven_damping = system_damping_on_ground(assembled, n).cast<Complex>();
+  }
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const spatial::Matrix6 a = spatial::mass_matrix(system.bodies()[b].mass);
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
+  }
+  stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<Complex>();
+  const Eigen::MatrixXcd fast = steady_solution(assembled, loading, angular_frequency).response;
+  const ExtendedMatrix scale = d.cast<Complex>().asDiagonal();
+
+  DeepCheck check;
+  double worst_ratio = -1;
+  for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
+    const Extended w = angular_frequency[i];
+    ExtendedMatrix z = stiffness + Complex(0, w) * damping - w * w * mass;
+    ExtendedMatrix terms = stiffness.cwiseAbs().cast<Complex>() + w * damping.cwiseAbs().cast<Complex>() +
+                           w * w * mass.cwiseAbs().cast<Complex>();
+    ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<Complex>();
+    ExtendedVector load_terms = h.cwiseAbs().cast<Complex>();
+    const auto drive = [&](const ExtendedVector& load) {
+      h -= load;
+      load_terms += load.cwiseAbs().cast<Complex>();
+    };
+    for (const auto& [element, t] : dependent) {
+      const ExtendedMatrix exact = elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<Complex>();
+      const ExtendedMatrix carried = t.cast<Complex>() * exact * t.transpose().cast<Complex>();
+      z += carried;
+      terms += carried.cwiseAbs().cast<Complex>();
+      drive(t.cast<Complex>() * (exact * ends.at(element, angular_frequency[i])));
+    }
+    for (const auto& [element, m] : driven) {
+      const Carrier t = carrier(layout, element, system.elements()[element], m.stiffness.rows() - 12, n);
+      const ExtendedMatrix dynamic = m.stiffness.leftCols(12).cast<Complex>() * Complex(1, m.loss_factor) + Complex(0, w) * m.damping.leftCols(12).cast<Complex>() -
+                                     w * w * m.mass.leftCols(12).cast<Complex>();
+      drive(t.cast<Complex>() * (dynamic * ends.at(element, angular_frequency[i])));
+    }
+    if (driven_damping.size() > 0 && !loading.motion.vanishes())
+      drive(Complex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<Complex>());
+    h = (scale * h).eval();
+    z = (scale * z * scale).eval();
+    terms = (scale * terms * scale).eval();
+    const numerics::RefinedSolver direct(z);
+    const ExtendedVector q = direct.solve(h);
+    const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<Complex>() - q;
+    const Extended size = q.cwiseAbs().maxCoeff();
+    const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
+    const Extended of_load = size > 0 ? (scale * load_terms).cwiseAbs().sum() / size : 0;
+    const double allowed = allowed_difference(n, direct.condition(), one_norm(terms), of_load, one_norm(z));
+    if (!(allowed < 1e-3)) {
+      ++check.incomparable;
+      continue;
+    }
+    ++check.frequencies;
+    if (!(relative <= allowed)) check.passed = false;
+    if (relative / allowed > worst_ratio) {
+      worst_ratio = relative / allowed;
+      check.worst_difference = relative;
+      check.allowed = allowed;
+      check.at_angular_frequency = angular_frequency[i];
+    }
+  }
+  return check;
+}
+
+std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count) {
+  constexpr double oscillating = 1e-9;  // of |λ|: complex solvers leave an imaginary part of round-off, 1e-150 even, to what only creeps
+  std::vector<double> result;
+  for (Eigen::Index k = 0; k < poles.size() && static_cast<int>(result.size()) < count / 2; ++k)
+    if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k))) result.push_back(at);
+  const int spread = count - static_cast<int>(result.size());
+  for (int i = 0; i < spread; ++i) result.push_back(from + (to - from) * (i + 0.5) / spread);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/steady/frequency_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace trivet::response {
+namespace {
+
+constexpr std::size_t most_points = 20000;
+constexpr int most_rounds = 40;
+constexpr double amplitude_tolerance = 7e-4;
+constexpr std::array parts = {0.25, 0.5, 0.75};  // of an interval: where a curve with a turn in it leaves its line
+constexpr double phase_step = std::numbers::pi / 9;
+constexpr double invisible = 1e-6;  // of a curve's largest amplitude: its shape there shows in no picture
+constexpr double round_off_share = 1e-10;  // of the largest curve of its unit: there a model follows no curve, only round-off
+constexpr double least_step = 1e-9;
+
+void keep_inside(std::vector<double>& grid, const Band& band) {
+  std::erase_if(grid, [&](double w) { return !(w >= band.from && w <= band.to); });
+  std::sort(grid.begin(), grid.end());
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+}
+
+std::vector<double> first_guess(const CurveModel& model, const Peaks& peaks) {
+  std::vector<double> grid = linear_grid(model.band, 65);
+  if (model.band.from > 0) {
+    const std::vector<double> decades = logarithmic_grid(model.band, 33);
+    grid.insert(grid.end(), decades.begin(), decades.end());
+  }
+  for (const ModelPiece& piece : model.pieces) {
+    grid.insert(grid.end(), {piece.band.from, piece.band.to});
+    grid.insert(grid.end(), piece.fit.nodes.begin(), piece.fit.nodes.end());
+  }
+  grid.insert(grid.end(), model.check.undefined_at.begin(), model.check.undefined_at.end());
+  for (const auto& of_curve : extrema(peaks, model.band))
+    for (const Extremum& extremum : of_curve) grid.push_back(extremum.angular_frequency);
+  keep_inside(grid, model.band);
+  return grid;
+}
+
+/// Largest finite amplitude of each curve; infinite for one that is zero but for round-off, whose shape nobody wants to see, and 0 for one that
+/// rises to infinity, of which a picture shows what it likes.
+Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
+  Eigen::VectorXd top = values.cwiseAbs().unaryExpr([](double a) { return std::isfinite(a) ? a : 0.0; }).rowwise().maxCoeff();
+  const Eigen::VectorXd heights = top;
+  for (std::size_t c = 0; c < peaks.curves.size(); ++c)
+    for (std::size_t other = 0; other < peaks.curves.size(); ++other)
+      if (peaks.curves[other].unit == peaks.curves[c].unit && heights(static_cast<Eigen::Index>(c)) < round_off_share * heights(static_cast<Eigen::Index>(other)))
+        top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
+  for (const Peak& peak : peaks.list)
+    if (std::isinf(peak.amplitude)) top(static_cast<Eigen::Index>(peak.curve)) = 0;
+  for (std::size_t c = 0; c < peaks.curves.size() && c < static_cast<std::size_t>(top.size()); ++c)
+    if (peaks.curves[c].vanishes) top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
+  return top;
+}
+
+using Column = Eigen::Ref<const Eigen::VectorXcd>;
+
+/// Does any curve leave the straight line from a to b at the share `part` of its length, or turn its phase too fast?
+bool bends(const Column& from, const Column& between, const Column& to, double part, const Eigen::VectorXd& top) {
+  for (Eigen::Index c = 0; c < top.size(); ++c) {
+    const std::complex<double> a = from(c), m = between(c), b = to(c);
+    const double size = std::max({std::abs(a), std::abs(b), std::abs(m)});
+    if (!std::isfinite(size) || size <= invisible * top(c)) continue;
+    if (std::abs(std::abs(m) - (1 - part) * std::abs(a) - part * std::abs(b)) > amplitude_tolerance * std::max(std::abs(m), 1e-3 * size)) return true;
+    if (std::abs(std::arg(m * std::conj(a))) > phase_step || std::abs(std::arg(b * std::conj(m))) > phase_step) return true;
+  }
+  return false;
+}
+
+/// An interval of the grid that no line may follow yet.
+struct Interval {
+  double from = 0, to = 0;
+  Eigen::VectorXcd at_from, at_to;
+};
+
+}  // namespace
+
+std::vector<double> linear_grid(const Band& band, int points) {
+  std::vector<double> grid;
+  for (int i = 0; i < points; ++i) grid.push_back(i + 1 == points ? band.to : band.from + (band.to - band.from) * i / (points - 1));
+  return grid;
+}
+
+std::vector<double> logarithmic_grid(const Band& band, int points) {
+  std::vector<double> grid;
+  for (int i = 0; i < points; ++i)
+    grid.push_back(i + 1 == points ? band.to : band.from * std::pow(band.to / band.from, static_cast<double>(i) / (points - 1)));
+  return grid;
+}
+
+std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
+  std::vector<double> grid = first_guess(model, peaks);
+  if (grid.size() < 2 || model.curves == 0) return grid;
+  const Eigen::MatrixXcd values = model.at(grid);
+  const Eigen::VectorXd top = largest(values, peaks);
+  std::vector<Interval> open;
+  for (std::size_t i = 0; i + 1 < grid.size(); ++i)
+    open.push_back({grid[i], grid[i + 1], values.col(static_cast<Eigen::Index>(i)), values.col(static_cast<Eigen::Index>(i) + 1)});
+  for (int round = 0; round < most_rounds && !open.empty() && grid.size() < most_points; ++round) {
+    std::vector<double> inner;
+    for (const Interval& interval : open)
+      for (const double part : parts) inner.push_back(interval.from + part * (interval.to - interval.from));
+    const Eigen::MatrixXcd found = model.at(inner);
+    std::vector<Interval> halves;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Eigen::MatrixXcd values = found.middleCols(static_cast<Eigen::Index>(parts.size() * i), std::ssize(parts));
+      bool straight = true;
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        straight = straight && !bends(open[i].at_from, values.col(static_cast<Eigen::Index>(k)), open[i].at_to, parts[k], top);
+      if (straight || open[i].to - open[i].from <= least_step * open[i].to) continue;
+      const double middle = inner[parts.size() * i + 1];
+      grid.push_back(middle);
+      halves.push_back({open[i].from, middle, open[i].at_from, values.col(1)});
+      halves.push_back({middle, open[i].to, values.col(1), open[i].at_to});
+    }
+    open = std::move(halves);
+  }
+  std::sort(grid.begin(), grid.end());
+  return grid;
+}
+
+std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                   const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
+                                   const foundation::Progress& progress) {
+  return drawing_grid(curve_model(assembled, channels, loading, poles, peaks, band, {}, progress), peaks);
+}
+
+}  // namespace trivet::response

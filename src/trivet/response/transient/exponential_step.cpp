@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/transient/exponential_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::response {
+namespace {
+
+using Extended = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using ExtendedInput = Eigen::Matrix<long double, Eigen::Dynamic, 5>;
+using ExtendedRates = Eigen::Matrix<long double, 5, 5>;
+
+/// S(κ): ∬u → ∫u → u → u̇ → ü → −κ²u̇.
+ExtendedRates rates(double kappa) {
+  ExtendedRates s = ExtendedRates::Zero();
+  for (int i = 0; i + 1 < 5; ++i) s(i, i + 1) = 1;
+  s(4, 3) = -static_cast<long double>(kappa) * kappa;
+  return s;
+}
+
+}  // namespace
+
+InputVector rate(const InputVector& w, double kappa) {
+  InputVector d;
+  d << w(1), w(2), w(3), w(4), -kappa * kappa * w(3);
+  return d;
+}
+
+ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double largest_kappa) : F_(F.cast<long double>()), step_(step) {
+  constexpr int most_levels = 60;
+  const double norm = F.size() > 0 ? F.cwiseAbs().colwise().sum().maxCoeff() : 0;
+  const double turn = std::max(norm, largest_kappa) * step;
+  if (!std::isfinite(turn)) throw foundation::NotComputable("the matrices of the motion hold numbers beyond the range of computation");
+  int finest = 0;
+  while (std::ldexp(turn, -finest) > 0.5) ++finest;
+  if (finest > most_levels) throw foundation::NotComputable("the fastest mode turns more than 2^60 times within one step");
+  const Extended scaled = F_ * std::ldexp(static_cast<long double>(step), -finest);
+  const Extended one = Extended::Identity(F.rows(), F.cols());
+  Extended phi = one;
+  for (int k = series_terms; k > 0; --k) phi = (one + scaled * phi / static_cast<long double>(k)).eval();
+  exact_.push_back(phi);
+  for (int level = 0; level < finest; ++level) exact_.push_back(exact_.back() * exact_.back());
+  std::reverse(exact_.begin(), exact_.end());
+  for (const Extended& each : exact_) state_.push_back(each.cast<double>());
+}
+
+std::vector<InputMatrix> ExponentialStep::input(const InputMatrix& G, double kappa) const {
+  const std::size_t finest = levels() - 1;
+  const long double h = std::ldexp(static_cast<long double>(step_), -static_cast<int>(finest));
+  const ExtendedRates S = rates(kappa), one = ExtendedRates::Identity();
+  // The columns of the Taylor series of the whole matrix that belong to the inputs: R_k = (F R_{k−1} + G S^{k−1} h^{k-1}/(k−1)!) h/k.
+  ExtendedInput term = ExtendedInput::Zero(G.rows(), 5), gamma = term;
+  const ExtendedInput drive = G.cast<long double>();
+  ExtendedRates own = one, e = one;
+  for (int k = 1; k <= series_terms; ++k) {
+    term = ((F_ * term + drive * own) * (h / static_cast<long double>(k))).eval();
+    own = (own * S * (h / static_cast<long double>(k))).eval();
+    gamma += term;
+    e += own;
+  }
+  std::vector<InputMatrix> result(levels());
+  for (std::size_t level = finest;; --level) {
+    result[level] = gamma.cast<double>();
+    if (level == 0) return result;
+    gamma = (exact_[level] * gamma + gamma * e).eval();
+    e = (e * e).eval();
+  }
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "trivet/excitation/signal.h"
+#include "trivet/response/transient/exponential_step.h"
+
+namespace trivet::response {
+
+/// One signal with one delay, with its integrals, read forward in time piece by piece. Before its first piece all is zero.
+class InputCourse {
+ public:
+  InputCourse(const excitation::Signal& signal, double delay);
+
+  /// Index of a piece, −1 before the first: where in the signal a walk stands.
+  using Place = std::ptrdiff_t;
+
+  /// ∬u … ü at time t as the piece at `place` continues it.
+  [[nodiscard]] InputVector at(Place place, double t) const;
+  [[nodiscard]] double kappa(Place place) const { return place < 0 ? 0 : piece(place).kappa; }
+  /// Which of the distinct κ the piece has.
+  [[nodiscard]] std::size_t kappa_index(Place place) const { return place < 0 ? 0 : kappa_index_[static_cast<std::size_t>(place)]; }
+  [[nodiscard]] const std::vector<double>& kappas() const { return kappas_; }
+  /// When the next piece begins; infinite after the last.
+  [[nodiscard]] double next_corner(Place place) const {
+    return place + 1 < count() ? starts_[static_cast<std::size_t>(place + 1)] : std::numeric_limits<double>::infinity();
+  }
+  /// Where the signal stands at t, pieces that begin at t or within `resolution` of it included.
+  [[nodiscard]] Place place_at(double t, double resolution) const;
+  /// What u, u̇, ü jump by where the piece at `place` begins; the integrals do not jump.
+  [[nodiscard]] InputVector jump_into(Place place) const;
+
+  [[nodiscard]] Place count() const { return static_cast<Place>(starts_.size()); }
+  [[nodiscard]] double start() const { return starts_.empty() ? std::numeric_limits<double>::infinity() : starts_.front(); }
+  [[nodiscard]] double last_corner() const { return starts_.empty() ? -std::numeric_limits<double>::infinity() : starts_.back(); }
+  /// Does the mth derivative of u, m = 0, 1, 2, jump (beyond round-off) where the piece at `place` begins?
+  [[nodiscard]] bool jumps(Place place, int m) const { return (jumps_[static_cast<std::size_t>(place)] >> m & 1) != 0; }
+  /// Lowest derivative of u that jumps anywhere: 0 a step, 1 a corner, 2 a change of curvature.
+  [[nodiscard]] int smoothness() const { return smoothness_; }
+  /// Usual time between samples where the signal is a polygon of many straight lines; 0 for other signals [s].
+  [[nodiscard]] double sampling_step() const { return sampling_step_; }
+
+ private:
+  [[nodiscard]] const excitation::Piece& piece(Place place) const { return pieces_[static_cast<std::size_t>(place)]; }
+
+  std::vector<excitation::Piece> pieces_;
+  std::vector<double> starts_;                           ///< delayed [s]
+  std::vector<excitation::SignalIntegrals> before_;      ///< ∫u and ∬u up to the start of each piece
+  std::vector<double> kappas_;
+  std::vector<std::size_t> kappa_index_;
+  std::vector<unsigned char> jumps_;                     ///< bit m: the mth derivative jumps
+  int smoothness_ = 2;
+  double sampling_step_ = 0;
+};
+
+}  // namespace trivet::response

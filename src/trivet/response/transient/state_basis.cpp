@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/transient/state_basis.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/massless.h"
+
+namespace trivet::response {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+std::vector<Eigen::Index> massless_rows(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& massive) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < m.size(); ++i)
+    if (!std::binary_search(massive.begin(), massive.end(), i)) rows.push_back(i);
+  return rows;
+}
+
+/// Turns the massless coordinates so that dashpots hold the first of them and none holds the others.
+void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& rows, Eigen::MatrixXd& R, StateBasis& basis) {
+  const Eigen::MatrixXd held = R.transpose() * m.B * R;
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  basis.lagging = count;
+  if (!held.isApprox(held.transpose(), 1e-12) && !held.isZero(0)) return;  // unsymmetric: must be regular
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held);
+  const double none = 64 * static_cast<double>(count) * epsilon * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  std::vector<Eigen::Index> lagging, following;
+  for (Eigen::Index i = 0; i < count; ++i) (std::abs(eigen.eigenvalues()(i)) > none ? lagging : following).push_back(i);
+  if (following.empty()) return;
+  basis.lagging = static_cast<Eigen::Index>(lagging.size());
+  basis.following = static_cast<Eigen::Index>(following.size());
+  lagging.insert(lagging.end(), following.begin(), following.end());
+  R = (R * eigen.eigenvectors()(Eigen::all, lagging)).eval();
+}
+
+/// Modes of the massive coordinates, if there are as many real ones as coordinates.
+bool take_modes(const numerics::DynamicMatrices& m, Eigen::MatrixXd& P, StateBasis& basis) {
+  if (!m.symmetric) return false;
+  const numerics::MassiveSystem massive = numerics::massive_system(m);
+  const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, true);
+  if (modes.lambda.size() != basis.massive) return false;
+  P = massive.recovery * modes.shapes;
+  basis.A = modes.norm.asDiagonal();
+  basis.K = (modes.norm.array() * modes.lambda.array()).matrix().asDiagonal();
+  double slowest = 0;
+  for (const double lambda : modes.lambda)
+    if (lambda != 0 && (slowest == 0 || std::abs(lambda) < slowest)) slowest = std::abs(lambda);
+  basis.speed = modes.lambda.unaryExpr([&](double lambda) { return lambda != 0 ? std::sqrt(std::abs(lambda)) : slowest > 0 ? std::sqrt(slowest) : 1.0; });
+  return true;
+}
+
+void require_quiet(const Eigen::MatrixXd& B, Eigen::Index first) {
+  constexpr double round_off = 1e-10;
+  const double scale = B.cwiseAbs().maxCoeff();
+  if (B.bottomRows(B.rows() - first).cwiseAbs().maxCoeff() > round_off * scale || B.rightCols(B.cols() - first).cwiseAbs().maxCoeff() > round_off * scale)
+    throw foundation::NotComputable("a coordinate without mass and without damping of its own is coupled to others by damping: "
+                                    "its motion in time is not determined; give it a mass or a dashpot");
+}
+
+}  // namespace
+
+StateBasis state_basis(const numerics::DynamicMatrices& m) {
+  StateBasis basis;
+  const std::vector<Eigen::Index> massive = numerics::massive_rows(m.A), massless = massless_rows(m, massive);
+  const Eigen::VectorXd scale = numerics::unit_scale(m);
+  const Eigen::Index n = m.size(), count = static_cast<Eigen::Index>(massive.size());
+  basis.massive = count;
+  Eigen::MatrixXd P, R = Eigen::MatrixXd::Zero(n, n - count);
+  for (std::size_t i = 0; i < massless.size(); ++i) R(massless[i], static_cast<Eigen::Index>(i)) = scale(massless[i]);
+  if (!massless.empty()) part_massless(m, massless, R, basis);
+  basis.modal = take_modes(m, P, basis);
+  if (!basis.modal) {
+    P = Eigen::MatrixXd::Zero(n, count);
+    for (std::size_t i = 0; i < massive.size(); ++i) P(massive[i], static_cast<Eigen::Index>(i)) = scale(massive[i]);
+    basis.A = P.transpose() * m.A * P;
+  }
+  basis.T.resize(n, n);
+  basis.T << P, R;
+  const Eigen::MatrixXd modal_stiffness = basis.K;
+  basis.B = basis.T.transpose() * m.B * basis.T;
+  basis.K = basis.T.transpose() * m.K * basis.T;
+  if (basis.following > 0) require_quiet(basis.B, n - basis.following);
+  if (basis.modal) {
+    basis.K.topRightCorner(count, n - count).setZero();
+    basis.K.bottomLeftCorner(n - count, count).setZero();
+    basis.K.topLeftCorner(count, count) = modal_stiffness;
+  } else {
+    basis.speed = Eigen::VectorXd::Constant(count, std::sqrt(std::max(basis.K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min())));
+  }
+  const Eigen::PartialPivLU<Eigen::MatrixXd> inertia(basis.A);
+  if (count > 0 && inertia.rcond() < epsilon)
+    throw foundation::NotComputable("the mass matrix of the moving coordinates is singular: some motion has no inertia");
+  basis.from_coordinates.resize(n, n);
+  basis.from_coordinates.topRows(count) = inertia.solve(P.transpose() * m.A);
+  if (!massless.empty()) {
+    const Eigen::MatrixXd own = R(massless, Eigen::all), ridden = P(massless, Eigen::all);
+    Eigen::MatrixXd rest = -ridden * basis.from_coordinates.topRows(count);
+    for (std::size_t i = 0; i < massless.size(); ++i) rest(static_cast<Eigen::Index>(i), massless[i]) += 1;
+    basis.from_coordinates.bottomRows(n - count) = own.partialPivLu().solve(rest);
+  }
+  return basis;
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/transient/transient_extremes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trivet::response {
+namespace {
+
+/// Walks taken again per extreme; what is left by then differs in the last digits only.
+constexpr std::size_t most_searches = 32;
+constexpr int most_halvings = 60;
+
+/// Largest value of one answer (of −answer for the smallest) near a point.
+class Search {
+ public:
+  Search(TransientWalk& walk, const StateSpace& space, const LinearRows& row, double sign)
+      : walk_(walk), value_(row), rate_(space.derivative(row)), sign_(sign), inputs_(row.on_input.cols()) {}
+
+  /// Between `state` and `end`, corners taken on the way.
+  void over(WalkState state, double end, Extreme& best) {
+    while (end - state.time > walk_.resolution()) {
+      const double to = std::min(end, walk_.next_corner(state));
+      WalkState after = state;
+      walk_.glide(after, to);
+      offer(after, best);
+      if (of(rate_, state) > 0 && of(rate_, after) < 0) turn(state, to, best);
+      walk_.take_corners(after);
+      offer(after, best);
+      state = std::move(after);
+    }
+  }
+
+ private:
+  double of(const LinearRows& row, const WalkState& at) {
+    walk_.inputs(at, inputs_);
+    return sign_ * (row.on_state.row(0).dot(at.x) + row.on_input.row(0).dot(inputs_));
+  }
+  void offer(const WalkState& at, Extreme& best) {
+    const double value = of(value_, at);
+    if (value > sign_ * best.value) best = {sign_ * value, at.time};
+  }
+  /// The derivative is positive at `state` and negative at `end`: regula falsi with the weights of Illinois.
+  void turn(const WalkState& state, double end, Extreme& best) {
+    WalkState here = state;
+    double low = state.time, high = end, at_low = of(rate_, state);
+    walk_.glide(here, end);
+    double at_high = of(rate_, here);
+    for (int i = 0, side = 0; i < most_halvings && high - low > std::max(walk_.resolution(), 1e-7 * (end - state.time)); ++i) {
+      const double t = std::clamp(low + (high - low) * at_low / (at_low - at_high), low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+      here = state;
+      walk_.glide(here, t);
+      offer(here, best);
+      const double rate = of(rate_, here);
+      if (rate == 0) return;
+      if (rate > 0) {
+        low = t, at_low = rate;
+        if (side == 1) at_high /= 2;
+        side = 1;
+      } else {
+        high = t, at_high = rate;
+        if (side == -1) at_low /= 2;
+        side = -1;
+      }
+    }
+  }
+
+  TransientWalk& walk_;
+  const LinearRows& value_;
+  LinearRows rate_;
+  double sign_;
+  Eigen::VectorXd inputs_;
+};
+
+struct Candidate {
+  double reach = 0;
+  Eigen::Index point = 0;
+};
+
+/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning point and its
+/// neighbours.
+struct Candidates {
+  std::vector<Candidate> largest, smallest;  ///< the farthest first; −value for the smallest
+};
+
+Candidates candidates(const TimeCurve& curve, double margin) {
+  Candidates found;
+  const Eigen::VectorXd& v = curve.values;
+  const Eigen::Index last = v.size() - 1;
+  const auto add = [&](double rise, Eigen::Index i, bool up) {
+    const double reach = (up ? v(i) : -v(i)) + rise;
+    if (reach > (up ? curve.largest.value : -curve.smallest.value)) (up ? found.largest : found.smallest).push_back({reach, i});
+  };
+  for (const auto& [end, inner] : {std::pair{Eigen::Index{0}, Eigen::Index{1}}, {last, last - 1}}) add(std::abs(v(end) - v(inner)), end, v(end) > v(inner));
+  for (Eigen::Index i = 1; i < last; ++i) {
+    const double before = v(i) - v(i - 1), after = v(i + 1) - v(i);
+    if (before * after > 0) continue;
+    const double bend = after - before, slope = (after + before) / 2;
+    if (bend != 0) add(margin * slope * slope / (2 * std::abs(bend)), i, bend < 0);
+  }
+  for (std::vector<Candidate>* list : {&found.largest, &found.smallest}) {
+    const auto kept = static_cast<std::ptrdiff_t>(std::min(list->size(), most_searches));
+    std::partial_sort(list->begin(), list->begin() + kept, list->end(), [](const Candidate& a, const Candidate& b) { return a.reach > b.reach; });
+    list->resize(static_cast<std::size_t>(kept));
+  }
+  return found;
+}
+
+}  // namespace
+
+void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
+                           const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve) {
+  // Of a sine with the phase θ between points that parabola has (1 + cos θ)/2 of the rise; a quarter more for what is not one sine.
+  const double phase = std::min(grid.fastest * grid.step, 2.5);
+  const Candidates found = candidates(curve, 2.5 / (1 + std::cos(phase)));
+  std::size_t done = 0;
+  const std::size_t all = found.largest.size() + found.smallest.size();
+  for (const double sign : {1.0, -1.0}) {
+    Extreme& best = sign > 0 ? curve.largest : curve.smallest;
+    Search search(walk, space, row, sign);
+    for (const Candidate& candidate : sign > 0 ? found.largest : found.smallest) {
+      if (candidate.reach <= sign * best.value) break;
+      foundation::report_progress(progress, "largest and smallest values",
+                                  static_cast<double>(done++) / static_cast<double>(all));
+      const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0), last = std::min(candidate.point + 1, grid.points - 1);
+      WalkState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];
+      for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i) walk.advance(state, grid.time(i + 1));
+      for (Eigen::Index i = first; i < last; ++i) {
+        search.over(state, grid.time(i + 1), best);
+        walk.advance(state, grid.time(i + 1));
+      }
+    }
+  }
+}
+
+}  // namespace trivet::response

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/response/transient/transient_record.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/transient/transient_rows.h"
+
+namespace trivet::response {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Bit m where answers jump with the mth derivative of u (and with what follows from it where κ > 0).
+int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool state_jumps) {
+  int held = state_jumps ? 3 : 0;
+  for (Eigen::Index m = 0; m < 3; ++m) {
+    const Eigen::Index columns = m < 2 ? 1 : input_derivatives - of_value - 2;
+    if (!on_input.middleCols(of_value + m, columns).isZero(0)) held |= 1 << m;
+  }
+  return held;
+}
+
+}  // namespace
+
+TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid)
+    : walk_(walk), courses_(courses), rows_(std::move(rows)), grid_(grid), curves_(static_cast<std::size_t>(rows_.on_state.rows())),
+      inputs_(rows_.on_input.cols()) {
+  for (std::size_t c = 0; c < courses.size(); ++c)
+    held_.push_back(held_derivatives(rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives), walk.state_jumps(c)));
+  for (TimeCurve& curve : curves_) {
+    curve.values.resize(grid.points);
+    curve.largest.value = -infinity;
+    curve.smallest.value = infinity;
+  }
+}
+
+void TransientRecord::run(WalkState state, const foundation::Progress& progress) {
+  constexpr Eigen::Index block = 256;
+  checkpoints_ = {block, {}};
+  const std::vector<Eigen::Index> used = used_inputs(rows_);
+  const Eigen::MatrixXd on_used = rows_.on_input(Eigen::all, used);
+  Eigen::MatrixXd X(state.x.size(), block), W(static_cast<Eigen::Index>(used.size()), block), Y;
+  for (Eigen::Index first = 0; first < grid_.points; first += block) {
+    foundation::report_progress(progress, "transient", static_cast<double>(first) / static_cast<double>(grid_.points));
+    checkpoints_.states.push_back(state);
+    const Eigen::Index count = std::min(block, grid_.points - first);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      X.col(i) = state.x;
+      if (!used.empty()) walk_.inputs(state, inputs_);
+      for (std::size_t j = 0; j < used.size(); ++j) W(static_cast<Eigen::Index>(j), i) = inputs_(used[j]);
+      if (first + i + 1 < grid_.points) to_next_point(state, grid_.time(first + i + 1));
+    }
+    if (!X.leftCols(count).allFinite())
+      throw foundation::NotComputable(fmt::format("transient: the motion outgrows all numbers before {:.4g} s", grid_.time(first + count - 1)));
+    Y.noalias() = X.leftCols(count).transpose() * rows_.on_state.transpose();
+    Y.noalias() += W.leftCols(count).transpose() * on_used.transpose();
+    keep(Y, first);
+  }
+}
+
+void TransientRecord::to_next_point(WalkState& state, double to) {
+  for (double corner = walk_.next_corner(state); corner <= to + walk_.resolution(); corner = walk_.next_corner(state)) {
+    walk_.glide(state, std::min(corner, to));
+    const bool jump = answers_jump(state, corner);
+    if (jump) note(state);
+    walk_.take_corners(state);
+    if (jump) note(state);
+  }
+  if (state.time != to) walk_.glide(state, to);
+}
+
+bool TransientRecord::answers_jump(const WalkState& state, double corner) const {
+  for (std::size_t c = 0; c < courses_.size(); ++c)
+    for (int m = 0; m < 3; ++m)
+      if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + walk_.resolution() && courses_[c].jumps(state.places[c] + 1, m))
+        return true;
+  return false;
+}
+
+void TransientRecord::note(const WalkState& state) {
+  walk_.inputs(state, inputs_);
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    const double value = rows_.on_state.row(row).dot(state.x) + (inputs_.size() > 0 ? rows_.on_input.row(row).dot(inputs_) : 0);
+    if (value > curves_[k].largest.value) curves_[k].largest = {value, state.time};
+    if (value < curves_[k].smallest.value) curves_[k].smallest = {value, state.time};
+  }
+}
+
+void TransientRecord::keep(const Eigen::MatrixXd& values, Eigen::Index first) {
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    TimeCurve& curve = curves_[static_cast<std::size_t>(k)];
+    curve.values.segment(first, values.rows()) = values.col(k);
+    Eigen::Index at = 0;
+    if (values.col(k).maxCoeff() > curve.largest.value) {
+      const double value = values.col(k).maxCoeff(&at);
+      curve.largest = {value, grid_.time(first + at)};
+    }
+    if (values.col(k).minCoeff() < curve.smallest.value) {
+      const double value = values.col(k).minCoeff(&at);
+      curve.smallest = {value, grid_.time(first + at)};
+    }
+  }
+}
+
+}  // namespace trivet::response

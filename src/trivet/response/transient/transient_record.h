@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/response/transient/time_grid.h"
+#include "trivet/response/transient/transient.h"
+#include "trivet/response/transient/transient_extremes.h"
+#include "trivet/response/transient/transient_walk.h"
+
+namespace trivet::response {
+
+/// Walks over the grid and keeps the answers: values at its points, extremes at the points and on both sides of every jump.
+class TransientRecord {
+ public:
+  TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid);
+
+  /// From the first point, where `state` stands, to the last.
+  /// @throws foundation::NotComputable if the motion leaves the range of numbers
+  void run(WalkState state, const foundation::Progress& progress);
+
+  [[nodiscard]] const Checkpoints& checkpoints() const { return checkpoints_; }
+  /// Values and extremes of the answers, without names.
+  [[nodiscard]] std::vector<TimeCurve> take() { return std::move(curves_); }
+
+ private:
+  void to_next_point(WalkState& state, double to);
+  [[nodiscard]] bool answers_jump(const WalkState& state, double corner) const;
+  void note(const WalkState& state);
+  void keep(const Eigen::MatrixXd& values, Eigen::Index first);
+
+  TransientWalk& walk_;
+  const std::vector<InputCourse>& courses_;
+  LinearRows rows_;
+  const TimeGrid& grid_;
+  std::vector<int> held_;          ///< per course: bit m where answers jump with the mth derivative of its signal
+  std::vector<TimeCurve> curves_;
+  Checkpoints checkpoints_;
+  Eigen::VectorXd inputs_;
+};
+
+}  // namespace trivet::response

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/response/transient/exponential_step.h"
+#include "trivet/response/transient/input_course.h"
+#include "trivet/response/transient/state_space.h"
+
+namespace trivet::response {
+
+/// Where a walk stands: the state just after all corners at `time`.
+struct WalkState {
+  double time = 0;
+  Eigen::VectorXd x;
+  std::vector<InputCourse::Place> places;  ///< per course
+};
+
+/// Walks a state forward in time without any error of truncation. Times closer than `resolution` are one. Neither copyable nor for two
+/// threads.
+class TransientWalk {
+ public:
+  TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution);
+
+  [[nodiscard]] double resolution() const { return resolution_; }
+  [[nodiscard]] double next_corner(const WalkState& at) const;
+  /// To a time at most one step later, before which no input has a corner (a corner at that time is not yet taken).
+  void glide(WalkState& at, double to);
+  /// Takes the corners at this time; the state jumps where the ground does.
+  void take_corners(WalkState& at) const;
+  /// Does the state jump where this input jumps or has a corner?
+  [[nodiscard]] bool state_jumps(std::size_t course) const { return !space_.G(course).rightCols<2>().isZero(0); }
+  /// To any later time, corners on the way and at its end taken.
+  void advance(WalkState& at, double to);
+  /// w of every course, one below the other, and derivatives up to the seventh.
+  void inputs(const WalkState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const;
+
+ private:
+  void take_step(WalkState& at, std::size_t level);
+  void take_series(WalkState& at, double duration);
+  const std::vector<InputMatrix>& gamma(std::size_t course, std::size_t kappa);
+
+  const StateSpace& space_;
+  const std::vector<InputCourse>& courses_;
+  double resolution_;
+  ExponentialStep exponential_;
+  std::vector<std::vector<std::vector<InputMatrix>>> gamma_;  ///< per course, κ, level; filled when first needed
+  Eigen::VectorXd next_, term_;
+  std::vector<InputVector> own_;
+};
+
+}  // namespace trivet::response

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/axis_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "trivet/project/text/design_parameter.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 11> units = {{{"proportional", "s"},
+                                                                        {"coefficient", "N s/m"},
+                                                                        {"mass", "kg"},
+                                                                        {"angle", "rad"},
+                                                                        {"phase", "rad"},
+                                                                        {"xx", "kg m²"},
+                                                                        {"yy", "kg m²"},
+                                                                        {"zz", "kg m²"},
+                                                                        {"xy", "kg m²"},
+                                                                        {"xz", "kg m²"},
+                                                                        {"yz", "kg m²"}}};
+
+/// Keys in the field's words.
+constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"scale", "stiffness scale"},
+                                                                             {"stiffening", "dynamic stiffening"},
+                                                                             {"proportional", "proportional damping δ"},
+                                                                             {"coefficient", "damping coefficient"},
+                                                                             {"loss_factor", "loss factor"},
+                                                                             {"mass", "mass"},
+                                                                             {"xx", "moment of inertia xx"},
+                                                                             {"yy", "moment of inertia yy"},
+                                                                             {"zz", "moment of inertia zz"},
+                                                                             {"xy", "product of inertia xy"},
+                                                                             {"xz", "product of inertia xz"},
+                                                                             {"yz", "product of inertia yz"}}};
+
+int digits_on(const MapAxis& axis) {
+  constexpr int usual = 5, most = 17;
+  const double steps = axis.points - 1;
+  const double step = axis.logarithmic ? std::expm1(std::log(axis.to / axis.from) / steps) : (axis.to - axis.from) / steps / std::max(std::abs(axis.from), std::abs(axis.to));
+  return std::clamp(1 + static_cast<int>(std::ceil(-std::log10(step))), usual, most);
+}
+
+}  // namespace
+
+std::string axis_name(const MapAxis& axis) {
+  const std::vector<std::string> keys = path_keys(axis.parameter);
+  if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
+  std::string words = keys.back();
+  std::replace(words.begin(), words.end(), '_', ' ');
+  for (const auto& [key, meaning] : known_keys)
+    if (keys.back() == key) words = meaning;
+  return keys.size() > 2 ? words + " of " + keys[1] : words;
+}
+
+std::string axis_unit(const MapAxis& axis) {
+  if (!axis.unit.empty()) return axis.unit;
+  const std::vector<std::string> keys = path_keys(axis.parameter);
+  const auto found = std::find_if(units.begin(), units.end(), [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
+  return found == units.end() ? "" : found->second;
+}
+
+std::string axis_value(double value, const MapAxis& axis) {
+  const std::string unit = axis_unit(axis);
+  return fmt::format("{:.{}g}{}", value, digits_on(axis), unit.empty() ? "" : " " + unit);
+}
+
+}  // namespace trivet::study

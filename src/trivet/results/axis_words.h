@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/project/analyses/analyses.h"
+
+namespace trivet::study {
+
+/// What an axis is called: its name, or what its path means in the field's words ("stiffness scale of suspension").
+[[nodiscard]] std::string axis_name(const MapAxis& axis);
+
+/// The unit of the numbers on an axis: that written beside from and to, else the SI unit that a bare number of this key has; empty if it has none or that is not known.
+[[nodiscard]] std::string axis_unit(const MapAxis& axis);
+
+/// "0.12 s", with the digits that tell neighbouring designs apart.
+[[nodiscard]] std::string axis_value(double value, const MapAxis& axis);
+
+}  // namespace trivet::study

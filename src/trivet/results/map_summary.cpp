@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/map_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "trivet/results/axis_words.h"
+#include "trivet/study/map_warnings.h"
+#include "trivet/results/shown_apart.h"
+
+namespace trivet::study {
+namespace {
+
+using Kind = response::DesignRule::Kind;
+
+bool has(const DesignMap& map, Kind kind) {
+  return std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& rule) { return rule.kind == kind; });
+}
+
+std::string band_words(const std::optional<response::Band>& band) {
+  if (!band) return "amplitudes over all frequencies";
+  const auto [from, to] = shown_apart(band->from, band->to, 6);
+  return fmt::format("amplitudes over {} … {} rad/s", from, to);
+}
+
+}  // namespace
+
+std::string asked_words(const DesignMap& map) {
+  std::string text;
+  if (has(map, Kind::amplitude)) text = band_words(map.request.band);
+  if (has(map, Kind::no_peak))
+    text += fmt::format("{}resonance peaks wherever they lie, from {:g} % above the minimum beside them (rises below {:g} of a curve are none)", text.empty() ? "" : "; ",
+                        100 * map.request.peak_tolerance, map.request.min_prominence);
+  return text;
+}
+
+std::string feasible_words(const DesignMap& map) {
+  const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
+  const bool rounded_up = share == "100.00 %" && (map.kept < map.outcomes.size() || map.passages.pairs > 0);
+  std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
+  if (map.steep > 0)
+    text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
+                        "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
+  if (std::any_of(map.marks.begin(), map.marks.end(), [&](const MapMark& mark) { return contradicts(map, mark); })) text += "; not to be trusted: a case contradicts all designs around it";
+  return text;
+}
+
+std::string best_words(const DesignMap& map) {
+  if (!map.best) return "";
+  const DesignOutcome& best = map.outcomes[*map.best];
+  const DesignPoint p = map.point(*map.best);
+  const MapAxis &x = map.request.x, &y = map.request.y;
+  const std::string place = fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
+  if (std::isinf(best.margin))
+    return fmt::format("Best design: {}; margin ∞ (no rule limits {} designs; of these the one farthest from all others and from the frame)", place, map.without_bound);
+  const std::string& rule = map.rules[best.governing].words;
+  if (best.margin == 0) return fmt::format("No design keeps every rule, and none is nearer than another: margin 0 ({}); in their midst: {}", rule, place);
+  std::string text = fmt::format("{}: {}; margin {:.4g} ({}{})", best.kept() ? "Best design" : "No design keeps every rule; the nearest", place, best.margin, rule,
+                                 map.equals > 1 ? fmt::format("; in the midst of {} as good ones", map.equals) : "");
+  const std::vector<std::string> ends = best_ends(map);
+  for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "; at " : " and ") + ends[k];
+  return text + (ends.empty() ? "" : ", a better one may lie beyond");
+}
+
+std::vector<std::string> best_ends(const DesignMap& map) {
+  if (!map.best || !(map.outcomes[*map.best].margin > 0) || std::isinf(map.outcomes[*map.best].margin)) return {};
+  const auto nx = static_cast<std::size_t>(map.grid.nx), ny = static_cast<std::size_t>(map.grid.ny);
+  const DesignPoint p = map.point(*map.best);
+  std::vector<std::string> ends;
+  const auto look = [&](const MapAxis& axis, double value, std::size_t at, std::size_t points) {
+    if (value != 0 && (at == 0 || at + 1 == points)) ends.push_back(fmt::format("the {} end of {}", at == 0 ? "lower" : "upper", axis_name(axis)));
+  };
+  look(map.request.x, p.x, *map.best % nx, nx);
+  look(map.request.y, p.y, *map.best / nx, ny);
+  return ends;
+}
+
+std::vector<std::size_t> governing_rules(const DesignMap& map) {
+  const auto designs = [&](std::size_t rule) { return map.shares[rule].broken + map.shares[rule].kept; };
+  std::vector<std::size_t> order(map.rules.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return designs(a) > designs(b); });
+  std::erase_if(order, [&](std::size_t rule) { return designs(rule) == 0; });
+  return order;
+}
+
+std::string unlimited_words(const DesignMap& map) { return has(map, Kind::amplitude) ? "nothing moves" : "no peak"; }
+
+}  // namespace trivet::study

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/project_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "trivet/elements/matrix_checks.h"
+#include "trivet/foundation/message_list.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/study/element_summary.h"
+#include "trivet/results/json_parts.h"
+#include "trivet/foundation/version.h"
+
+namespace trivet::study {
+namespace {
+
+using json::Json;
+
+/// `lowest`: the scaled eigenvalue that tells whether it gives energy.
+void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, double lowest, bool symmetric,
+                      std::vector<CheckLine>& lines) {
+  if (v.highest_eigenvalue == 0) return;
+  lines.push_back({subject, quantity + " resists no rigid motion", fmt::format("{:.1e} of its scale", v.rigid_residual),
+                   v.rigid_residual <= elements::silent_residual});
+  if (symmetric) {
+    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
+    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest), lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
+  }
+}
+
+std::string damping_words(const elements::Damping& damping) {
+  if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
+    return fmt::format("B = {:.6g} s × {} K", p->factor, p->of_nominal ? "nominal" : "scaled");
+  if (const auto* l = std::get_if<elements::LossFactor>(&damping)) return fmt::format("loss factor {:.6g}", l->value);
+  if (const auto* v = std::get_if<elements::Viscoelastic>(&damping)) return elements::words(*v);
+  return std::holds_alternative<elements::DampingMatrix>(damping) ? "viscous matrix" : "none";
+}
+
+std::string damping_words(const model::SystemDamping& damping) {
+  if (const auto* r = std::get_if<model::RayleighDamping>(&damping)) return fmt::format("B += {:.6g} 1/s × A + {:.6g} s × K", r->mass, r->stiffness);
+  if (const auto* m = std::get_if<model::ModalDamping>(&damping)) {
+    std::string ratios;
+    for (const double ratio : m->ratios) ratios += fmt::format("{}{:.6g}", ratios.empty() ? "" : ", ", ratio);
+    return "modal damping ratios " + ratios;
+  }
+  return "none beside that of the elements";
+}
+
+Json facts_json(const model::Element& element) {
+  Json list = Json::array();
+  for (const model::Fact& fact : element.facts) list.push_back({{"what", fact.what}, {"value", fact.value}});
+  return list;
+}
+
+/// A real amplitude keeps its sign; a complex one is split into magnitude and phase.
+Json excitation_json(const model::Description& d, const model::Excitation& excitation) {
+  const model::Action& action = excitation.action;
+  const bool real = action.amplitude.imag().isZero(0);
+  const Eigen::VectorXd size = real ? Eigen::VectorXd(action.amplitude.real()) : Eigen::VectorXd(action.amplitude.cwiseAbs());
+  const Eigen::VectorXd phase = real ? Eigen::VectorXd(Eigen::VectorXd::Zero(6)) : Eigen::VectorXd(action.amplitude.cwiseArg());
+  const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
+  const bool orders = std::holds_alternative<model::Orders>(excitation.course), random = std::holds_alternative<model::Random>(excitation.course);
+  const char* type = !harmonic ? (orders ? "orders" : random ? "random" : "time") : harmonic->power_of_frequency == 2 ? "unbalance" : action.body ? "harmonic" : "base";
+  Json result{{"name", excitation.name}, {"type", type}, {"at", json::list(action.at)}, {"phase", json::list(phase)}};
+  if (!action.body) {
+    static constexpr const char* translation[] = {"m", "m/s", "m/s²"};
+    static constexpr const char* rotation[] = {"rad", "rad/s", "rad/s²"};
+    result["units"] = {translation[action.derivative], rotation[action.derivative]};
+  } else if (harmonic && harmonic->power_of_frequency == 2) {
+    result["units"] = {"kg m", "kg m²"};
+  } else if (!harmonic) {
+    result["units"] = {"1", "m"};
+  }
+  result["on"] = action.body ? Json(d.bodies[*action.body].name) : Json(nullptr);
+  result[action.body ? "force" : "translation"] = json::list(size.head(3));
+  result[action.body ? "moment" : "rotation"] = json::list(size.tail(3));
+  return result;
+}
+
+Json model_json(const Case& variant) {
+  const model::Description& d = variant.system.description();
+  Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
+              {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)}, {"damping", damping_words(d.damping)}};
+  for (const auto& body : d.bodies) {
+    Json points = Json::object();
+    for (const auto& point : body.points) points[point.name] = json::list(point.at);
+    Json free = Json::array();
+    for (std::size_t j = 0; j < 6; ++j)
+      if (body.free[j]) free.push_back(model::coordinate_names[j]);
+    result["bodies"].push_back({{"name", body.name}, {"mass", body.mass.mass}, {"center_of_mass", json::list(body.mass.centre)},
+                                {"inertia_about_pole", json::rows(spatial::inertia_about_pole(body.mass))},
+                                {"principal_moments", json::list(spatial::principal_inertia(body.mass).moments)},
+                                {"position", json::list(body.pose.position)}, {"rotation", json::rows(body.pose.rotation)},
+                                {"points", std::move(points)}, {"free", std::move(free)}});
+  }
+  for (const auto& element : d.elements)
+    result["elements"].push_back({{"name", element.name}, {"type", element.type}, {"scale", element.law.scale},
+                                  {"damping", damping_words(element.law.damping)}, {"facts", facts_json(element)},
+                                  {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)}, {"n", json::end(variant, element.n)},
+                                  {"k", json::end(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
+                                  {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
+  for (const model::Foundation& foundation : d.foundations)
+    result["foundations"].push_back({{"name", foundation.name}, {"mass", json::rows(foundation.mass)}, {"damping", json::rows(foundation.damping)}, {"stiffness", json::rows(foundation.stiffness)}});
+  for (const model::Excitation& excitation : d.excitations) result["excitations"].push_back(excitation_json(d, excitation));
+  for (const auto& force : d.constant_forces)
+    result["excitations"].push_back({{"name", force.name}, {"type", "constant"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
+                                     {"force", json::list(force.wrench.force)}, {"moment", json::list(force.wrench.moment)}});
+  return result;
+}
+
+enum class Reader { file, page };
+
+Json case_json(const Case& variant, const Answers& answers, Reader reader) {
+  Json checks = Json::array();
+  for (const CheckLine& line : check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
+  Json limits = Json::array();
+  for (const LimitAnswer& limit : answers.limits)
+    limits.push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}, {"in_band", json::number(limit.in_band)},
+                      {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
+  Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
+              {"free_motions", answers.free_motions}, {"not_computed", answers.failures}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
+  if (variant.analyses.modes) result["modes"] = json::modes(variant, answers);
+  if (variant.analyses.roots) result["roots"] = json::roots(variant, answers);
+  if (answers.response) {
+    result["band"] = {answers.response->band.from, answers.response->band.to};
+    result["response"] = reader == Reader::page ? json::drawn_response(answers) : json::response(answers);
+  }
+  if (answers.peaks) result["peaks"] = json::peaks(answers);
+  if (answers.statics) result["static"] = json::statics(answers);
+  if (reader == Reader::file) {
+    json::add_further(answers, result);
+    return result;
+  }
+  if (!answers.limit_lines.empty()) result["limit_lines"] = json::limit_lines(answers);
+  if (answers.map) result["map"] = json::map_marks(*answers.map);
+  return result;
+}
+
+}  // namespace
+
+std::vector<CheckLine> check_lines(const Case& variant) {
+  std::vector<CheckLine> lines;
+  for (const auto& body : variant.system.bodies()) {
+    const std::string subject = "body " + body.name;
+    lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
+    if (!body.has_inertia) continue;
+    const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
+    const Eigen::VectorXd a = numerics::symmetric_eigenvalues(spatial::mass_matrix(body.mass));
+    lines.push_back({subject, "principal central moments are those of a real body", fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
+                     spatial::broken_bounds(body.mass).empty()});
+    lines.push_back({subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
+  }
+  for (const auto& element : variant.system.elements()) {
+    const std::string subject = "element " + element.name;
+    const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
+    const elements::MatrixVerdict of_k = matrix_verdict(variant, element, k), of_b = matrix_verdict(variant, element, b);
+    // Turned as a whole, a preloaded element does work: N is held.
+    add_matrix_lines(subject, "stiffness", of_k, element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric, lines);
+    add_matrix_lines(subject, "damping", of_b, of_b.lowest_eigenvalue, element.symmetric, lines);
+  }
+  return lines;
+}
+
+namespace {
+
+std::string all_results(const Project& project, const std::vector<Answers>& answers, Reader reader) {
+  Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", version()}}},
+              {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
+              {"title", project.title}, {"cases", Json::array()}};
+  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
+  return json::text(result) + "\n";
+}
+
+}  // namespace
+
+std::string results_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::file); }
+
+std::string page_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::page); }
+
+std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
+                          const std::vector<CaseDeepCheck>& deep) {
+  Json list = Json::array();
+  const foundation::Problems first = foundation::listed(problems);
+  for (const auto& p : first.list())
+    list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"}, {"file", p.origin.source}, {"line", p.origin.line},
+                    {"subject", p.subject}, {"finding", p.finding}, {"rule", p.rule}, {"remedy", p.remedy}, {"message", foundation::message(p)}});
+  Json result{{"ok", !problems.has_errors()},
+              {"problems", std::move(list)},
+              {"not_listed", problems.list().size() - first.list().size()},
+              {"free_motions", free_motions},
+              {"warnings", json::warnings(problems)}};
+  for (const auto& [name, check] : deep)
+    result["deep"].push_back({{"case", name},
+                              {"verdict", check.verdict()},
+                              {"frequencies", check.frequencies},
+                              {"worst_difference", json::number(check.worst_difference)},
+                              {"allowed", json::number(check.allowed)},
+                              {"at", check.at_angular_frequency}});
+  return json::text(result, 1) + "\n";
+}
+
+}  // namespace trivet::study

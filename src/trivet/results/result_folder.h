@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/temporary_folder.h"
+#include "trivet/foundation/folder_handle.h"
+#include "trivet/results/result_manifest.h"
+
+namespace trivet::study {
+
+/// A result folder in the making: files go to a temporary folder beside the target, which takes the target's place in
+/// one step when `publish` is called; without it, everything written is removed again. Files of an earlier result go,
+/// everything else in the target stays: its manifest tells them apart. Only one process at a time publishes into the
+/// same place (docs/decisions/result-folders.md).
+class ResultFolder {
+ public:
+  /// @param folders  names of the folders that the result will have, "00-base"
+  /// @throws std::runtime_error if the target is a link or a file, holds something but no manifest, or needs a name
+  /// that the user has given to
+  ///         something else; or if nothing can be written there
+  ResultFolder(const std::filesystem::path& target, const std::vector<std::string>& folders);
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+
+  /// Writes one file, `name` may hold a folder. @throws std::runtime_error with the reason (a full disk, for instance)
+  void write(const std::string& name, const std::string& content);
+  /// Puts the result in place. @returns what the user should know: files of theirs that got another name
+  [[nodiscard]] std::vector<std::string> publish();
+
+ private:
+  static constexpr const char* new_result = "new";
+
+  void make_parents();
+  void remove_parents();
+  void check(const FolderHandle& parent, const std::vector<std::string>& folders);
+
+  std::filesystem::path target_;  ///< absolute
+  std::list<foundation::RegisteredFolder> made_parents_;
+  bool one_by_one_ = false;  ///< a mount point: it cannot change places with another folder
+  std::unique_ptr<foundation::TemporaryFolder> temporary_;
+  FolderHandle working_;  ///< new_result in the temporary folder
+  ResultManifest manifest_;
+  bool published_ = false;
+};
+
+}  // namespace trivet::study
