@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "random_designs.h"
 #include "quad.h"
+#include "random_designs.h"
 #include "rival.h"
 #include "rivals/fixed_lu.h"
 #include "rivals/lapack.h"

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "trivet/numerics/linalg/lyapunov.h"
-#include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/random/random_response.h"
+#include "trivet/response/steady/frequency_response.h"
 
 namespace {
 

@@ -15,8 +15,8 @@
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/foundation/child_process.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/response/transient/transient.h"
 #include "trivet/project/project.h"
+#include "trivet/response/transient/transient.h"
 
 namespace {
 
@@ -28,7 +28,7 @@ constexpr Eigen::Index steps = 100000;
 constexpr double step = 0.002;
 
 struct Machine {
-  study::Project project = study::read_project(TRIVET_PAPER).value();
+  project::Project project = project::read_project(TRIVET_PAPER).value();
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
   std::vector<assembly::Channel> coordinates = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);

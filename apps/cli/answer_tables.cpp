@@ -19,7 +19,7 @@ constexpr std::size_t most_rows = 60;  // of a characteristic on the screen
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
-std::string strain_words(const study::Case& variant, const modal::Mode& mode) {
+std::string strain_words(const project::Case& variant, const modal::Mode& mode) {
   if (!mode.strain_energy_share) return "–";
   Eigen::Index largest = 0;
   const double share = mode.strain_energy_share->maxCoeff(&largest);
@@ -34,7 +34,7 @@ std::string warnings_text(const study::Answers& answers) {
   return text.empty() ? text : text + "\n";
 }
 
-std::string modes_text(const study::Case& variant, const study::Answers& answers) {
+std::string modes_text(const project::Case& variant, const study::Answers& answers) {
   TextTable table({"mode", "ω [rad/s]", "f [Hz]", "ω² [rad²/s²]", "most strain energy in", "motion"});
   for (const modal::Mode& mode : answers.modes.list) {
     const double omega = mode.angular_frequency.value_or(nothing);
@@ -118,9 +118,9 @@ std::string limits_text(const study::Answers& answers) {
   return "Limits\n" + table.text();
 }
 
-std::string checks_text(const std::vector<study::CheckLine>& lines) {
+std::string checks_text(const std::vector<results::CheckLine>& lines) {
   TextTable table({"thing", "check", "figure", "verdict"});
-  for (const study::CheckLine& line : lines) table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
+  for (const results::CheckLine& line : lines) table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
   return table.text();
 }
 

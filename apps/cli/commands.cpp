@@ -16,10 +16,10 @@
 #include "trivet/modal/free_motions.h"
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/units.h"
 #include "trivet/results/answers_json.h"
 #include "trivet/results/further_json.h"
 #include "trivet/results/tables_csv.h"
-#include "trivet/project/text/units.h"
 
 namespace trivet::cli {
 
@@ -59,11 +59,11 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
     double value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc() || end != item.data() + item.size()) {
-      const auto converted = study::to_si(item, study::Quantity::angular_frequency);
+      const auto converted = project::to_si(item, project::Quantity::angular_frequency);
       if (!converted) throw BadArgument(fmt::format("{}: \"{}\": {}; give rad/s, or a unit as in \"5 Hz\"", option, item, converted.error()));
       value = *converted;
     }
-    if (const auto broken = study::outside_range(value, study::Quantity::angular_frequency)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; {}", option, value, *broken));
+    if (const auto broken = project::outside_range(value, project::Quantity::angular_frequency)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; {}", option, value, *broken));
     if (!(value >= 0)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; an angular frequency is ≥ 0", option, value));
     result.push_back(value);
   }
@@ -72,11 +72,11 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
 
 namespace {
 
-study::Analyses wanted(const std::string& which, const study::Case& variant, const Options& options) {
-  study::Analyses analyses;
-  const study::Analyses& file = variant.analyses;
+project::Analyses wanted(const std::string& which, const project::Case& variant, const Options& options) {
+  project::Analyses analyses;
+  const project::Analyses& file = variant.analyses;
   if (which == "response") {
-    analyses.response = file.response.value_or(study::ResponseRequest{});
+    analyses.response = file.response.value_or(project::ResponseRequest{});
     analyses.limits = file.limits;
     if (analyses.response->at.empty() && options.at.empty())
       analyses.limit_lines = file.limit_lines;  // lines are compared over a band
@@ -87,13 +87,13 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
     if (!options.band.empty()) {
       const std::vector<double> band = frequencies("--band", options.band);
       if (band.size() != 2 || !(band[1] > band[0])) throw BadArgument(fmt::format("--band {}: a band is FROM,TO with FROM < TO", options.band));
-      if (const auto broken = study::wrong_band(band[0], band[1])) throw BadArgument(fmt::format("--band {}: {}", options.band, *broken));
+      if (const auto broken = project::wrong_band(band[0], band[1])) throw BadArgument(fmt::format("--band {}: {}", options.band, *broken));
       analyses.response->band = response::Band{band[0], band[1]};
       analyses.response->at.clear();
       analyses.limit_lines = file.limit_lines;
     }
   } else if (which == "peaks") {
-    analyses.peaks = file.peaks.value_or(study::PeaksRequest{file.response ? file.response->wanted : study::Wanted{}});
+    analyses.peaks = file.peaks.value_or(project::PeaksRequest{file.response ? file.response->wanted : project::Wanted{}});
   } else if (which == "static") {
     std::vector<std::string> all = {"coordinates"};
     for (const auto& element : variant.system.elements()) all.push_back(element.name);
@@ -101,9 +101,9 @@ study::Analyses wanted(const std::string& which, const study::Case& variant, con
     analyses.static_of = file.static_of.value_or(all);
     analyses.load_sharing = variant.system.description().gravity.has_value();
   } else if (which == "random") {
-    analyses.random = file.random.value_or(study::RandomRequest{});
+    analyses.random = file.random.value_or(project::RandomRequest{});
   } else if (which == "transient") {
-    analyses.transient = file.transient.value_or(study::TransientRequest{});
+    analyses.transient = file.transient.value_or(project::TransientRequest{});
   } else if (which == "orders") {
     if (!file.orders) throw BadArgument("orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
     analyses.orders = file.orders;
@@ -123,8 +123,8 @@ std::vector<std::string> asked_by(const std::string& which) {
 }
 
 /// Which excitations act together in the response or the peaks, if there are several.
-std::string excited_by(const study::Case& variant, const std::string& question) {
-  const study::Analyses& asked = variant.analyses;
+std::string excited_by(const project::Case& variant, const std::string& question) {
+  const project::Analyses& asked = variant.analyses;
   const std::vector<std::string> chosen = question == "peaks" && asked.peaks ? asked.peaks->wanted.excitations
                                           : asked.response                   ? asked.response->wanted.excitations
                                                                              : std::vector<std::string>();
@@ -138,26 +138,26 @@ std::string excited_by(const study::Case& variant, const std::string& question) 
   return count > 1 ? "Excited at once by " + names + " (`excitations` of the question selects some)\n" : "";
 }
 
-std::string rendered(const std::string& which, const study::Case& variant, const study::Answers& answers, const Options& options) {
-  if (which == "modes") return options.json ? study::modes_json(variant, answers) : options.csv ? study::modes_csv(variant, answers) : modes_text(variant, answers);
-  if (which == "roots") return options.json ? study::roots_json(variant, answers) : options.csv ? study::roots_csv(answers) : roots_text(answers);
+std::string rendered(const std::string& which, const project::Case& variant, const study::Answers& answers, const Options& options) {
+  if (which == "modes") return options.json ? results::modes_json(variant, answers) : options.csv ? results::modes_csv(variant, answers) : modes_text(variant, answers);
+  if (which == "roots") return options.json ? results::roots_json(variant, answers) : options.csv ? results::roots_csv(answers) : roots_text(answers);
   if (which == "response")
-    return options.json  ? study::response_json(answers)
-           : options.csv ? study::response_csv(answers)
+    return options.json  ? results::response_json(answers)
+           : options.csv ? results::response_csv(answers)
                          : excited_by(variant, which) + response_text(answers) + limits_text(answers) + limit_lines_text(answers);
-  if (which == "peaks") return options.json ? study::peaks_json(answers) : options.csv ? study::peaks_csv(answers) : excited_by(variant, which) + peaks_text(answers);
-  if (which == "random") return options.json ? study::random_json(answers) : options.csv ? study::random_csv(answers) : random_text(answers);
-  if (which == "transient") return options.json ? study::transient_json(answers) : options.csv ? study::transient_csv(answers) : transient_text(answers);
-  if (which == "orders") return options.json ? study::orders_json(answers) : options.csv ? study::orders_csv(answers) : orders_text(answers);
+  if (which == "peaks") return options.json ? results::peaks_json(answers) : options.csv ? results::peaks_csv(answers) : excited_by(variant, which) + peaks_text(answers);
+  if (which == "random") return options.json ? results::random_json(answers) : options.csv ? results::random_csv(answers) : random_text(answers);
+  if (which == "transient") return options.json ? results::transient_json(answers) : options.csv ? results::transient_csv(answers) : transient_text(answers);
+  if (which == "orders") return options.json ? results::orders_json(answers) : options.csv ? results::orders_csv(answers) : orders_text(answers);
   if (which == "transmissibility")
-    return options.json ? study::transmissibility_json(answers) : options.csv ? study::transmissibility_csv(answers) : transmissibility_text(answers);
-  return options.json ? study::static_json(answers) : options.csv ? study::static_csv(answers) : static_text(answers) + (answers.load_sharing ? load_sharing_text(answers) : std::string());
+    return options.json ? results::transmissibility_json(answers) : options.csv ? results::transmissibility_csv(answers) : transmissibility_text(answers);
+  return options.json ? results::static_json(answers) : options.csv ? results::static_csv(answers) : static_text(answers) + (answers.load_sharing ? load_sharing_text(answers) : std::string());
 }
 
 }  // namespace
 
-const study::Case& chosen_case(const study::Project& project, const std::string& name) {
-  const study::Case* found = project.find(name);
+const project::Case& chosen_case(const project::Project& project, const std::string& name) {
+  const project::Case* found = project.find(name);
   if (found) return *found;
   std::vector<std::string> names;
   for (const auto& c : project.cases) names.push_back(c.name);
@@ -168,24 +168,24 @@ const study::Case& chosen_case(const study::Project& project, const std::string&
   throw BadArgument(fmt::format("--case \"{}\": no such case; {}", name, guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
 }
 
-std::unique_ptr<study::PictureFile> new_picture(const Options& options) {
+std::unique_ptr<results::PictureFile> new_picture(const Options& options) {
   if (options.picture.empty()) return nullptr;
   try {
-    return std::make_unique<study::PictureFile>(options.picture, options.project);
+    return std::make_unique<results::PictureFile>(options.picture, options.project);
   } catch (const foundation::InvalidInput& refused) {
     throw BadArgument(std::string("--picture ") + refused.what());
   }
 }
 
-study::Questions questions_of(const Options& options, std::vector<std::string> wanted) {
+project::Questions questions_of(const Options& options, std::vector<std::string> wanted) {
   return {std::move(wanted), options.case_name};
 }
 
-std::optional<study::Project> read_or_complain(const Options& options, const study::Questions& questions) {
+std::optional<project::Project> read_or_complain(const Options& options, const project::Questions& questions) {
   foundation::remove_abandoned_folders();
-  auto project = study::read_project_for(questions, options.project, options.settings);
+  auto project = project::read_project_for(questions, options.project, options.settings);
   if (project) return std::move(*project);
-  if (options.json) write_output(study::problems_json(project.error(), {}));
+  if (options.json) write_output(results::problems_json(project.error(), {}));
   write_problems(project.error());
   return std::nullopt;
 }
@@ -196,19 +196,19 @@ int check_command(const Options& options) {
   std::vector<std::string> free_motions;
   foundation::Problems warnings;
   std::string text;
-  std::vector<study::CheckLine> base_lines;
+  std::vector<results::CheckLine> base_lines;
   bool agrees = true;
-  std::vector<study::CaseDeepCheck> compared;
-  for (const study::Case& variant : project->cases) {
+  std::vector<results::CaseDeepCheck> compared;
+  for (const project::Case& variant : project->cases) {
     foundation::Problems found = variant.warnings;
     const assembly::Assembled assembled = assembly::assemble(variant.system);
     const modal::Modes modes = modal::modes(variant.system, assembled);
     found.add(modes.warnings);
     found.add(modal::roots(variant.system, assembled, modes).warnings);
     warnings.add(found);
-    std::vector<study::CheckLine> lines = study::check_lines(variant);
+    std::vector<results::CheckLine> lines = results::check_lines(variant);
     if (variant.name.empty()) base_lines = lines;
-    else std::erase_if(lines, [&](const study::CheckLine& line) { return std::find(base_lines.begin(), base_lines.end(), line) != base_lines.end(); });
+    else std::erase_if(lines, [&](const results::CheckLine& line) { return std::find(base_lines.begin(), base_lines.end(), line) != base_lines.end(); });
     text += variant.name.empty() ? "Base model\n" : "Case " + variant.name + (lines.empty() ? ": checks as the base model\n" : "\n");
     if (!lines.empty()) text += checks_text(lines);
     for (const std::string& motion : modal::free_motions(variant.system, assembled, modes)) {
@@ -227,7 +227,7 @@ int check_command(const Options& options) {
   }
   warnings.sort_by_origin();
   if (options.json)
-    write_output(study::problems_json(warnings, free_motions, compared));
+    write_output(results::problems_json(warnings, free_motions, compared));
   else {
     write_problems(warnings);
     write_output(text + fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
@@ -241,7 +241,7 @@ int answer_command(const std::string& which, const Options& options) {
   const auto project = read_or_complain(options, questions_of(options, asked_by(which)));
   if (!project) return wrong_input;
   try {
-    const study::Case& variant = chosen_case(*project, options.case_name);
+    const project::Case& variant = chosen_case(*project, options.case_name);
     const study::Answers answers = study::answers(variant, wanted(which, variant, options), progress());
     const bool only_beside =
         answers.response.has_value();  // what failed then is a limit or a limit line beside the response

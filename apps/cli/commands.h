@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "trivet/results/picture_file.h"
 #include "trivet/project/project.h"
 #include "trivet/project/questions.h"
+#include "trivet/results/picture_file.h"
 
 namespace trivet::cli {
 
@@ -50,19 +50,19 @@ struct BadArgument : std::runtime_error {
 };
 
 /// The base model, or the case of this name. @throws BadArgument if there is none
-[[nodiscard]] const study::Case& chosen_case(const study::Project& project, const std::string& name);
+[[nodiscard]] const project::Case& chosen_case(const project::Project& project, const std::string& name);
 
 /// "1,2.7,15.6" in rad/s, or each with a unit. @throws BadArgument, naming the option
 [[nodiscard]] std::vector<double> frequencies(const std::string& option, const std::string& text);
 
 /// The picture that was asked for, begun; none if none was. @throws BadArgument if it cannot stand where it was asked for
-[[nodiscard]] std::unique_ptr<study::PictureFile> new_picture(const Options& options);
+[[nodiscard]] std::unique_ptr<results::PictureFile> new_picture(const Options& options);
 
 /// The project, or nothing after its problems were printed. Errors in questions that are not wanted stop no command.
-[[nodiscard]] std::optional<study::Project> read_or_complain(const Options& options,
-                                                             const study::Questions& questions = {});
+[[nodiscard]] std::optional<project::Project> read_or_complain(const Options& options,
+                                                             const project::Questions& questions = {});
 
 /// Those that a command on one case answers.
-[[nodiscard]] study::Questions questions_of(const Options& options, std::vector<std::string> wanted);
+[[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> wanted);
 
 }  // namespace trivet::cli

@@ -8,14 +8,14 @@
 #include "cli/console.h"
 #include "cli/element_text.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/project/questions.h"
 #include "trivet/report/element_picture.h"
 #include "trivet/results/element_json.h"
-#include "trivet/project/questions.h"
 
 namespace trivet::cli {
 namespace {
 
-std::size_t chosen_element(const study::Case& variant, const std::string& name) {
+std::size_t chosen_element(const project::Case& variant, const std::string& name) {
   std::vector<std::string> names;
   for (const model::Element& element : variant.system.elements()) {
     if (element.name == name) return names.size();
@@ -25,7 +25,7 @@ std::size_t chosen_element(const study::Case& variant, const std::string& name) 
   throw BadArgument(fmt::format("\"{}\": no element has this name{}", name, guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
 }
 
-std::vector<std::size_t> replaced(const study::Case& variant, std::size_t element, bool all) {
+std::vector<std::size_t> replaced(const project::Case& variant, std::size_t element, bool all) {
   if (!all) return {element};
   std::vector<std::size_t> every(variant.system.elements().size());
   std::iota(every.begin(), every.end(), std::size_t{0});
@@ -38,13 +38,13 @@ int element_command(const Options& options) {
   const auto project = read_or_complain(options, questions_of(options, {}));
   if (!project) return wrong_input;
   try {
-    const study::Case& variant = chosen_case(*project, options.case_name);
+    const project::Case& variant = chosen_case(*project, options.case_name);
     const std::size_t element = chosen_element(variant, options.element);
-    const std::unique_ptr<study::PictureFile> picture = new_picture(options);
+    const std::unique_ptr<results::PictureFile> picture = new_picture(options);
     study::ElementSummary summary = study::element_summary(variant, element);
     std::optional<study::Simplification> simple;
     try {
-      if (study::has_broken_curves(variant))
+      if (project::has_broken_curves(variant))
         summary.warnings.warning(
             "analyses", "errors in response or peaks",
             "the comparison with three springs is of the peaks of the coordinates, not of what the file asks for",
@@ -53,7 +53,7 @@ int element_command(const Options& options) {
     } catch (const foundation::NotComputable& reason) {
       summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");
     }
-    write_output(options.json ? study::element_json(variant, element, summary, simple)
+    write_output(options.json ? results::element_json(variant, element, summary, simple)
                               : element_text(variant, element, summary) + (simple ? "\n" + simplification_text(*simple) : ""));
     if (picture) picture->publish(report::element_picture(variant, element));
     return done;

@@ -24,7 +24,7 @@ std::string axes_words(const Eigen::Matrix3d& axes) {
   return fmt::format("x {}, y {}, z {}", vector_words(axes.col(0), 1e-12), vector_words(axes.col(1), 1e-12), vector_words(axes.col(2), 1e-12));
 }
 
-std::string ends_text(const study::Case& variant, const model::Element& element) {
+std::string ends_text(const project::Case& variant, const model::Element& element) {
   std::string text;
   for (const auto& [letter, end] : {std::pair{'N', &element.n}, std::pair{'K', &element.k}}) {
     const spatial::Pose pose = model::end_in_ground(variant.system.bodies(), *end);
@@ -204,7 +204,7 @@ std::string peak_comparison_text(const study::Simplification& simple) {
 
 }  // namespace
 
-std::string element_text(const study::Case& variant, std::size_t index, const study::ElementSummary& summary) {
+std::string element_text(const project::Case& variant, std::size_t index, const study::ElementSummary& summary) {
   const model::Element& element = variant.system.elements()[index];
   std::string text = fmt::format("Element \"{}\", {}\n", element.name, element.type) + ends_text(variant, element);
   if (element.law.scale != 1) text += fmt::format("  stiffness scaled by {:.6g}\n", element.law.scale);

@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/text_table.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/results/explanation_json.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::cli {
@@ -52,7 +53,7 @@ std::string modes_table(const study::Explanation& explanation, const study::Expl
   return rows > 0 ? table.text() : "";
 }
 
-std::string elements_table(const study::Case& variant, const study::ExplainedPeak& peak) {
+std::string elements_table(const project::Case& variant, const study::ExplainedPeak& peak) {
   TextTable table({"element", "strain energy", "along x", "y", "z", "about x", "y", "z", "dissipated"});
   const auto& shares = peak.shares;
   for (std::size_t e = 0; e < shares.elements.size(); ++e) {
@@ -83,7 +84,7 @@ std::string levers_table(const study::Explanation& explanation, const study::Exp
   return text;
 }
 
-std::string explain_text(const study::Case& variant, const study::Explanation& explanation) {
+std::string explain_text(const project::Case& variant, const study::Explanation& explanation) {
   std::string text;
   for (const auto& problem : explanation.warnings.list()) text += foundation::message(problem) + "\n";
   if (!text.empty()) text += "\n";
@@ -109,11 +110,11 @@ int explain_command(const Options& options) {
   const auto project = read_or_complain(options, questions_of(options, {"peaks", "response"}));
   if (!project) return wrong_input;
   try {
-    const study::Case& variant = chosen_case(*project, options.case_name);
+    const project::Case& variant = chosen_case(*project, options.case_name);
     const study::Explanation explanation = study::explanation(variant, {options.of, options.most}, progress());
     if (options.csv) write_problems(explanation.warnings);
-    write_output(options.json  ? study::explain_json(variant, explanation)
-                 : options.csv ? study::explain_csv(explanation)
+    write_output(options.json  ? results::explain_json(variant, explanation)
+                 : options.csv ? results::explain_csv(explanation)
                                : explain_text(variant, explanation));
     return done;
   } catch (const BadArgument& bad) {

@@ -12,8 +12,8 @@
 #include "cli/console.h"
 #include "cli/signals.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/embedded_text.h"
 #include "trivet/foundation/version.h"
+#include "trivet/project/text/embedded_text.h"
 
 namespace {
 
@@ -71,8 +71,8 @@ int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
 
 int dispatch(const CLI::App& app, const Options& options) {
   const std::string which = app.get_subcommands().front()->get_name();
-  if (which == "new") return trivet::cli::write_output(trivet::study::starter_text), trivet::cli::done;
-  if (which == "schema") return trivet::cli::write_output(trivet::study::schema_text), trivet::cli::done;
+  if (which == "new") return trivet::cli::write_output(trivet::project::starter_text), trivet::cli::done;
+  if (which == "schema") return trivet::cli::write_output(trivet::project::schema_text), trivet::cli::done;
   if (which == "check") return trivet::cli::check_command(options);
   if (which == "element") return trivet::cli::element_command(options);
   if (which == "explain") return trivet::cli::explain_command(options);
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   trivet::cli::end_cleanly_on_signals();
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
-  app.set_version_flag("--version", std::string("trivet ") + trivet::study::version());
+  app.set_version_flag("--version", std::string("trivet ") + trivet::foundation::version());
   app.require_subcommand(1);
   app.footer("Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 128 + n ended by signal n, 141 the reader of the output left; with --strict also 3 and 4, see run --help.");
   add_strict(add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder", options), options)

@@ -30,14 +30,14 @@ study::MapOptions sizes(const std::string& text) {
   const std::size_t cross = text.find('x');
   options.nx = whole(text.substr(0, cross));
   options.ny = cross == std::string::npos ? options.nx : whole(text.substr(cross + 1));
-  if (static_cast<double>(options.nx) * options.ny > study::most_designs)
-    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map holds at most {:.0e}", text, static_cast<double>(options.nx) * options.ny, study::most_designs));
+  if (static_cast<double>(options.nx) * options.ny > project::most_designs)
+    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map holds at most {:.0e}", text, static_cast<double>(options.nx) * options.ny, project::most_designs));
   return options;
 }
 
 /// Those that belong to every answer of this model.
-foundation::Problems model_warnings(const study::Case& variant) {
-  study::Analyses asked;
+foundation::Problems model_warnings(const project::Case& variant) {
+  project::Analyses asked;
   asked.map = variant.analyses.map;
   return study::answers(variant, asked).warnings;
 }
@@ -48,18 +48,18 @@ int map_command(const Options& options) {
   const auto project = read_or_complain(options, questions_of(options, {"map", "response", "peaks", "limits"}));
   if (!project) return wrong_input;
   try {
-    const study::Case& variant = chosen_case(*project, options.case_name);
+    const project::Case& variant = chosen_case(*project, options.case_name);
     if (!variant.analyses.map)
       throw BadArgument("map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, no_peak = \"coordinates\"} to [analyses]");
     const study::MapOptions wanted = sizes(options.points);
-    const std::unique_ptr<study::PictureFile> picture = new_picture(options);
+    const std::unique_ptr<results::PictureFile> picture = new_picture(options);
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
     foundation::Problems warnings = model_warnings(variant);
     warnings.add(map.warnings);
     if (!options.json) write_problems(warnings);
-    const study::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
-    if (options.json) study::write_map_json(map, warnings, sink);
-    else if (options.csv) study::write_map_csv(map, sink);
+    const results::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
+    if (options.json) results::write_map_json(map, warnings, sink);
+    else if (options.csv) results::write_map_csv(map, sink);
     else write_output(map_text(map));
     if (picture) picture->publish(report::map_figure(map, project->title).svg);
     Strictness strictness;

@@ -14,14 +14,14 @@
 namespace trivet::cli {
 namespace {
 
-std::string point_words(const study::DesignMap& map, const study::DesignPoint& p) {
-  const study::MapAxis &x = map.request.x, &y = map.request.y;
-  return fmt::format("{} = {}, {} = {}", study::axis_name(x), study::axis_value(p.x, x), study::axis_name(y), study::axis_value(p.y, y));
+std::string point_words(const study::DesignMap& map, const design::DesignPoint& p) {
+  const project::MapAxis &x = map.request.x, &y = map.request.y;
+  return fmt::format("{} = {}, {} = {}", results::axis_name(x), results::axis_value(p.x, x), results::axis_name(y), results::axis_value(p.y, y));
 }
 
-std::string axis_words(const study::MapAxis& axis) {
-  const std::string name = study::axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")", unit = study::axis_unit(axis);
-  const auto [from, to] = study::shown_apart(axis.from, axis.to, 6);
+std::string axis_words(const project::MapAxis& axis) {
+  const std::string name = results::axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")", unit = results::axis_unit(axis);
+  const auto [from, to] = results::shown_apart(axis.from, axis.to, 6);
   return fmt::format("{}{} {} … {}{}, {} points{}", name, path, from, to, unit.empty() ? "" : " " + unit, axis.points, axis.logarithmic ? ", logarithmic" : "");
 }
 
@@ -35,24 +35,24 @@ std::string coarse_words(const study::DesignMap& map) {
 std::string shares_text(const study::DesignMap& map) {
   TextTable table({"rule", "governs, broken", "governs, kept"});
   const auto percent = [&](std::size_t designs) { return fmt::format("{:.1f} %", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
-  const std::vector<std::size_t> governing = study::governing_rules(map);
+  const std::vector<std::size_t> governing = results::governing_rules(map);
   std::size_t limited = 0;
   for (const std::size_t r : governing) {
     table.add({map.rules[r].words, percent(map.shares[r].broken), percent(map.shares[r].kept)});
     limited += map.shares[r].kept;
   }
-  if (map.kept > limited) table.add({"no rule limits them: " + study::unlimited_words(map), "", percent(map.kept - limited)});
+  if (map.kept > limited) table.add({"no rule limits them: " + results::unlimited_words(map), "", percent(map.kept - limited)});
   const std::size_t silent = map.rules.size() - governing.size();
   return table.text() + (silent > 0 ? fmt::format("  {} of {} rules govern nowhere\n", silent, map.rules.size()) : "");
 }
 
 std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
-  const auto place = [&](const std::optional<double>& value, const study::MapAxis& axis) { return value ? study::axis_value(*value, axis) : std::string("not in the file"); };
+  const auto place = [&](const std::optional<double>& value, const project::MapAxis& axis) { return value ? results::axis_value(*value, axis) : std::string("not in the file"); };
   std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name, place(mark.x, map.request.x), place(mark.y, map.request.y),
                                  !mark.judged ? "NOT COMPUTED" : mark.judged->governing.kept() ? "keeps every rule" : "BREAKS the rules");
   if (!mark.of_this_model) text += ", a model of its own beside the two numbers";
   text += "\n";
-  for (const std::string& words : study::verdict_words(map, mark)) text += "      " + words + "\n";
+  for (const std::string& words : results::verdict_words(map, mark)) text += "      " + words + "\n";
   return text;
 }
 
@@ -60,11 +60,11 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
 
 std::string map_text(const study::DesignMap& map) {
   std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
-  text += "  " + study::asked_words(map) + "\n";
-  text += study::feasible_words(map) + coarse_words(map) + "\n";
-  if (map.best) text += study::best_words(map) + "\n";
+  text += "  " + results::asked_words(map) + "\n";
+  text += results::feasible_words(map) + coarse_words(map) + "\n";
+  if (map.best) text += results::best_words(map) + "\n";
   text += shares_text(map);
-  for (const study::MissingReason& reason : map.report.missing)
+  for (const design::MissingReason& reason : map.report.missing)
     text += fmt::format("  {} design{} without an answer, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)),
                         reason.words);
   if (!map.marks.empty()) text += "Cases\n";

@@ -8,12 +8,12 @@
 #include "cli/console.h"
 #include "cli/further_tables.h"
 #include "cli/strictness.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/further_figures.h"
 #include "trivet/report/report_page.h"
-#include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/plain_text.h"
 #include "trivet/results/further_json.h"
 #include "trivet/results/map_json.h"
 #include "trivet/results/result_folder.h"
@@ -31,34 +31,34 @@ std::string file_stem(const std::string& case_name) {
 }
 
 /// One folder per case, numbered, because different names may share the letters that are safe in a file name.
-std::vector<std::string> case_folders(const study::Project& project) {
+std::vector<std::string> case_folders(const project::Project& project) {
   std::vector<std::string> names;
-  for (const study::Case& variant : project.cases) names.push_back(fmt::format("{:02}-{}", names.size(), file_stem(variant.name)));
+  for (const project::Case& variant : project.cases) names.push_back(fmt::format("{:02}-{}", names.size(), file_stem(variant.name)));
   return names;
 }
 
-void write_case(study::ResultFolder& folder, const std::string& stem, const study::Case& variant, const study::Answers& answers) {
-  const study::Analyses& asked = variant.analyses;
-  if (asked.modes) folder.write(stem + "/modes.csv", study::modes_csv(variant, answers));
-  if (asked.roots) folder.write(stem + "/roots.csv", study::roots_csv(answers));
-  if (answers.response) folder.write(stem + "/response.csv", study::response_csv(answers));
-  if (answers.peaks) folder.write(stem + "/peaks.csv", study::peaks_csv(answers));
-  if (answers.statics) folder.write(stem + "/static.csv", study::static_csv(answers));
-  if (answers.random) folder.write(stem + "/random.csv", study::random_csv(answers)), folder.write(stem + "/densities.csv", study::random_densities_csv(answers));
-  if (answers.transient) folder.write(stem + "/transient.csv", study::transient_csv(answers));
-  if (answers.orders) folder.write(stem + "/orders.csv", study::orders_csv(answers)), folder.write(stem + "/critical_speeds.csv", study::critical_speeds_csv(answers));
-  if (answers.transmissibility) folder.write(stem + "/transmissibility.csv", study::transmissibility_csv(answers));
-  if (answers.power) folder.write(stem + "/power.csv", study::power_csv(answers));
-  if (!answers.shapes.empty()) folder.write(stem + "/shapes.csv", study::shapes_csv(answers));
-  if (!answers.shock_spectra.empty()) folder.write(stem + "/shock_spectrum.csv", study::shock_spectrum_csv(answers));
-  if (answers.map) folder.write(stem + "/map.csv", study::map_csv(*answers.map));
+void write_case(results::ResultFolder& folder, const std::string& stem, const project::Case& variant, const study::Answers& answers) {
+  const project::Analyses& asked = variant.analyses;
+  if (asked.modes) folder.write(stem + "/modes.csv", results::modes_csv(variant, answers));
+  if (asked.roots) folder.write(stem + "/roots.csv", results::roots_csv(answers));
+  if (answers.response) folder.write(stem + "/response.csv", results::response_csv(answers));
+  if (answers.peaks) folder.write(stem + "/peaks.csv", results::peaks_csv(answers));
+  if (answers.statics) folder.write(stem + "/static.csv", results::static_csv(answers));
+  if (answers.random) folder.write(stem + "/random.csv", results::random_csv(answers)), folder.write(stem + "/densities.csv", results::random_densities_csv(answers));
+  if (answers.transient) folder.write(stem + "/transient.csv", results::transient_csv(answers));
+  if (answers.orders) folder.write(stem + "/orders.csv", results::orders_csv(answers)), folder.write(stem + "/critical_speeds.csv", results::critical_speeds_csv(answers));
+  if (answers.transmissibility) folder.write(stem + "/transmissibility.csv", results::transmissibility_csv(answers));
+  if (answers.power) folder.write(stem + "/power.csv", results::power_csv(answers));
+  if (!answers.shapes.empty()) folder.write(stem + "/shapes.csv", results::shapes_csv(answers));
+  if (!answers.shock_spectra.empty()) folder.write(stem + "/shock_spectrum.csv", results::shock_spectrum_csv(answers));
+  if (answers.map) folder.write(stem + "/map.csv", results::map_csv(*answers.map));
   if (answers.response)
     for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
   for (const report::Figure& figure : report::further_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
 }
 
 /// A map where the file asks for one, the cases as points on it.
-void add_map(const study::Project& project, const study::Case& variant, const foundation::Progress& step, study::Answers& answers) {
+void add_map(const project::Project& project, const project::Case& variant, const foundation::Progress& step, study::Answers& answers) {
   try {
     answers.map = study::design_map(project, variant, *variant.analyses.map, {}, step);
     answers.warnings.add(answers.map->warnings);
@@ -69,11 +69,11 @@ void add_map(const study::Project& project, const study::Case& variant, const fo
   }
 }
 
-std::string case_text(const study::Case& variant, const study::Answers& answers) {
+std::string case_text(const project::Case& variant, const study::Answers& answers) {
   std::string text = variant.name.empty() ? "== Base model ==\n" : "== Case " + variant.name + " ==\n";
   for (const std::string& change : variant.changes) text += "  " + change + "\n";
   text += warnings_text(answers);
-  const study::Analyses& asked = variant.analyses;
+  const project::Analyses& asked = variant.analyses;
   if (asked.modes) text += modes_text(variant, answers) + "\n";
   if (asked.roots) text += roots_text(answers) + "\n";
   for (const std::string& failure : answers.failures) text += "NOT COMPUTED: " + failure + "\n";
@@ -100,11 +100,11 @@ int run_command(const Options& options) {
   if (!project) return wrong_input;
   const foundation::Progress report = progress();
   const std::vector<std::string> case_folder = case_folders(*project);
-  study::ResultFolder folder(options.output, case_folder);
+  results::ResultFolder folder(options.output, case_folder);
   std::vector<study::Answers> all;
   std::string text;
   for (std::size_t i = 0; i < project->cases.size(); ++i) {
-    const study::Case& variant = project->cases[i];
+    const project::Case& variant = project->cases[i];
     const auto step = [&](std::string_view task, double fraction) {
       report(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task), (static_cast<double>(i) + fraction) / static_cast<double>(project->cases.size()));
     };
@@ -113,8 +113,8 @@ int run_command(const Options& options) {
     write_case(folder, case_folder[i], variant, all.back());
     text += case_text(variant, all.back());
   }
-  folder.write("results.json", study::results_json(*project, all));
-  folder.write("report.html", report::report_page(*project, all, study::page_json(*project, all)));
+  folder.write("results.json", results::results_json(*project, all));
+  folder.write("report.html", report::report_page(*project, all, results::page_json(*project, all)));
   report("done", 1);
   for (const std::string& note : folder.publish()) write_error("warning: " + foundation::on_one_line(note) + "\n");
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));

@@ -12,8 +12,8 @@
 #include "cli/text_table.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
-#include "trivet/study/suspension.h"
 #include "trivet/results/suspension_json.h"
+#include "trivet/study/suspension.h"
 
 namespace trivet::cli {
 namespace {
@@ -95,7 +95,7 @@ std::string separation_text(const study::SuspensionAnswer& answer) {
          table.text();
 }
 
-std::string suspension_text(const study::Case& variant, const study::SuspensionAnswer& answer) {
+std::string suspension_text(const project::Case& variant, const study::SuspensionAnswer& answer) {
   std::string text;
   for (const auto& problem : answer.warnings.list()) text += foundation::message(problem) + "\n";
   if (!text.empty()) text += "\n";
@@ -133,13 +133,13 @@ int suspension_command(const Options& options) {
   const auto project = read_or_complain(options, questions_of(options, {}));
   if (!project) return wrong_input;
   try {
-    const study::Case& variant = chosen_case(*project, options.case_name);
+    const project::Case& variant = chosen_case(*project, options.case_name);
     const std::vector<double> excitations =
         options.excitations.empty() ? std::vector<double>{} : frequencies("--excitation", options.excitations);
     const study::SuspensionAnswer answer = study::suspension(variant, torques(options.torque), excitations);
     if (options.csv) write_problems(answer.warnings);
-    write_output(options.json  ? study::suspension_json(variant, answer)
-                 : options.csv ? study::suspension_csv(variant, answer)
+    write_output(options.json  ? results::suspension_json(variant, answer)
+                 : options.csv ? results::suspension_csv(variant, answer)
                                : suspension_text(variant, answer));
     return done;
   } catch (const BadArgument& bad) {

@@ -151,7 +151,7 @@ TEST(AdaptiveCurves, FollowUndampedResonancesAndFreeMotions) {
 
 /// With a force on the frame of one of the sample projects.
 model::System sample(const std::string& file) {
-  auto project = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + file,
+  auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + file,
                                      {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"", "excitations.push.at=[0.1,0,0.2]",
                                       "excitations.push.force=[1,2,5]"});
   if (!project) throw std::runtime_error(foundation::message(project.error().list().front()));

@@ -30,7 +30,7 @@ struct Answered {
   assembly::Assembled assembled;
   std::vector<assembly::Channel> channels;
   assembly::Loading loading;
-  Answered(const study::Project& project, const std::vector<std::string>& of)
+  Answered(const project::Project& project, const std::vector<std::string>& of)
       : system(project.base().system), assembled(assembly::assemble(system)), channels(assembly::channels(system, assembled, of, assembly::Quantity::displacement)),
         loading(assembly::harmonic_loading(system, assembled)) {}
 };
@@ -67,7 +67,7 @@ TEST(BaseAcceleration, LeavesTheMotionInSpaceUnbounded) {
 
 TEST(BaseAcceleration, HasTheSamePeaksAsForces) {
   const std::string band = "response = {band = [0.001, 40]}\n";
-  const study::Project by_base = test::project(tower("{proportional = 0.02}", shaken, band)), by_force = test::project(tower("{proportional = 0.02}", pushed, band));
+  const project::Project by_base = test::project(tower("{proportional = 0.02}", shaken, band)), by_force = test::project(tower("{proportional = 0.02}", pushed, band));
   const auto peaks = [](const Answered& a) {
     const modal::Modes modes = modal::modes(a.system, a.assembled);
     return response::peaks(a.assembled, a.channels, a.loading, modes, modal::roots(a.system, a.assembled, modes));
@@ -96,7 +96,7 @@ TEST(BaseAcceleration, HasALimitAtRestInEveryAttitude) {
             text += "[elements.e" + std::to_string(count++) + "]\ntype = \"bushing\"\non = \"m\"\nat = " + at + "\n" + axis + "translation = [3e5, 4e5, 1.2e6]\ndamping = {proportional = 4e-6}\n";
           text += std::string("[excitations.floor]\ntype = \"base\"\nquantity = \"acceleration\"\n") + motion +
                   "\n[analyses]\nresponse = {at = [0, 1e-3], of = [\"e0.deflection\", \"e1\", \"m.relative\", \"ground\"]}\n";
-          const study::Project project = test::project(text);
+          const project::Project project = test::project(text);
           const study::Answers found = study::answers(project.base(), project.base().analyses);
           for (const auto& curve : found.response->curves.curves) {
             double largest = 0;
@@ -112,8 +112,8 @@ TEST(BaseAcceleration, HasALimitAtRestInEveryAttitude) {
 TEST(BaseAcceleration, LetsMapsAskForNoPeakAgainstTheGround) {
   const std::string map = "map = {x = {parameter = \"elements.foot.scale\", from = 0.5, to = 2, points = 4}, y = {parameter = \"elements.foot.damping.proportional\", from = 0.02, to = 3, "
                           "points = 4}, no_peak = [\"low";
-  const study::Project base = test::project(tower("{proportional = 0.2}", shaken, map + ".relative.z\"]}\n"));
-  const study::Project force = test::project(tower("{proportional = 0.2}", pushed, map + ".z\"]}\n"));
+  const project::Project base = test::project(tower("{proportional = 0.2}", shaken, map + ".relative.z\"]}\n"));
+  const project::Project force = test::project(tower("{proportional = 0.2}", pushed, map + ".z\"]}\n"));
   const study::DesignMap a = study::design_map(base, base.base(), *base.base().analyses.map), b = study::design_map(force, force.base(), *force.base().analyses.map);
   constexpr double of_a_float = 2e-7;
   int peaks = 0;
@@ -131,8 +131,8 @@ TEST(BaseAcceleration, LetsMapsAskForNoPeakAgainstTheGround) {
 TEST(BaseAcceleration, GivesMarginsAtTheStartOfTheBandToAFloat) {
   const std::string map = "map = {x = {parameter = \"elements.foot.scale\", from = 0.5, to = 2, points = 4}, y = {parameter = \"elements.foot.damping.proportional\", from = 0.2, to = 0.3, "
                           "points = 2}, limits = {\"high";
-  const study::Project base = test::project(tower("{proportional = 0.2}", shaken, map + ".relative.z\" = \"20 mm\"}}\n"));
-  const study::Project force = test::project(tower("{proportional = 0.2}", pushed, map + ".z\" = \"20 mm\"}}\n"));
+  const project::Project base = test::project(tower("{proportional = 0.2}", shaken, map + ".relative.z\" = \"20 mm\"}}\n"));
+  const project::Project force = test::project(tower("{proportional = 0.2}", pushed, map + ".z\" = \"20 mm\"}}\n"));
   const study::DesignMap a = study::design_map(base, base.base(), *base.base().analyses.map), b = study::design_map(force, force.base(), *force.base().analyses.map);
   constexpr double of_a_float = 2e-7;
   for (std::size_t k = 0; k < a.outcomes.size(); ++k) EXPECT_NEAR(a.outcomes[k].margin, b.outcomes[k].margin, of_a_float * b.outcomes[k].margin) << "design " << k;

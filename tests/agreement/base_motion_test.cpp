@@ -127,7 +127,7 @@ damping = {loss_factor = 0.1}
 }
 
 std::complex<double> at_40(const std::string& excitations, const std::string& name) {
-  const study::Project project = test::project(two_legs(excitations) + "[analyses]\nresponse = {at = [40], of = [\"frame\"]}\n");
+  const project::Project project = test::project(two_legs(excitations) + "[analyses]\nresponse = {at = [40], of = [\"frame\"]}\n");
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   return test::value(*answers.response, name, 0);
 }

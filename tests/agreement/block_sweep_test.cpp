@@ -15,11 +15,11 @@
 
 #include "support/matchers.h"
 #include "trivet/foundation/pieces.h"
+#include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/sweep/block_elimination.h"
 #include "trivet/numerics/sweep/block_sweep.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
-#include "trivet/numerics/lanes/instruction_set.h"
-#include "trivet/numerics/linalg/refined_solution.h"
 
 namespace {
 

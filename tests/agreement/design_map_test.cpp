@@ -16,13 +16,13 @@ using namespace trivet;
 /// float holds 24 bits; both ways find peaks to better than that.
 constexpr double of_a_float = 2e-7;
 
-study::Project paper() {
-  const auto project = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
+project::Project paper() {
+  const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
   EXPECT_TRUE(project);
   return *project;
 }
 
-study::DesignMap mapped(const study::Project& project, int nx, int ny, bool fast, int threads = 0) {
+study::DesignMap mapped(const project::Project& project, int nx, int ny, bool fast, int threads = 0) {
   return study::design_map(project, project.base(), *project.base().analyses.map, {nx, ny, {threads, fast}});
 }
 
@@ -43,14 +43,14 @@ void expect_equal(const study::DesignMap& lanes, const study::DesignMap& single)
 }
 
 TEST(DesignMap, OfThePaperIsTheSameDesignByDesign) {
-  const study::Project project = paper();
+  const project::Project project = paper();
   const study::DesignMap lanes = mapped(project, 7, 6, true), single = mapped(project, 7, 6, false);
   expect_equal(lanes, single);
   EXPECT_NEAR(lanes.feasible.area, single.feasible.area, 1e-5);
 }
 
 TEST(DesignMap, OfVelocitiesAndAccelerationsOfPointsIsTheSameDesignByDesign) {
-  const study::Project project = test::project(test::chain({1.0, 2.0, 0.5}, {300, 500, 200, 0}, {2, 1, 3, 0}) + R"(
+  const project::Project project = test::project(test::chain({1.0, 2.0, 0.5}, {300, 500, 200, 0}, {2, 1, 3, 0}) + R"(
 [excitations.force]
 type = "harmonic"
 on = "m1"
@@ -71,7 +71,7 @@ TEST(DesignMap, OfAccelerationsFarBelowTheHighestIsTheSameDesignByDesign) {
   const auto bushing = [](const std::string& name, const std::string& between, const std::string& at, const std::string& translation) {
     return "[elements." + name + "]\ntype = \"bushing\"\n" + between + "\nat = " + at + "\ntranslation = " + translation + "\nscale = 1\ndamping = {proportional = 0.009}\n";
   };
-  const study::Project project = test::project(R"(trivet = 1
+  const project::Project project = test::project(R"(trivet = 1
 bodies.light = {mass = 1, center_of_mass = [0, 0, 0.2], inertia = {about = "center_of_mass", xx = 0.2, yy = 0.2, zz = 0.2}, free = ["z", "rx", "ry"]}
 bodies.heavy = {mass = 2000, center_of_mass = [0, 0, 0], inertia = {about = "center_of_mass", xx = 500, yy = 600, zz = 700}, free = ["z", "rx", "ry"]}
 )" + bushing("a", "on = \"light\"", "[0, 0.6, 0]", "[1e3, 1e3, 1e3]") + bushing("b", "on = \"light\"", "[0, 0, 0]", "[3e3, 3e3, 5e3]") +
@@ -105,7 +105,7 @@ bodies.machine = {mass = 250, center_of_mass = [0, 0, 0.1], inertia = {about = "
                         "rotation = [60, 60, 140]\ndamping = {{proportional = 0.05}}\n",
                         degrees, 0.3 * std::cos(angle), 0.3 * std::sin(angle));
   }
-  const study::Project project = test::project(text + R"(
+  const project::Project project = test::project(text + R"(
 [excitations.engine]
 type = "harmonic"
 on = "machine"
@@ -117,12 +117,12 @@ y = {parameter = "bodies.machine.inertia.xx", from = 8, to = 9}
 no_peak = "coordinates"
 )");
   const study::DesignMap map = mapped(project, 5, 5, true);
-  EXPECT_TRUE(std::all_of(map.outcomes.begin(), map.outcomes.end(), [](const study::DesignOutcome& o) { return std::isinf(o.margin) && o.kept(); }));
+  EXPECT_TRUE(std::all_of(map.outcomes.begin(), map.outcomes.end(), [](const design::DesignOutcome& o) { return std::isinf(o.margin) && o.kept(); }));
   expect_equal(map, mapped(project, 5, 5, false));
 }
 
 TEST(DesignMap, IsTheSameByteForByteFor1And16Threads) {
-  const study::Project project = paper();
+  const project::Project project = paper();
   const study::DesignMap one = mapped(project, 40, 60, true, 1), many = mapped(project, 40, 60, true, 16);
   for (std::size_t k = 0; k < one.outcomes.size(); ++k) {
     EXPECT_EQ(one.outcomes[k].margin, many.outcomes[k].margin);
@@ -132,8 +132,8 @@ TEST(DesignMap, IsTheSameByteForByteFor1And16Threads) {
 }
 
 TEST(DesignMap, JudgesACaseLikeTheDesignInItsPlace) {
-  const study::Project project = paper();
-  study::MapRequest request = *project.base().analyses.map;
+  const project::Project project = paper();
+  project::MapRequest request = *project.base().analyses.map;
   request.x.from = 1.5;  // the corner of the grid is Figure 7
   request.y.to = 0.2;
   const study::DesignMap map = study::design_map(project, project.base(), request, {2, 2, {}});

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/roots/design_modes.h"
 #include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/roots/design_modes.h"
 
 namespace {
 

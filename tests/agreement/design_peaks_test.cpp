@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "support/random_designs.h"
-#include "trivet/numerics/peaks/disc_search.h"
-#include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/lanes/instruction_set.h"
-#include "trivet/numerics/peaks/peak_count.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/peaks/disc_search.h"
+#include "trivet/numerics/peaks/peak_count.h"
 
 namespace trivet {
 namespace {

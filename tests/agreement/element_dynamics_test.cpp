@@ -157,7 +157,7 @@ std::string on_three_springs(const std::string& level, double mass = 200) {
   return text + "[excitations.f]\ntype = \"harmonic\"\non = \"machine\"\nat = [0.1, 0, 0]\nforce = [10, 20, 30]\n";
 }
 
-response::FrequencyResponse response_of(const study::Project& project, const std::vector<double>& omega) {
+response::FrequencyResponse response_of(const project::Project& project, const std::vector<double>& omega) {
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   return response::frequency_response(assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),

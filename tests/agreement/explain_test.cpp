@@ -10,8 +10,8 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/roots.h"
-#include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/sensitivity/peak_shares.h"
+#include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 
 namespace {

@@ -15,8 +15,8 @@
 #include "support/projects.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/response/steady/deep_check.h"
 #include "trivet/response/sensitivity/model_parameters.h"
+#include "trivet/response/steady/deep_check.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {
@@ -40,7 +40,7 @@ const std::string without_rotation = "[foundations.deck]\ntype = \"impedance\"\n
 const std::string stiff_rotation = fmt::format("[foundations.deck]\ntype = \"impedance\"\ntranslation = [5e6, 6e6, 3e6]\nrotation = [{0}, {0}, {0}]\ndamping = {{proportional = 0.001}}\n", stiff);
 
 study::Answers answers(const std::string& text) {
-  const study::Project project = test::project(text);
+  const project::Project project = test::project(text);
   study::Answers result = study::answers(project.base(), project.base().analyses);
   EXPECT_THAT(result.failures, testing::IsEmpty()) << text;
   return result;
@@ -171,7 +171,7 @@ TEST(FixedDirections, LetASlowGroundCarryEveryMachineWithIt) {
     const std::string system_damping = i % 3 == 0 ? "[damping]\nmodal = 0.03\n" : i % 3 == 1 ? "[damping]\nrayleigh = {mass = 0.5, stiffness = 1e-4}\n" : "";
     const std::string text = test::machine_on_deck(random_foundation(draw), raft + system_damping + base("floor", "at = " + place + "\ntranslation = " + translation + "\nrotation = " + rotation) +
                                                    fmt::format("[analyses]\nresponse = {{at = [{}], of = [\"coordinates\"]}}\n", slow));
-    const study::Project project = test::project(text);
+    const project::Project project = test::project(text);
     const model::System& system = project.base().system;
     const study::Answers found = study::answers(project.base(), project.base().analyses);
     const model::Action& action = system.description().excitations.at(0).action;
@@ -200,7 +200,7 @@ TEST(FixedDirections, TakePartInTheBalanceOfPower) {
 }
 
 TEST(FixedDirections, MoveWithTheElementAboveThem) {
-  const study::Project project = test::project(test::machine_on_deck(along_z, base("floor", "rotation = [1e-3, 0, 2e-3]") + response));
+  const project::Project project = test::project(test::machine_on_deck(along_z, base("floor", "rotation = [1e-3, 0, 2e-3]") + response));
   const model::System& system = project.base().system;
   for (const response::Parameter& parameter : response::model_parameters(system)) {
     if (parameter.name != "elements.m2.at.x") continue;
@@ -218,7 +218,7 @@ TEST(FixedDirections, MoveWithTheElementAboveThem) {
 }
 
 TEST(FixedDirections, LostByTheFastAssemblyAreSeenByTheSecondSolver) {
-  const study::Project project = test::project(test::machine_on_deck(along_z, base("floor", "translation = [1e-3, 0, 0]") + response));
+  const project::Project project = test::project(test::machine_on_deck(along_z, base("floor", "translation = [1e-3, 0, 0]") + response));
   const model::System& system = project.base().system;
   const assembly::Assembled whole = assembly::assemble(system);
   assembly::Assembled lost = whole;

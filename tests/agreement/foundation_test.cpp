@@ -38,7 +38,7 @@ std::string mount(const std::string& name, const std::string& at, const std::str
 }
 
 study::Answers answers(const std::string& text) {
-  const study::Project project = test::project(text);
+  const project::Project project = test::project(text);
   return study::answers(project.base(), project.base().analyses);
 }
 

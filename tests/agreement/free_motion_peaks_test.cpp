@@ -15,7 +15,7 @@ namespace {
 using namespace trivet;
 
 response::Peaks peaks_of(const std::string& text) {
-  const study::Project project = test::project(text);
+  const project::Project project = test::project(text);
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);

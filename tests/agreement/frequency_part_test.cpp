@@ -7,9 +7,9 @@
 
 #include "support/matchers.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace {
 

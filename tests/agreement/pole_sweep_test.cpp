@@ -6,8 +6,8 @@
 
 #include "support/hard_cases.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/pole_sweep.h"
 
 namespace {

@@ -10,8 +10,8 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/lyapunov.h"
-#include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/random/random_response.h"
+#include "trivet/response/steady/frequency_response.h"
 
 namespace {
 

@@ -16,7 +16,7 @@ using namespace trivet;
 class LawsOnThreads : public testing::TestWithParam<const char*> {};
 
 TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
-  const auto project = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + GetParam(),
+  const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + GetParam(),
                                            {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"", "excitations.push.at=[0.1,0,0.2]",
                                             "excitations.push.force=[1,2,5]"});
   ASSERT_TRUE(project);

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "support/hard_cases.h"
-#include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/sweep_kernels.h"
 #include "trivet/numerics/sweep/sweep_plan.h"
 

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/batch/sweep_maxima.h"
+#include "trivet/numerics/lanes/instruction_set.h"
 
 namespace {
 

@@ -24,6 +24,6 @@ int main() {
   const auto modes = trivet::modal::modes(*system);
   std::printf("%.17g\n", *modes.list.at(0).angular_frequency);
   const bool right = std::abs(*modes.list.at(0).angular_frequency - 5.0) < 1e-12;
-  const bool refuses = !trivet::study::project_from_text("trivet = 1", "empty").has_value();
+  const bool refuses = !trivet::project::project_from_text("trivet = 1", "empty").has_value();
   return right && refuses ? 0 : 1;
 }

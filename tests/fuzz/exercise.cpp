@@ -18,13 +18,13 @@
 #include "trivet/fem/msh_file.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/solids/closed_surface.h"
-#include "trivet/solids/stl_file.h"
-#include "trivet/study/answers.h"
+#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/results/project_json.h"
-#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/solids/closed_surface.h"
+#include "trivet/solids/stl_file.h"
+#include "trivet/study/answers.h"
 
 namespace trivet::fuzz {
 namespace {
@@ -54,8 +54,8 @@ bool is_slow(std::string_view text) {
          text.find(".st") != std::string_view::npos;
 }
 
-void ask(const study::Case& variant, const std::function<void(study::Analyses&)>& question) {
-  study::Analyses asked;
+void ask(const project::Case& variant, const std::function<void(project::Analyses&)>& question) {
+  project::Analyses asked;
   question(asked);
   int reports = 0;
   const foundation::Progress bounded = [&](std::string_view, double) {
@@ -69,18 +69,18 @@ void ask(const study::Case& variant, const std::function<void(study::Analyses&)>
   }
 }
 
-void ask_quick_questions(const study::Project& project) {
+void ask_quick_questions(const project::Project& project) {
   for (std::size_t i = 0; i < std::min(project.cases.size(), most_cases); ++i) {
-    const study::Case& variant = project.cases[i];
-    if (study::coordinates(variant.system.description(), true) > most_coordinates ||
+    const project::Case& variant = project.cases[i];
+    if (project::coordinates(variant.system.description(), true) > most_coordinates ||
         variant.system.elements().size() > most_elements)
       continue;
-    ask(variant, [](study::Analyses& a) { a.modes = a.roots = true; });
-    ask(variant, [](study::Analyses& a) { a.response.emplace().at = {7.5}; });
-    ask(variant, [](study::Analyses& a) { a.static_of = {"coordinates", "ground"}; });
-    if (study::coordinates(variant.system.description(), true) <= most_coordinates / 2)
-      ask(variant, [](study::Analyses& a) { a.peaks.emplace(); });
-    ask(variant, [&](study::Analyses& a) {
+    ask(variant, [](project::Analyses& a) { a.modes = a.roots = true; });
+    ask(variant, [](project::Analyses& a) { a.response.emplace().at = {7.5}; });
+    ask(variant, [](project::Analyses& a) { a.static_of = {"coordinates", "ground"}; });
+    if (project::coordinates(variant.system.description(), true) <= most_coordinates / 2)
+      ask(variant, [](project::Analyses& a) { a.peaks.emplace(); });
+    ask(variant, [&](project::Analyses& a) {
       if (variant.analyses.random) a.random.emplace();
       if (variant.analyses.earthquake) a.earthquake = variant.analyses.earthquake;
     });
@@ -89,13 +89,13 @@ void ask_quick_questions(const study::Project& project) {
 
 void read_text(const std::string& text, const fs::path& source) {
   if (is_slow(text)) return;
-  const auto project = study::project_from_text(text, source.string());
+  const auto project = project::project_from_text(text, source.string());
   if (!project) {
-    static_cast<void>(study::problems_json(project.error(), {}));
+    static_cast<void>(results::problems_json(project.error(), {}));
     return;
   }
   ask_quick_questions(*project);
-  static_cast<void>(study::results_json(*project, {}));
+  static_cast<void>(results::results_json(*project, {}));
 }
 
 /// A sound machine, and where a file of the role goes into it.
@@ -171,9 +171,9 @@ void read_matrices(const std::string& text) {
 void read_file_in_role(std::string_view role, std::string_view bytes) {
   const fs::path source = folder() / "project.toml";
   if (role == "matrix") return read_matrices(std::string(bytes));
-  if (role == "setting") return static_cast<void>(study::parse_setting(std::string(bytes)));
+  if (role == "setting") return static_cast<void>(project::parse_setting(std::string(bytes)));
   if (role == "msh") return static_cast<void>(fem::read_msh(written(bytes, "data.msh")));
-  if (role == "catalogue") return static_cast<void>(study::catalogue_from_text(std::string(bytes), "input"));
+  if (role == "catalogue") return static_cast<void>(project::catalogue_from_text(std::string(bytes), "input"));
   if (role == "stl") {
     const auto surface = solids::read_stl(written(bytes, "data.stl"));
     if (surface) static_cast<void>(solids::enclosed_volume(*surface));

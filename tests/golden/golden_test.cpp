@@ -18,7 +18,7 @@ struct Pinned {
 
 TEST(Golden, PeaksOfThePaperInAllCases) {
   constexpr double tolerance = 1e-9;
-  const auto project = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
+  const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   std::vector<Pinned> found;
   for (const auto& variant : project.cases) {
     const auto answers = study::answers(variant, variant.analyses);

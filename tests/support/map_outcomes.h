@@ -13,8 +13,8 @@ inline constexpr float unlimited = std::numeric_limits<float>::infinity();
 
 /// Margins of a grid from a function of the nodes, (int i, int j) → float.
 template <typename Margin>
-std::vector<study::DesignOutcome> outcomes(const study::MapGrid& grid, const Margin& margin) {
-  std::vector<study::DesignOutcome> all;
+std::vector<design::DesignOutcome> outcomes(const design::MapGrid& grid, const Margin& margin) {
+  std::vector<design::DesignOutcome> all;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) all.push_back({margin(i, j), 0});
   return all;

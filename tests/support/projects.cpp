@@ -8,8 +8,8 @@
 
 namespace trivet::test {
 
-study::Project project(const std::string& text, const std::vector<std::string>& settings) {
-  auto result = study::project_from_text(text, "test.toml", settings);
+project::Project project(const std::string& text, const std::vector<std::string>& settings) {
+  auto result = project::project_from_text(text, "test.toml", settings);
   if (!result)
     for (const auto& problem : result.error().list()) ADD_FAILURE() << foundation::message(problem);
   return std::move(result).value();

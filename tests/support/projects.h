@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/answers.h"
 #include "trivet/project/project.h"
+#include "trivet/study/answers.h"
 
 namespace trivet::test {
 
 /// A project from text; fails the running test with the messages if it is refused.
-[[nodiscard]] study::Project project(const std::string& text, const std::vector<std::string>& settings = {});
+[[nodiscard]] project::Project project(const std::string& text, const std::vector<std::string>& settings = {});
 
 /// A chain of guided masses along a direction between two walls: springs [N/m], dashpots [N s/m] and loss factors, one more
 /// than masses (0 leaves the joint out). Masses are named m1, m2, …, their free coordinate is "x".

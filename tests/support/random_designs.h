@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "trivet/numerics/roots/designs.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/roots/designs.h"
 
 namespace trivet::test {
 

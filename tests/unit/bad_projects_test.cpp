@@ -18,7 +18,7 @@ class BadProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadProject, IsRefusedWithTheExpectedMessages) {
   setenv("TRIVET_CACHE", "", 1);  // nothing out of an earlier run
-  const auto refused = study::read_project(GetParam());
+  const auto refused = project::read_project(GetParam());
   ASSERT_FALSE(refused.has_value()) << "it was accepted";
   std::vector<std::string> messages;
   int errors = 0;

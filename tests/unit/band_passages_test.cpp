@@ -14,24 +14,24 @@ namespace {
 using namespace trivet;
 
 /// A natural frequency against the band 3 … 3.1, and a margin that a resonance in the band brings to `there`.
-study::DesignOutcome design(double omega, float there) {
+design::DesignOutcome design(double omega, float there) {
   const bool below = omega < 3, inside = !below && omega <= 3.1;
   return {inside ? there : 5.0F, 0, static_cast<std::uint8_t>(inside), static_cast<std::uint16_t>(below)};
 }
 
 /// Passages along a row of two designs, whose natural frequency is a function of x.
-study::BandPassages passages(const std::function<double(double)>& omega, float there) {
-  const auto judge = [&](const std::vector<study::MapPlace>& places, const foundation::Progress&) {
-    std::vector<study::DesignOutcome> outcomes;
-    for (const study::MapPlace& p : places) outcomes.push_back(design(omega(p.x), there));
+design::BandPassages passages(const std::function<double(double)>& omega, float there) {
+  const auto judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress&) {
+    std::vector<design::DesignOutcome> outcomes;
+    for (const design::MapPlace& p : places) outcomes.push_back(design(omega(p.x), there));
     return outcomes;
   };
-  return study::band_passages({2, 1}, {design(omega(0), there), design(omega(1), there)}, judge);
+  return design::band_passages({2, 1}, {design(omega(0), there), design(omega(1), there)}, judge);
 }
 
 TEST(BandPassages, AreFoundWhicheverWayTheFrequencyGoesAndSayWhichGridMeetsThem) {
   for (const auto& omega : {std::function<double(double)>([](double x) { return 1 + 4.3 * x; }), std::function<double(double)>([](double x) { return 9 - 7.7 * x; })}) {
-    const study::BandPassages found = passages(omega, 0.5F);
+    const design::BandPassages found = passages(omega, 0.5F);
     EXPECT_EQ(found.pairs, 1u);
     EXPECT_EQ(found.points[1], 0u);
     ASSERT_GT(found.points[0], 2u);
@@ -44,21 +44,21 @@ TEST(BandPassages, AreFoundWhicheverWayTheFrequencyGoesAndSayWhichGridMeetsThem)
 TEST(BandPassages, ThatBreakNothingAreNone) { EXPECT_EQ(passages([](double x) { return 1 + 4.3 * x; }, 1.2F).pairs, 0u); }
 
 TEST(BandPassages, WhoseHeightOneOfTheDesignsHasSeenAreNotAsked) {
-  const study::JudgePlaces never = [](const std::vector<study::MapPlace>&, const foundation::Progress&) -> std::vector<study::DesignOutcome> { throw std::logic_error("asked"); };
+  const design::JudgePlaces never = [](const std::vector<design::MapPlace>&, const foundation::Progress&) -> std::vector<design::DesignOutcome> { throw std::logic_error("asked"); };
   for (const double omega : {1.0, 3.05, 5.0}) {
-    EXPECT_EQ(study::band_passages({2, 1}, {design(3.05, 2), design(omega, 2)}, never).pairs, 0u);
-    EXPECT_EQ(study::band_passages({1, 2}, {design(omega, 2), design(3.05, 2)}, never).pairs, 0u);
+    EXPECT_EQ(design::band_passages({2, 1}, {design(3.05, 2), design(omega, 2)}, never).pairs, 0u);
+    EXPECT_EQ(design::band_passages({1, 2}, {design(omega, 2), design(3.05, 2)}, never).pairs, 0u);
   }
 }
 
 TEST(BandPassages, OfSeveralFrequenciesBetweenTheSameTwoAreOnePair) {
-  const auto pair = [](double x) { return study::DesignOutcome{x > 0.4 && x < 0.6 ? 0.5F : 5.0F, 0, 0, static_cast<std::uint16_t>(x < 0.5 ? 2 : 0)}; };
-  const auto judge = [&](const std::vector<study::MapPlace>& places, const foundation::Progress&) {
-    std::vector<study::DesignOutcome> outcomes;
-    for (const study::MapPlace& p : places) outcomes.push_back(pair(p.y));
+  const auto pair = [](double x) { return design::DesignOutcome{x > 0.4 && x < 0.6 ? 0.5F : 5.0F, 0, 0, static_cast<std::uint16_t>(x < 0.5 ? 2 : 0)}; };
+  const auto judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress&) {
+    std::vector<design::DesignOutcome> outcomes;
+    for (const design::MapPlace& p : places) outcomes.push_back(pair(p.y));
     return outcomes;
   };
-  EXPECT_EQ(study::band_passages({1, 2}, {pair(0), pair(1)}, judge).pairs, 1u);
+  EXPECT_EQ(design::band_passages({1, 2}, {pair(0), pair(1)}, judge).pairs, 1u);
 }
 
 /// ω = 10 √scale rad/s passes over a narrow band between the designs 1 and 1.5: by poles under a force, one by one under an unbalance of equal height there.
@@ -70,7 +70,7 @@ TEST(BandPassages, OfALightlyDampedMachineAreWarnedOfAndOfAHeavilyDampedOneAreNo
   unbalance.erase(unbalance.find("force = ["), 19);
   for (const std::string& text : {force, unbalance}) {
     const auto mapped = [&](const std::vector<std::string>& settings) {
-      const study::Project project = test::project(text, settings);
+      const project::Project project = test::project(text, settings);
       return study::design_map(project, project.base(), *project.base().analyses.map);
     };
     const study::DesignMap light = mapped({});

@@ -11,28 +11,28 @@ namespace {
 using namespace trivet;
 
 /// Crossings of edges on a row of two designs, whose margin is a function of x.
-double crossing_of(const std::function<study::DesignOutcome(double)>& design, int* judged = nullptr) {
-  const study::JudgePlaces judge = [&](const std::vector<study::MapPlace>& places, const foundation::Progress&) {
-    std::vector<study::DesignOutcome> outcomes;
-    for (const study::MapPlace& p : places) outcomes.push_back(design(p.x));
+double crossing_of(const std::function<design::DesignOutcome(double)>& design, int* judged = nullptr) {
+  const design::JudgePlaces judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress&) {
+    std::vector<design::DesignOutcome> outcomes;
+    for (const design::MapPlace& p : places) outcomes.push_back(design(p.x));
     if (judged) *judged += static_cast<int>(places.size());
     return outcomes;
   };
-  const study::MapGrid grid{2, 2};
-  return study::boundary_crossings(grid, {design(0), design(1), design(0), design(1)}, {{0, 0, false}}, judge).at(0);
+  const design::MapGrid grid{2, 2};
+  return design::boundary_crossings(grid, {design(0), design(1), design(0), design(1)}, {{0, 0, false}}, judge).at(0);
 }
 
 TEST(BoundaryCrossings, AreFoundToTheirToleranceOnASmoothMargin) {
   int judged = 0;
-  EXPECT_NEAR(crossing_of([](double x) { return study::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged), std::sqrt(0.5), study::boundary_tolerance);
+  EXPECT_NEAR(crossing_of([](double x) { return design::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged), std::sqrt(0.5), design::boundary_tolerance);
   EXPECT_LT(judged, 20);  // fewer than bisection takes
 }
 
 TEST(BoundaryCrossings, AreFoundWhereTheMarginLeaps) {
-  const auto leaps = [](double x) { return study::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
-  const auto ends = [](double x) { return x < 0.7 ? study::DesignOutcome{1.5F, 0} : study::DesignOutcome{0, study::DesignOutcome::no_model}; };
-  EXPECT_NEAR(crossing_of(leaps), 0.3, study::boundary_tolerance);
-  EXPECT_NEAR(crossing_of(ends), 0.7, study::boundary_tolerance);
+  const auto leaps = [](double x) { return design::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
+  const auto ends = [](double x) { return x < 0.7 ? design::DesignOutcome{1.5F, 0} : design::DesignOutcome{0, design::DesignOutcome::no_model}; };
+  EXPECT_NEAR(crossing_of(leaps), 0.3, design::boundary_tolerance);
+  EXPECT_NEAR(crossing_of(ends), 0.7, design::boundary_tolerance);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace trivet::test {
 namespace {
 
-using study::catalogue_from_text;
+using project::catalogue_from_text;
 using testing::HasSubstr;
 
 const std::string head = "catalogue = 1\n[mounts.\"M 20\"]\nmaker = \"Acme\"\n";
@@ -26,7 +26,7 @@ TEST(Catalogue, IsReadWithUnits) {
                               "\"12.50 EUR\"\nsource = \"sheet 7\"\n",
                           "c.toml");
   ASSERT_TRUE(read) << complaint(read);
-  const study::Mount* mount = read->find("M 20");
+  const project::Mount* mount = read->find("M 20");
   ASSERT_NE(mount, nullptr);
   EXPECT_THAT(mount->translation, NearVector(Eigen::Vector3d(60e3, 60e3, 350e3), 4 * epsilon));
   EXPECT_THAT(mount->rotation, NearVector(Eigen::Vector3d(10, 10, 8), 4 * epsilon));
@@ -67,7 +67,7 @@ TEST(Catalogue, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said(head + good + "static_load = [5]\n"), HasSubstr("static_load: 1 numbers"));
   EXPECT_THAT(said(head + good + "static_deflection_limit = 0\n"), HasSubstr("it must be > 0"));
   EXPECT_THAT(said(head + good + "mass = -1\n"), HasSubstr("mass: -1 kg"));
-  EXPECT_THAT(complaint(study::read_catalogue("/no/such/catalogue.toml")),
+  EXPECT_THAT(complaint(project::read_catalogue("/no/such/catalogue.toml")),
               HasSubstr("o such file or directory; the catalogue must be a readable text file"));
 }
 
@@ -81,25 +81,25 @@ TEST(Catalogue, WarnsOfWhatDoesNotFitTogether) {
 }
 
 TEST(Catalogue, ProposesTheNearestName) {
-  const std::vector<study::Catalogue> catalogues{study::generic_catalogue(),
+  const std::vector<project::Catalogue> catalogues{project::generic_catalogue(),
                                                  *catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml")};
-  EXPECT_EQ(study::mount_named("M 20", catalogues)->maker, "Acme");
-  EXPECT_THAT(complaint(study::mount_named("disc 50x25 55 Sha", catalogues)), HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
-  EXPECT_THAT(complaint(study::mount_named("air spring", catalogues)), HasSubstr("look into the catalogue"));
+  EXPECT_EQ(project::mount_named("M 20", catalogues)->maker, "Acme");
+  EXPECT_THAT(complaint(project::mount_named("disc 50x25 55 Sha", catalogues)), HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
+  EXPECT_THAT(complaint(project::mount_named("air spring", catalogues)), HasSubstr("look into the catalogue"));
 }
 
 TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
-  const study::Catalogue& catalogue = study::generic_catalogue();
+  const project::Catalogue& catalogue = project::generic_catalogue();
   EXPECT_EQ(catalogue.mounts.size(), 21u);
   EXPECT_TRUE(catalogue.warnings.list().empty());
-  const study::Mount* mount = catalogue.find("disc 50x25 55 ShA");
+  const project::Mount* mount = catalogue.find("disc 50x25 55 ShA");
   ASSERT_NE(mount, nullptr);
   constexpr double printed = 6e-3;  // three digits
   const double r = 0.025, h = 0.025, e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55)), area = std::numbers::pi * r * r;
   EXPECT_THAT(mount->translation.z(), RelativelyNear(1 / (1 / (e * 1.5) + 1 / 2e9) * area / h, printed));
   EXPECT_THAT(mount->translation.x(), RelativelyNear(e / 3 * area / h / (1 + 1.0 / 9), printed));
   EXPECT_THAT(mount->rotation.z(), RelativelyNear(e / 3 * std::numbers::pi * std::pow(r, 4) / 2 / h, printed));
-  for (const study::Mount& one : catalogue.mounts) {
+  for (const project::Mount& one : catalogue.mounts) {
     EXPECT_EQ(one.maker, "generic");
     EXPECT_THAT(one.source, HasSubstr("no maker's data"));
     EXPECT_THAT(one.static_load->y() / one.translation.z(), RelativelyNear(*one.static_deflection_limit, printed));
@@ -111,7 +111,7 @@ TEST(GenericCatalogue, LiesAsNearToFiniteElementsAsItSays) {
   constexpr double stated = 0.05, stated_tilt = 0.12;
   const double e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55));
   for (const auto& [diameter, height] : {std::pair{20, 10}, {50, 25}, {50, 20}, {75, 25}, {100, 40}}) {
-    const study::Mount* mount = study::generic_catalogue().find("disc " + std::to_string(diameter) + "x" + std::to_string(height) + " 55 ShA");
+    const project::Mount* mount = project::generic_catalogue().find("disc " + std::to_string(diameter) + "x" + std::to_string(height) + " 55 ShA");
     ASSERT_NE(mount, nullptr);
     const double h = 1e-3 * height;
     const elements::Matrix12 disc = elements::rubber_disc({.rubber = {e / 3, 2e9}, .radius = 0.5e-3 * diameter, .thickness = h, .formulas = elements::LayerFormulas::measured});

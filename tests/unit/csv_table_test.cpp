@@ -9,8 +9,8 @@
 namespace {
 
 using namespace trivet;
-using study::columns;
-using study::csv_table;
+using project::columns;
+using project::csv_table;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -83,44 +83,44 @@ TEST(CsvTable, AFileOfTheWrongKindDoesNotFillTheScreen) {
 TEST(CsvTable, RefusesWhatIsNoTextFile) {
   const std::string path = testing::TempDir() + "csv_table_test.csv";
   std::ofstream(path, std::ios::binary) << std::string("x,y\n1,\0\n", 8);
-  EXPECT_THAT(foundation::message(study::read_csv_table(path).error().list().front()), HasSubstr("zero bytes"));
+  EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("zero bytes"));
   std::ofstream(path, std::ios::binary) << "x,y\n1,2\n";
-  EXPECT_EQ(study::read_csv_table(path)->values(0, 1), 2);
+  EXPECT_EQ(project::read_csv_table(path)->values(0, 1), 2);
   std::filesystem::remove(path);
-  EXPECT_THAT(foundation::message(study::read_csv_table(path).error().list().front()), HasSubstr("no such file"));
-  EXPECT_THAT(foundation::message(study::read_csv_table(testing::TempDir()).error().list().front()), HasSubstr("no file"));
+  EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("no such file"));
+  EXPECT_THAT(foundation::message(project::read_csv_table(testing::TempDir()).error().list().front()), HasSubstr("no file"));
 }
 
 TEST(CsvTable, OfTwoColumnsCalledNameIsRefused) {
-  EXPECT_FALSE(study::csv_table("name,name\na,b\n", "t.csv").has_value());
+  EXPECT_FALSE(project::csv_table("name,name\na,b\n", "t.csv").has_value());
 }
 
 TEST(CsvTable, HasAtMostTwoThousandColumns) {
   std::string header = "c0";
   for (int i = 1; i < 2001; ++i) header += ",c" + std::to_string(i);
-  const auto refused = study::csv_table(header + "\n", "t.csv");
+  const auto refused = project::csv_table(header + "\n", "t.csv");
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().list().front().finding, "2001 columns");
 }
 
 TEST(CsvTable, HasAtMostTheRowsOfItsKind) {
-  EXPECT_TRUE(study::csv_table("a\n1\n2\n", "t.csv", 2).has_value());
-  const auto refused = study::csv_table("a\n1\n2\n3\n", "t.csv", 2);
+  EXPECT_TRUE(project::csv_table("a\n1\n2\n", "t.csv", 2).has_value());
+  const auto refused = project::csv_table("a\n1\n2\n3\n", "t.csv", 2);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().list().front().finding, "more than 2 rows");
 }
 
 TEST(CsvTable, HasNamesThatCanBePrinted) {
-  const auto refused = study::csv_table("name,a\nM\xFCller,1\n", "t.csv");
+  const auto refused = project::csv_table("name,a\nM\xFCller,1\n", "t.csv");
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().list().front().finding, "a name holds the byte FC, which is no UTF-8");
-  EXPECT_FALSE(study::csv_table("a\x1b\n1\n", "t.csv").has_value());
+  EXPECT_FALSE(project::csv_table("a\x1b\n1\n", "t.csv").has_value());
 }
 
 TEST(CsvTable, HoldsNoNumbersThatVanishInProducts) {
-  EXPECT_FALSE(study::csv_table("a\n5e-324\n", "t.csv").has_value());
-  EXPECT_FALSE(study::csv_table("a\n1e300\n", "t.csv").has_value());
-  EXPECT_TRUE(study::csv_table("a\n1e-30\n", "t.csv").has_value());
+  EXPECT_FALSE(project::csv_table("a\n5e-324\n", "t.csv").has_value());
+  EXPECT_FALSE(project::csv_table("a\n1e300\n", "t.csv").has_value());
+  EXPECT_TRUE(project::csv_table("a\n1e-30\n", "t.csv").has_value());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ damping = {translation = [500, 500, 500], rotation = [30, 30, 30]}
 }
 
 std::vector<bool> ends(const std::string& text, const std::vector<std::string>& names, Quantity quantity) {
-  const study::Project project = test::project(text);
+  const project::Project project = test::project(text);
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   return response::vanish_at_both_ends(assembled, assembly::channels(system, assembled, names, quantity), assembly::harmonic_loading(system, assembled), modal::roots(system));

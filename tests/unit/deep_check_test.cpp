@@ -13,7 +13,7 @@ using namespace trivet;
 
 /// K, iωB and −ω²A of a single coordinate cancel at its resonance, while its condition is always 1.
 TEST(DeepCheck, AllowsForDigitsThatCancelInASingleCoordinate) {
-  const study::Project project = test::project(R"(trivet = 1
+  const project::Project project = test::project(R"(trivet = 1
 [bodies.b]
 mass = 3.7
 free = ["z"]
@@ -54,7 +54,7 @@ TEST(DeepCheck, AsksAtNoFrequencyThatIsRoundOffOfARootThatCreeps) {
 }
 
 TEST(DeepCheck, DoesNotAllowMuchWhereNothingCancels) {
-  const study::Project project = test::project(test::chain({1}, {1000, 0}, {0, 0}));
+  const project::Project project = test::project(test::chain({1}, {1000, 0}, {0, 0}));
   const response::DeepCheck check = study::deep_check(project.base());
   EXPECT_TRUE(check.passed);
   EXPECT_LT(check.allowed, 1e-9);

@@ -10,8 +10,8 @@ namespace {
 
 using namespace trivet;
 
-response::PlainDesign design_of(double k, double b) {
-  response::PlainDesign design;
+design::PlainDesign design_of(double k, double b) {
+  design::PlainDesign design;
   design.A = Eigen::MatrixXd::Identity(2, 2);
   design.K = (Eigen::MatrixXd(2, 2) << 3 + k, -1, -1, 2).finished();
   design.B = b * design.K;
@@ -23,14 +23,14 @@ response::PlainDesign design_of(double k, double b) {
 }
 
 TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
-  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(p.x * p.x, p.y), ""}; }, {0.3, 10, "x"}, {0.01, 0.5, "y"}).family;
+  const auto family = design::DesignFamily::fitted([](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(p.x * p.x, p.y), ""}; }, {0.3, 10, "x"}, {0.01, 0.5, "y"}).family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 3u);  // x² and x² y
   EXPECT_EQ(family->y_nodes(), 2u);
-  const std::vector<response::FamilyPoint> points = {{0.7, 0.2}, {5.1, 0.2}, {9.9, 0.43}};
+  const std::vector<design::FamilyPoint> points = {{0.7, 0.2}, {5.1, 0.2}, {9.9, 0.43}};
   const numerics::Designs designs = family->designs(points);
   for (std::size_t d = 0; d < points.size(); ++d) {
-    const response::PlainDesign exact = design_of(points[d].x * points[d].x, points[d].y);
+    const design::PlainDesign exact = design_of(points[d].x * points[d].x, points[d].y);
     const auto row = static_cast<Eigen::Index>(d);
     EXPECT_NEAR(designs.K(row, 0), exact.K(0, 0), 1e-13 * exact.K(0, 0));
     EXPECT_NEAR(designs.B(row, 1), exact.B(1, 0), 1e-13 * exact.B(0, 0));
@@ -39,15 +39,15 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
 }
 
 TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
-  const auto family = response::DesignFamily::fitted([](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(std::log(p.x), p.y), ""}; }, {1, 1000, "x"}, {0.01, 0.5, "y"}).family;
+  const auto family = design::DesignFamily::fitted([](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(std::log(p.x), p.y), ""}; }, {1, 1000, "x"}, {0.01, 0.5, "y"}).family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 2u);
 }
 
 TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
-  const auto along_x = [](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""}; };
-  const auto along_y = [](const response::FamilyPoint& p) { return response::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""}; };
-  const auto of_x = response::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}), of_y = response::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
+  const auto along_x = [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""}; };
+  const auto along_y = [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""}; };
+  const auto of_x = design::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}), of_y = design::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
   EXPECT_FALSE(of_x.family);
   EXPECT_FALSE(of_y.family);
   EXPECT_THAT(of_x.reason, testing::EndsWith("polynomials on 17 nodes do not meet within 1e-12 along length"));
@@ -55,19 +55,19 @@ TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
 }
 
 TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
-  const auto changing = [](const response::FamilyPoint& p) {
-    response::PlainDesign design = design_of(p.x, p.y);
+  const auto changing = [](const design::FamilyPoint& p) {
+    design::PlainDesign design = design_of(p.x, p.y);
     design.rows(0, 0) = p.x;
-    return response::PlainOrNot{design, ""};
+    return design::PlainOrNot{design, ""};
   };
-  const auto found = response::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
+  const auto found = design::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
   EXPECT_FALSE(found.family);
   EXPECT_THAT(found.reason, testing::HasSubstr("rows change from design to design"));
 }
 
 TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
-  const auto lossy = [](const response::FamilyPoint& p) { return p.x > 5 ? response::PlainOrNot{{}, "loss factors"} : response::PlainOrNot{design_of(p.x, p.y), ""}; };
-  EXPECT_EQ(response::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
+  const auto lossy = [](const design::FamilyPoint& p) { return p.x > 5 ? design::PlainOrNot{{}, "loss factors"} : design::PlainOrNot{design_of(p.x, p.y), ""}; };
+  EXPECT_EQ(design::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
 }
 
 }  // namespace

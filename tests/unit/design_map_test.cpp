@@ -13,7 +13,7 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}, no_peak = \"coordinates\"}\n"));
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}, no_peak = \"coordinates\"}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   ASSERT_EQ(map.outcomes.size(), 20u);
   EXPECT_EQ(map.unknown, 0u);
@@ -21,12 +21,12 @@ TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
   for (const study::RuleShare& share : map.shares) shares += share.kept + share.broken;
   EXPECT_EQ(shares, 20u);
   ASSERT_TRUE(map.best);
-  for (const study::DesignOutcome& outcome : map.outcomes) EXPECT_LE(outcome.margin, map.outcomes[*map.best].margin);
+  for (const design::DesignOutcome& outcome : map.outcomes) EXPECT_LE(outcome.margin, map.outcomes[*map.best].margin);
 }
 
 TEST(DesignMap, TakesOneNumberEachOfTwoElements) {
   const std::string second = "[elements.pad]\ntype = \"bushing\"\non = \"machine\"\nat = [0, 0, 0]\ntranslation = [500, 500, 500]\n";
-  const study::Project project = test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = \"elements.pad.scale\", from = 1, to = 2, "
+  const project::Project project = test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = \"elements.pad.scale\", from = 1, to = 2, "
                                                               "points = 3}, limits = {\"machine.z\" = \"15 mm\"}}\n", second));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.unknown, 0u);
@@ -34,14 +34,14 @@ TEST(DesignMap, TakesOneNumberEachOfTwoElements) {
 }
 
 TEST(DesignMap, RefusesAParameterThatMakesEveryDesignImpossible) {
-  const study::Project project = test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = -1, points = 3}, y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
+  const project::Project project = test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = -1, points = 3}, y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
                                                               "points = 2}, no_peak = \"coordinates\"}\n"));
   EXPECT_THAT([&] { static_cast<void>(study::design_map(project, project.base(), *project.base().analyses.map)); },
               testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("none of the 6 designs")));
 }
 
 TEST(DesignMap, OfACaseIsItsOwnWhereTheCaseChangesTheQuestion) {
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", R"(
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", R"(
 [cases.point]
 elements.spring.scale = 1.5
 [cases.heavy]

@@ -10,30 +10,30 @@ namespace {
 using namespace trivet;
 
 /// Four limits of 1, so that a margin is 1 / value.
-const response::RuleSet four_limits{std::vector<response::DesignRule>(4, {response::DesignRule::Kind::amplitude, 0, 1.0}), {}, 1e-6};
+const design::RuleSet four_limits{std::vector<design::DesignRule>(4, {design::DesignRule::Kind::amplitude, 0, 1.0}), {}, 1e-6};
 
 TEST(Governing, TakesTheFirstOfRulesThatRoundOffAloneTellsApart) {
-  const response::Governing found = response::governing(four_limits, {0.1, 2 * (1 - 1e-13), 2.0, 2 * (1 + 1e-9)});
+  const design::Governing found = design::governing(four_limits, {0.1, 2 * (1 - 1e-13), 2.0, 2 * (1 + 1e-9)});
   EXPECT_EQ(found.rule, 1u);
   EXPECT_EQ(found.margin, 1 / (2 * (1 + 1e-9)));
 }
 
-TEST(Governing, TakesTheLeastWhereADesignTellsRulesApart) { EXPECT_EQ(response::governing(four_limits, {0.1, 2.0, 2.0001, 2.00005}).rule, 2u); }
+TEST(Governing, TakesTheLeastWhereADesignTellsRulesApart) { EXPECT_EQ(design::governing(four_limits, {0.1, 2.0, 2.0001, 2.00005}).rule, 2u); }
 
-TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) { EXPECT_EQ(response::governing(four_limits, {1 - 1e-8, 1 + 1e-8, 1.0, 0.5}).rule, 1u); }
+TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) { EXPECT_EQ(design::governing(four_limits, {1 - 1e-8, 1 + 1e-8, 1.0, 0.5}).rule, 1u); }
 
 TEST(Margin, OfAValueOnItsLimitIsOne) {
-  const response::DesignRule limit{response::DesignRule::Kind::amplitude, 0, 1e-3}, no_peak{response::DesignRule::Kind::no_peak, 0, 0.01};
-  EXPECT_EQ(response::margin(limit, 1.0000000000000002e-3), 1);
-  EXPECT_EQ(response::margin(limit, 1e-3 * (1 + 0.9 * response::on_the_limit)), 1);
-  EXPECT_LT(response::margin(limit, 1e-3 * (1 + 1.1 * response::on_the_limit)), 1);
-  EXPECT_GT(response::margin(limit, 1e-3 * (1 - 1e-12)), 1);
-  EXPECT_EQ(response::margin(no_peak, 0.01 * (1 + 1e-9)), 1);
-  EXPECT_LT(response::margin(no_peak, 0.01 * (1 + 1e-6)), 1);
+  const design::DesignRule limit{design::DesignRule::Kind::amplitude, 0, 1e-3}, no_peak{design::DesignRule::Kind::no_peak, 0, 0.01};
+  EXPECT_EQ(design::margin(limit, 1.0000000000000002e-3), 1);
+  EXPECT_EQ(design::margin(limit, 1e-3 * (1 + 0.9 * design::on_the_limit)), 1);
+  EXPECT_LT(design::margin(limit, 1e-3 * (1 + 1.1 * design::on_the_limit)), 1);
+  EXPECT_GT(design::margin(limit, 1e-3 * (1 - 1e-12)), 1);
+  EXPECT_EQ(design::margin(no_peak, 0.01 * (1 + 1e-9)), 1);
+  EXPECT_LT(design::margin(no_peak, 0.01 * (1 + 1e-6)), 1);
 }
 
 TEST(Governing, HasNoBoundWhereNoRuleHasAMargin) {
-  const response::Governing found = response::governing(four_limits, {0, 0, 0, 0});
+  const design::Governing found = design::governing(four_limits, {0, 0, 0, 0});
   EXPECT_EQ(found.rule, 0u);
   EXPECT_EQ(found.margin, std::numeric_limits<double>::infinity());
 }

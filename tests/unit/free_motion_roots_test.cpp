@@ -40,8 +40,8 @@ peaks = {}
 )";
 
 TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
-  const study::Project project = test::project(damped_pendulum_without_weight);
-  study::Analyses asked;
+  const project::Project project = test::project(damped_pendulum_without_weight);
+  project::Analyses asked;
   asked.roots = true;
   const study::Answers answers = study::answers(project.base(), asked);
   int at_rest = 0;
@@ -56,7 +56,7 @@ TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
 }
 
 TEST(FreeMotions, BesideADamperAndModalDampingTheirPeaksAreFound) {
-  const study::Project project = test::project(damped_pendulum_without_weight);
+  const project::Project project = test::project(damped_pendulum_without_weight);
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   ASSERT_TRUE(answers.peaks.has_value());
   EXPECT_GE(answers.peaks->peaks.list.size(), 3u);

@@ -9,9 +9,9 @@ namespace {
 
 using namespace trivet;
 
-study::Influence found(const study::Project& project) {
-  std::vector<study::MapRule> rules;
-  for (const char* name : {"block.x", "block.y", "block.x", "block.ry", "block.rz"}) rules.push_back({response::DesignRule::Kind::no_peak, name, "m", 0.01, ""});
+study::Influence found(const project::Project& project) {
+  std::vector<design::MapRule> rules;
+  for (const char* name : {"block.x", "block.y", "block.x", "block.ry", "block.rz"}) rules.push_back({design::DesignRule::Kind::no_peak, name, "m", 0.01, ""});
   return study::influence(project.base(), *project.base().analyses.map, rules);
 }
 

@@ -5,8 +5,8 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/study/design_map.h"
 #include "trivet/results/map_json.h"
+#include "trivet/study/design_map.h"
 
 namespace {
 
@@ -15,8 +15,8 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(DesignMap, WritesOneCsvRowPerDesign) {
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n"));
-  const std::string csv = study::map_csv(study::design_map(project, project.base(), *project.base().analyses.map));
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n"));
+  const std::string csv = results::map_csv(study::design_map(project, project.base(), *project.base().analyses.map));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
   EXPECT_THAT(csv, testing::StartsWith("elements.spring.scale,elements.spring.damping.proportional [s],margin,governing,kept\n0.5,0.01,"));
 }

@@ -23,7 +23,7 @@ std::string measured_pad(const foundation::TemporaryFolder& folder) {
 }
 
 TEST(MapMarks, MarksCasesThatAreDesignsOfTheMap) {
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
                                                               "[cases.stiff]\nelements.spring.scale = 1.5\nelements.spring.damping.proportional = 0.1\n"
                                                        "[cases.nominal]\nelements.spring.scale = 1.5\nelements.spring.damping = {proportional = 0.1, of = \"nominal\"}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
@@ -37,7 +37,7 @@ TEST(MapMarks, MarksCasesThatAreDesignsOfTheMap) {
 
 TEST(MapMarks, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) {
   const foundation::TemporaryFolder folder;
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}, band = [\"6 Hz\", \"50 Hz\"]}\n",
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}, band = [\"6 Hz\", \"50 Hz\"]}\n",
                                                               measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n[cases.heavy]\nelements.spring.scale = 1.2\nbodies.machine.mass = 20\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   ASSERT_EQ(map.marks.size(), 3u);
@@ -62,7 +62,7 @@ elements.spring.translation = [{0}, {0}, {1}]
 )", stiffness, 1.001 * stiffness));
     const std::string usual = "translation = [1000, 1000, 1000]";
     text.replace(text.find(usual), usual.size(), fmt::format("translation = [{0}, {0}, {0}]", stiffness));
-    const study::Project project = test::project(text);
+    const project::Project project = test::project(text);
     const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
     for (const study::MapMark& mark : map.marks) EXPECT_EQ(mark.of_this_model, mark.name.empty() || mark.name == "same") << mark.name << " " << stiffness;
   }
@@ -70,7 +70,7 @@ elements.spring.translation = [{0}, {0}, {1}]
 
 TEST(MapMarks, PlacesCasesWhoseTableStartsAboveAllNaturalFrequencies) {
   const foundation::TemporaryFolder folder;
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}}\n", measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n"));
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}}\n", measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n"));
   for (const study::MapMark& mark : study::design_map(project, project.base(), *project.base().analyses.map).marks) EXPECT_TRUE(mark.of_this_model) << mark.name;
 }
 

@@ -11,8 +11,8 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
-  const study::Project project = test::project(mapped_machine("response = {quantity = \"velocity\", band = [0, 30]}\nmap = {" + two_axes + "}\n", "[limits]\n\"machine.z\" = \"20 mm/s\"\n"));
-  const study::MapRequest& map = *project.base().analyses.map;
+  const project::Project project = test::project(mapped_machine("response = {quantity = \"velocity\", band = [0, 30]}\nmap = {" + two_axes + "}\n", "[limits]\n\"machine.z\" = \"20 mm/s\"\n"));
+  const project::MapRequest& map = *project.base().analyses.map;
   ASSERT_EQ(map.limits.size(), 1u);
   EXPECT_EQ(map.limits[0].name, "machine.z");
   EXPECT_EQ(map.limits[0].quantity, assembly::Quantity::velocity);
@@ -21,7 +21,7 @@ TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
 }
 
 TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
-  const study::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
+  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
   const auto& limits = project.base().analyses.map->limits;
   ASSERT_EQ(limits.size(), 3u);
   EXPECT_EQ(limits[0].quantity, assembly::Quantity::displacement);
@@ -30,14 +30,14 @@ TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
 }
 
 TEST(MapReader, LetsAPeakRiseToMoreThanTwiceItsMinimum) {
-  const study::Project project = test::project(mapped_machine("peaks = {peak_tolerance = 1}\nmap = {" + two_axes + ", no_peak = \"coordinates\", peak_tolerance = 1.5}\n"));
+  const project::Project project = test::project(mapped_machine("peaks = {peak_tolerance = 1}\nmap = {" + two_axes + ", no_peak = \"coordinates\", peak_tolerance = 1.5}\n"));
   EXPECT_EQ(project.base().analyses.peaks->peak_tolerance, 1);
   EXPECT_EQ(project.base().analyses.map->peak_tolerance, 1.5);
 }
 
 TEST(MapAxis, MeetsItsEndsExactlyOnBothSpacings) {
   for (const bool logarithmic : {false, true}) {
-    const study::MapAxis axis{"", "", 0.3, 10, "", logarithmic, 101};
+    const project::MapAxis axis{"", "", 0.3, 10, "", logarithmic, 101};
     EXPECT_EQ(axis.at(0), 0.3);
     EXPECT_EQ(axis.at(1), 10);
     EXPECT_NEAR(axis.share(axis.at(0.37)), 0.37, 1e-14);

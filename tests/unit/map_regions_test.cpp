@@ -16,21 +16,21 @@ using namespace trivet;
 
 /// No peak for ζ = δω/2 ≥ 1/√2, on a grid so coarse that the nearest design is often one beyond the boundary.
 study::DesignMap coarse_map(const std::string& points) {
-  const study::Project project = test::project(test::mapped_machine("map = {" + test::two_axes + ", no_peak = \"machine\"}\n"), {"analyses.map.x.points=" + points, "analyses.map.y.points=" + points});
+  const project::Project project = test::project(test::mapped_machine("map = {" + test::two_axes + ", no_peak = \"machine\"}\n"), {"analyses.map.x.points=" + points, "analyses.map.y.points=" + points});
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
-bool holds(const study::MapLine& ring, const study::MapPlace& p) {
+bool holds(const design::MapLine& ring, const design::MapPlace& p) {
   bool inside = false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const study::MapPlace &a = ring[k], &b = ring[(k + 1) % ring.size()];
+    const design::MapPlace &a = ring[k], &b = ring[(k + 1) % ring.size()];
     if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
   }
   return inside;
 }
 
-bool holds(const std::vector<study::MapLine>& rings, const study::MapPlace& p) {
-  return std::any_of(rings.begin(), rings.end(), [&](const study::MapLine& ring) { return holds(ring, p); });
+bool holds(const std::vector<design::MapLine>& rings, const design::MapPlace& p) {
+  return std::any_of(rings.begin(), rings.end(), [&](const design::MapLine& ring) { return holds(ring, p); });
 }
 
 TEST(MapRegions, NoBrokenPlaceIsShownAsLimitedByNothing) {
@@ -45,7 +45,7 @@ TEST(MapRegions, CoverBothSidesOfTheBoundary) {
     const study::DesignMap map = coarse_map(points);
     const auto regions = report::map_regions(map);
     for (int k = 0; k < 4000; ++k) {
-      const study::MapPlace p{std::fmod(0.31 + 0.618033988749895 * k, 1.0), (k + 0.5) / 4000};
+      const design::MapPlace p{std::fmod(0.31 + 0.618033988749895 * k, 1.0), (k + 0.5) / 4000};
       const bool kept = holds(map.feasible.rings, p);
       const auto covering = std::count_if(regions.begin(), regions.end(), [&](const report::MapRegion& region) { return holds(kept ? region.kept : region.broken, p); });
       EXPECT_EQ(covering, 1) << points << " points: " << p.x << ", " << p.y;

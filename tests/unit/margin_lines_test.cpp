@@ -13,62 +13,62 @@ using test::outcomes;
 using test::unlimited;
 
 TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
-  const study::DrawnGrid drawn = study::drawn_grid({1000, 100});
+  const design::DrawnGrid drawn = design::drawn_grid({1000, 100});
   EXPECT_EQ(drawn.columns.size(), 241u);
   EXPECT_EQ(drawn.rows.size(), 100u);
   EXPECT_EQ(drawn.columns.front(), 0);
   EXPECT_EQ(drawn.columns.back(), 999);
-  const study::MapGrid nodes = drawn.nodes();
+  const design::MapGrid nodes = drawn.nodes();
   for (const int k : {0, 1, 100, 239, 240}) EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[static_cast<std::size_t>(k)] / 999.0, 1e-15);
 }
 
 TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
-  const study::MapGrid grid{700, 500};
+  const design::MapGrid grid{700, 500};
   const auto all = outcomes(grid, [](int i, int j) { return static_cast<float>(std::exp(0.9 * i / 699 + 0.4 * j / 499)); });
-  const auto lines = study::margin_lines(study::drawn_grid(grid), all, std::exp(1.3));
+  const auto lines = design::margin_lines(design::drawn_grid(grid), all, std::exp(1.3));
   ASSERT_FALSE(lines.empty());
-  for (const study::MarginLine& margin : lines)
-    for (const study::MapLine& line : margin.lines)
-      for (const study::MapPlace& p : line) EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, 1e-5);  // float nodes
+  for (const design::MarginLine& margin : lines)
+    for (const design::MapLine& line : margin.lines)
+      for (const design::MapPlace& p : line) EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, 1e-5);  // float nodes
 }
 
 TEST(MarginLines, EndBesideDesignsWithoutBound) {
-  const study::MapGrid grid{41, 41};
+  const design::MapGrid grid{41, 41};
   const auto all = outcomes(grid, [](int i, int j) { return i + j > 50 ? unlimited : static_cast<float>(std::exp(0.05 * i)); });
-  const auto lines = study::margin_lines(study::drawn_grid(grid), all, unlimited);
+  const auto lines = design::margin_lines(design::drawn_grid(grid), all, unlimited);
   ASSERT_FALSE(lines.empty());
-  for (const study::MarginLine& margin : lines)
-    for (const study::MapLine& line : margin.lines)
-      for (const study::MapPlace& p : line) EXPECT_NEAR(std::exp(2 * p.x), margin.margin, 1e-5) << "a step along the border of what has no bound";
+  for (const design::MarginLine& margin : lines)
+    for (const design::MapLine& line : margin.lines)
+      for (const design::MapPlace& p : line) EXPECT_NEAR(std::exp(2 * p.x), margin.margin, 1e-5) << "a step along the border of what has no bound";
 }
 
 TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
-  const study::MapGrid grid{41, 41};
+  const design::MapGrid grid{41, 41};
   const auto all = outcomes(grid, [](int i, int j) { return i + j < 30 ? 0.9F : static_cast<float>(1.4 * std::exp(0.02 * i)); });  // a cliff from 0.9 to 1.4 … 3.1
-  const auto lines = study::margin_lines(study::drawn_grid(grid), all, 3.1);
+  const auto lines = design::margin_lines(design::drawn_grid(grid), all, 3.1);
   ASSERT_FALSE(lines.empty());
-  for (const study::MarginLine& margin : lines)
-    for (const study::MapLine& line : margin.lines)
-      for (const study::MapPlace& p : line) EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
+  for (const design::MarginLine& margin : lines)
+    for (const design::MapLine& line : margin.lines)
+      for (const design::MapPlace& p : line) EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
 }
 
 TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
-  const study::MapGrid grid{201, 101};
+  const design::MapGrid grid{201, 101};
   for (const auto& [least, largest] : {std::pair{1e-4, 0.95}, {0.5, 0.9}, {0.037, 0.042}}) {
     const double growth = std::log(largest / least);
     const auto all = outcomes(grid, [&](int i, int) { return static_cast<float>(least * std::exp(growth * i / 200)); });
-    const auto lines = study::margin_lines(study::drawn_grid(grid), all, largest);
+    const auto lines = design::margin_lines(design::drawn_grid(grid), all, largest);
     EXPECT_GE(lines.size(), 3u) << largest;
     EXPECT_LE(lines.size(), 6u) << largest;
-    for (const study::MarginLine& margin : lines)
-      for (const study::MapLine& line : margin.lines)
-        for (const study::MapPlace& p : line) EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, 1e-5 * largest);
+    for (const design::MarginLine& margin : lines)
+      for (const design::MapLine& line : margin.lines)
+        for (const design::MapPlace& p : line) EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, 1e-5 * largest);
   }
 }
 
 TEST(MarginLines, AreNoneWhereNoMarginIsAboveZero) {
-  const study::MapGrid grid{5, 5};
-  EXPECT_TRUE(study::margin_lines(study::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }), 0).empty());
+  const design::MapGrid grid{5, 5};
+  EXPECT_TRUE(design::margin_lines(design::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }), 0).empty());
 }
 
 }  // namespace

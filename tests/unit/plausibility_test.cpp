@@ -39,15 +39,15 @@ struct Cube {
 
 std::vector<std::string> kinds(const std::string& text) {
   std::vector<std::string> found;
-  const study::Project project = test::project(text);
-  for (const auto& suspicion : study::suspicions(project.base())) found.push_back(suspicion.kind);
+  const project::Project project = test::project(text);
+  for (const auto& suspicion : project::suspicions(project.base())) found.push_back(suspicion.kind);
   return found;
 }
 
-plausibility::BodyPicture picture(const study::Project& project) { return plausibility::pictures(project.base().system, {false}, {false}).front(); }
+plausibility::BodyPicture picture(const project::Project& project) { return plausibility::pictures(project.base().system, {false}, {false}).front(); }
 
 TEST(Plausibility, FeaturesOfACubeAreThoseOfItsClosedForms) {
-  const study::Project project = test::project(Cube{}.text());
+  const project::Project project = test::project(Cube{}.text());
   const plausibility::Features found = plausibility::features(picture(project), {});
   const double omega = std::sqrt(4 * 2e6 / 7850);
   EXPECT_NEAR(*found.density, 7850, 7850 * round_off);
@@ -60,10 +60,10 @@ TEST(Plausibility, FeaturesOfACubeAreThoseOfItsClosedForms) {
 }
 
 TEST(Plausibility, ASlipThatIsUndoneGivesTheFeaturesOfTheMachineThatWasMeant) {
-  const study::Project meant = test::project(Cube{}.text());
+  const project::Project meant = test::project(Cube{}.text());
   const plausibility::Features sound = plausibility::features(picture(meant), {});
   const auto expect_same = [&](const Cube& slipped, const plausibility::Slip& undone) {
-    const study::Project project = test::project(slipped.text());
+    const project::Project project = test::project(slipped.text());
     const plausibility::Features found = plausibility::features(picture(project), undone);
     for (const auto feature : {&plausibility::Features::density, &plausibility::Features::spread, &plausibility::Features::lever, &plausibility::Features::frequency, &plausibility::Features::sag})
       EXPECT_NEAR(*(found.*feature), *(sound.*feature), 1e-9 * *(sound.*feature)) << undone.kind;
@@ -250,7 +250,7 @@ TEST(Plausibility, KnowsProductsOfInertiaAboutThePoleWithTheOtherSign) {
                        "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nrotation = [1e4, 1e4, 1e4]\n", xy);
   };
   EXPECT_THAT(kinds(body(4)), IsEmpty());
-  const auto refused = study::project_from_text(body(-4), "p.toml");  // 8 kg m² are left, more than Jxx = 6
+  const auto refused = project::project_from_text(body(-4), "p.toml");  // 8 kg m² are left, more than Jxx = 6
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(foundation::message(refused.error().list().front()), HasSubstr("suspicion \"products of inertia\""));
   std::string far = body(-4);

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "support/projects.h"
-#include "trivet/results/answers_json.h"
 #include "trivet/project/text/embedded_text.h"
+#include "trivet/results/answers_json.h"
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST(Project, SettingsChangeTheBaseAndEveryCase) {
 }
 
 TEST(Project, ASettingOnAnUnknownThingIsAnErrorWithASuggestion) {
-  const auto refused = study::project_from_text(two_bodies, "t.toml", {"bodies.zuli.mass=3"});
+  const auto refused = project::project_from_text(two_bodies, "t.toml", {"bodies.zuli.mass=3"});
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(foundation::message(refused.error().list()[0]), testing::HasSubstr("did you mean \"zulu\""));
 }
@@ -77,7 +77,7 @@ TEST(Project, ADamperHasNoStiffnessAndActsAlongItsAxis) {
 }
 
 TEST(Project, TheStarterFileRuns) {
-  const auto project = test::project(study::starter_text);
+  const auto project = test::project(project::starter_text);
   for (const auto& variant : project.cases) {
     const auto answers = study::answers(variant, variant.analyses);
     EXPECT_TRUE(answers.response && answers.peaks && answers.statics);
@@ -86,10 +86,10 @@ TEST(Project, TheStarterFileRuns) {
 }
 
 TEST(Project, TheSameInputGivesTheSameBytes) {
-  const auto a = test::project(study::starter_text), b = test::project(study::starter_text);
+  const auto a = test::project(project::starter_text), b = test::project(project::starter_text);
   const auto answers_a = study::answers(a.base(), a.base().analyses), answers_b = study::answers(b.base(), b.base().analyses);
-  EXPECT_EQ(study::response_json(answers_a), study::response_json(answers_b));
-  EXPECT_EQ(study::peaks_json(answers_a), study::peaks_json(answers_b));
+  EXPECT_EQ(results::response_json(answers_a), results::response_json(answers_b));
+  EXPECT_EQ(results::peaks_json(answers_a), results::peaks_json(answers_b));
 }
 
 TEST(Project, ElementsAreCarriedBetweenTurnedBodies) {

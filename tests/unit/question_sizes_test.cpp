@@ -26,10 +26,10 @@ std::string told(const foundation::Problems& problems) {
 }
 
 TEST(QuestionSizes, AHundredFreeBodiesAreAdmittedAndNoMore) {
-  study::Analyses modes;
+  project::Analyses modes;
   modes.modes = true;
-  EXPECT_FALSE(study::too_large(tower(100), modes).has_errors());
-  EXPECT_THAT(told(study::too_large(tower(101), modes)), HasSubstr("606 free coordinates; at most 600 are computed"));
+  EXPECT_FALSE(project::too_large(tower(100), modes).has_errors());
+  EXPECT_THAT(told(project::too_large(tower(101), modes)), HasSubstr("606 free coordinates; at most 600 are computed"));
 }
 
 TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
@@ -45,33 +45,33 @@ TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
     branches.times.push_back(0.001 * (i + 1));
   }
   mount.law.damping = elements::Viscoelastic{branches};
-  EXPECT_EQ(study::coordinates(machine), 6u + 600u);
+  EXPECT_EQ(project::coordinates(machine), 6u + 600u);
 }
 
 TEST(QuestionSizes, TwentyBodiesWithAllPeaksAreSearchedAndAHundredAreNot) {
-  study::Analyses peaks;
+  project::Analyses peaks;
   peaks.peaks.emplace();
-  EXPECT_FALSE(study::too_large(tower(20), peaks).has_errors());
-  EXPECT_THAT(told(study::too_large(tower(100), peaks)),
+  EXPECT_FALSE(project::too_large(tower(20), peaks).has_errors());
+  EXPECT_THAT(told(project::too_large(tower(100), peaks)),
               HasSubstr("resonance peaks of 600 curves of a system of 600 coordinates"));
 }
 
 TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {
-  study::Analyses asked;
+  project::Analyses asked;
   asked.response.emplace().spacing = response::Spacing::linear;
   asked.response->points = 500'000;
-  EXPECT_FALSE(study::too_large(tower(1), asked).has_errors());
+  EXPECT_FALSE(project::too_large(tower(1), asked).has_errors());
   asked.response->points = 500'001;
-  EXPECT_THAT(told(study::too_large(tower(1), asked)), HasSubstr("500001 points × 6 curves"));
+  EXPECT_THAT(told(project::too_large(tower(1), asked)), HasSubstr("500001 points × 6 curves"));
   asked.response->wanted.of = {"body 0.x"};
-  EXPECT_FALSE(study::too_large(tower(1), asked).has_errors());
+  EXPECT_FALSE(project::too_large(tower(1), asked).has_errors());
 }
 
 TEST(QuestionSizes, TheSecondSolverChecksFewerFrequenciesOfLargeSystems) {
-  EXPECT_EQ(study::deep_check_frequencies(6), 64);
-  EXPECT_EQ(study::deep_check_frequencies(60), 64);
-  EXPECT_EQ(study::deep_check_frequencies(120), 8);
-  EXPECT_EQ(study::deep_check_frequencies(600), 4);
+  EXPECT_EQ(project::deep_check_frequencies(6), 64);
+  EXPECT_EQ(project::deep_check_frequencies(60), 64);
+  EXPECT_EQ(project::deep_check_frequencies(120), 8);
+  EXPECT_EQ(project::deep_check_frequencies(600), 4);
 }
 
 TEST(QuestionSizes, OfAFileAreToldWhereTheyAreAsked) {
@@ -80,29 +80,29 @@ TEST(QuestionSizes, OfAFileAreToldWhereTheyAreAsked) {
       "\"bushing\"\non = \"b\"\nat = [0, 0, 0]\n"
       "translation = [1, 1, 1]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, "
       "1]\n[analyses]\nresponse = {spacing = \"linear\", points = 2000000}\n";
-  const auto refused = study::project_from_text(text, "machine.toml");
+  const auto refused = project::project_from_text(text, "machine.toml");
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(told(refused.error()),
               HasSubstr("machine.toml:16: error: analyses.response.points: 2000000 points × 6 curves"));
 }
 
 TEST(AdmissibleRange, HasAReasonForEveryQuantity) {
-  for (int i = 0; i <= static_cast<int>(study::Quantity::mass_length); ++i) {
-    const auto quantity = static_cast<study::Quantity>(i);
-    EXPECT_GT(std::string(study::largest(quantity).reason).size(), 5u) << i;
-    EXPECT_EQ(study::outside_range(study::largest(quantity).magnitude, quantity), std::nullopt) << i;
-    EXPECT_NE(study::outside_range(-1.001 * study::largest(quantity).magnitude, quantity), std::nullopt) << i;
-    EXPECT_EQ(study::outside_range(0, quantity), std::nullopt);
-    EXPECT_NE(study::outside_range(5e-324, quantity), std::nullopt);
+  for (int i = 0; i <= static_cast<int>(project::Quantity::mass_length); ++i) {
+    const auto quantity = static_cast<project::Quantity>(i);
+    EXPECT_GT(std::string(project::largest(quantity).reason).size(), 5u) << i;
+    EXPECT_EQ(project::outside_range(project::largest(quantity).magnitude, quantity), std::nullopt) << i;
+    EXPECT_NE(project::outside_range(-1.001 * project::largest(quantity).magnitude, quantity), std::nullopt) << i;
+    EXPECT_EQ(project::outside_range(0, quantity), std::nullopt);
+    EXPECT_NE(project::outside_range(5e-324, quantity), std::nullopt);
   }
 }
 
 TEST(AdmissibleRange, ABandHasTwoDifferentEnds) {
-  EXPECT_EQ(study::wrong_band(0, 1), std::nullopt);
-  EXPECT_EQ(study::wrong_band(1, 1.00000001), std::nullopt);
-  EXPECT_NE(study::wrong_band(1, 1.0000000000000002), std::nullopt);
-  EXPECT_NE(study::wrong_band(0, 1e-300), std::nullopt);
-  EXPECT_NE(study::wrong_band(2, 1), std::nullopt);
+  EXPECT_EQ(project::wrong_band(0, 1), std::nullopt);
+  EXPECT_EQ(project::wrong_band(1, 1.00000001), std::nullopt);
+  EXPECT_NE(project::wrong_band(1, 1.0000000000000002), std::nullopt);
+  EXPECT_NE(project::wrong_band(0, 1e-300), std::nullopt);
+  EXPECT_NE(project::wrong_band(2, 1), std::nullopt);
 }
 
 }  // namespace

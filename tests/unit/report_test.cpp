@@ -3,10 +3,10 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
+#include "trivet/project/text/embedded_text.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/report_page.h"
-#include "trivet/project/text/embedded_text.h"
 #include "trivet/results/project_json.h"
 
 namespace {
@@ -43,10 +43,10 @@ TEST(Ticks, AreRoundAndInside) {
 }
 
 TEST(Report, HoldsItsDataAndNothingFromOutside) {
-  const auto project = test::project(study::starter_text);
+  const auto project = test::project(project::starter_text);
   std::vector<study::Answers> all;
   for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
-  const std::string results = study::results_json(project, all);
+  const std::string results = results::results_json(project, all);
   const std::string page = report::report_page(project, all, results);
   EXPECT_THAT(page, testing::HasSubstr(project.sha256));
   EXPECT_THAT(page, testing::HasSubstr("trivet 0.1.0"));
@@ -55,10 +55,10 @@ TEST(Report, HoldsItsDataAndNothingFromOutside) {
 }
 
 TEST(Report, CarriesModelsOfItsCurvesInsteadOfTheirPoints) {
-  const auto project = test::project(study::starter_text);
+  const auto project = test::project(project::starter_text);
   std::vector<study::Answers> all;
   for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
-  const std::string full = study::results_json(project, all), drawn = study::page_json(project, all);
+  const std::string full = results::results_json(project, all), drawn = results::page_json(project, all);
   EXPECT_LT(3 * drawn.size(), full.size());
   EXPECT_THAT(drawn, testing::HasSubstr("\"pieces\""));
   EXPECT_THAT(full, testing::Not(testing::HasSubstr("\"pieces\"")));
@@ -80,13 +80,13 @@ force = [1, 0, 0]
 response = {band = [1, 2]}
 )");
   std::vector<study::Answers> all = {study::answers(project.base(), project.base().analyses)};
-  const std::string page = report::report_page(project, all, study::results_json(project, all));
+  const std::string page = report::report_page(project, all, results::results_json(project, all));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("</script><b>")));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("<i>")));
 }
 
 TEST(Figures, OnePerGroupOfCurves) {
-  const auto project = test::project(study::starter_text);
+  const auto project = test::project(project::starter_text);
   const auto figures = report::characteristics(study::answers(project.base(), project.base().analyses));
   ASSERT_EQ(figures.size(), 3u);  // machine, machine.seat, ground
   for (const auto& figure : figures) {
@@ -98,10 +98,10 @@ TEST(Figures, OnePerGroupOfCurves) {
 /// Of a block that is pushed along x and z: a case with another stiffness along z has the first curve of the base model, and is another all the same.
 std::string overview_with(const std::string& the_case) {
   const std::string block = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2}", "{parameter = \"bodies.block.mass\", from = 5, to = 20}");
-  const study::Project project = test::project(block + "[analyses.response]\nband = [0, 40]\n" + the_case, {"excitations.force.force=[1, 0, 1]"});
+  const project::Project project = test::project(block + "[analyses.response]\nband = [0, 40]\n" + the_case, {"excitations.force.force=[1, 0, 1]"});
   std::vector<study::Answers> answers;
-  for (const study::Case& variant : project.cases) {
-    study::Analyses asked;
+  for (const project::Case& variant : project.cases) {
+    project::Analyses asked;
     asked.response = variant.analyses.response;
     answers.push_back(study::answers(variant, asked));
   }

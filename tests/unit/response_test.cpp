@@ -130,7 +130,7 @@ TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
 
 TEST(Limits, AreKeptByWhatStandsOnThem) {
   const auto project = test::project(driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
-  study::Analyses asked = project.base().analyses;
+  project::Analyses asked = project.base().analyses;
   const double largest = study::answers(project.base(), asked).limits[0].in_band;
   for (const auto& [share, kept] : {std::pair{1 - 1e-12, true}, {1 - 1e-6, false}}) {
     asked.limits[0].amplitude = share * largest;

@@ -11,7 +11,8 @@
 namespace {
 
 namespace fs = std::filesystem;
-using namespace trivet::study;
+using namespace trivet::foundation;
+using namespace trivet::results;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;

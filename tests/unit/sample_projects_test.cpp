@@ -17,7 +17,7 @@ class SampleProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(SampleProject, IsReadWithItsElement) {
   setenv("TRIVET_CACHE", "", 1);  // nothing out of an earlier run
-  const auto project = study::read_project(GetParam());
+  const auto project = project::read_project(GetParam());
   std::string all;
   if (!project)
     for (const auto& problem : project.error().list()) all += foundation::message(problem) + "\n";

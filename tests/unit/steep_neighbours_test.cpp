@@ -8,16 +8,16 @@
 namespace {
 
 using namespace trivet;
-using Kind = response::DesignRule::Kind;
+using Kind = design::DesignRule::Kind;
 
 constexpr std::uint8_t amplitude = 0, no_peak = 1;
-const std::vector<study::MapRule> rules = {{Kind::amplitude, "a.z", "m", 0.01, "a.z ≤ 0.01 m"}, {Kind::no_peak, "a.z", "m", 0.01, "no peak of a.z"}};
+const std::vector<design::MapRule> rules = {{Kind::amplitude, "a.z", "m", 0.01, "a.z ≤ 0.01 m"}, {Kind::no_peak, "a.z", "m", 0.01, "no peak of a.z"}};
 
 /// Of two designs side by side, and of the same one above the other.
-std::size_t steep(const study::DesignOutcome& a, const study::DesignOutcome& b) {
-  const std::size_t beside = study::steep_neighbours({2, 1}, rules, {a, b});
-  EXPECT_EQ(study::steep_neighbours({1, 2}, rules, {a, b}), beside);
-  EXPECT_EQ(study::steep_neighbours({2, 1}, rules, {b, a}), beside);
+std::size_t steep(const design::DesignOutcome& a, const design::DesignOutcome& b) {
+  const std::size_t beside = design::steep_neighbours({2, 1}, rules, {a, b});
+  EXPECT_EQ(design::steep_neighbours({1, 2}, rules, {a, b}), beside);
+  EXPECT_EQ(design::steep_neighbours({2, 1}, rules, {b, a}), beside);
   return beside;
 }
 
@@ -38,14 +38,14 @@ TEST(SteepNeighbours, MayHaveNoMarginAtAllOnOneSide) {
 
 TEST(SteepNeighbours, AreKnownAndBounded) {
   EXPECT_EQ(steep({0.5F, amplitude}, {std::numeric_limits<float>::infinity(), amplitude}), 0u);
-  EXPECT_EQ(steep({0.5F, amplitude}, {0, study::DesignOutcome::no_model}), 0u);
+  EXPECT_EQ(steep({0.5F, amplitude}, {0, design::DesignOutcome::no_model}), 0u);
 }
 
 TEST(SteepNeighbours, AreNotAcrossACorner) {
-  const study::DesignOutcome low{1, amplitude}, middle{5, amplitude}, high{25, amplitude};
-  EXPECT_EQ(study::steep_neighbours({2, 2}, rules, {low, middle, middle, high}), 0u);
-  EXPECT_EQ(study::steep_neighbours({2, 2}, rules, {low, high, middle, high}), 1u);
-  EXPECT_EQ(study::steep_neighbours({3, 1}, rules, {low, high, low}), 2u);
+  const design::DesignOutcome low{1, amplitude}, middle{5, amplitude}, high{25, amplitude};
+  EXPECT_EQ(design::steep_neighbours({2, 2}, rules, {low, middle, middle, high}), 0u);
+  EXPECT_EQ(design::steep_neighbours({2, 2}, rules, {low, high, middle, high}), 1u);
+  EXPECT_EQ(design::steep_neighbours({3, 1}, rules, {low, high, low}), 2u);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double round_off = 1e-12;
 
 struct Machine {
-  study::Project project;
+  project::Project project;
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
   response::TimeInput push(const excitation::Signal& signal) const { return test::force_on(assembled, 0, signal, along(0)); }

@@ -13,7 +13,7 @@ using test::mapped_machine;
 using test::two_axes;
 
 study::DesignMap mapped(const std::string& text) {
-  const study::Project project = test::project(text);
+  const project::Project project = test::project(text);
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 

@@ -8,8 +8,8 @@
 
 namespace {
 
-using trivet::study::Quantity;
-using trivet::study::to_si;
+using trivet::project::Quantity;
+using trivet::project::to_si;
 constexpr double pi = std::numbers::pi;
 
 struct Conversion {

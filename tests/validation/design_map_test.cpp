@@ -45,7 +45,7 @@ struct OneMass {
 };
 
 study::DesignMap map_of(const std::string& rules) {
-  const study::Project project = test::project(one_mass(rules));
+  const project::Project project = test::project(one_mass(rules));
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
@@ -56,8 +56,8 @@ TEST(DesignMap, HasTheBoundaryOfTheAmplitudeOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("limits = {\"mass.z\" = \"20 mm\"}\n");
   ASSERT_FALSE(map.feasible.lines.empty());
   std::size_t points = 0, resonant = 0;
-  for (const study::MapLine& line : map.feasible.lines)
-    for (const study::MapPlace& p : line) {
+  for (const design::MapLine& line : map.feasible.lines)
+    for (const design::MapPlace& p : line) {
       const OneMass design(map.request.x.at(p.x), map.request.y.at(p.y));
       EXPECT_NEAR(design.amplitude(), 0.02, 30 * along_the_axis * 0.02) << p.x << " " << p.y;
       ++points;
@@ -70,22 +70,22 @@ TEST(DesignMap, HasTheBoundaryOfTheAmplitudeOfOneMassInClosedForm) {
 TEST(DesignMap, HasTheBoundaryOfThePeakOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("no_peak = \"mass.z\"\npeak_tolerance = 0.05\n");
   ASSERT_FALSE(map.feasible.lines.empty());
-  for (const study::MapLine& line : map.feasible.lines)
-    for (const study::MapPlace& p : line) EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).rise(), 1.05, 30 * along_the_axis) << p.x << " " << p.y;
+  for (const design::MapLine& line : map.feasible.lines)
+    for (const design::MapPlace& p : line) EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).rise(), 1.05, 30 * along_the_axis) << p.x << " " << p.y;
 }
 
 TEST(DesignMap, WithoutToleranceAsksForADampingRatioOfHalfTheRootOfTwo) {
   const study::DesignMap map = map_of("no_peak = \"mass.z\"\npeak_tolerance = 0\n");
   ASSERT_FALSE(map.feasible.lines.empty());
   constexpr double flat = 1e-3;  // peaks below 1e-6 of the curve are none: (1 − 2ζ²)²/2 of it
-  for (const study::MapLine& line : map.feasible.lines)
-    for (const study::MapPlace& p : line) EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).zeta, std::sqrt(0.5), flat);
+  for (const design::MapLine& line : map.feasible.lines)
+    for (const design::MapPlace& p : line) EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).zeta, std::sqrt(0.5), flat);
 }
 
 TEST(DesignMap, GivesMarginsOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("limits = {\"mass.z\" = \"20 mm\"}\n");
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
-    const study::DesignPoint p = map.point(k);
+    const design::DesignPoint p = map.point(k);
     EXPECT_NEAR(map.outcomes[k].margin, 0.02 / OneMass(p.x, p.y).amplitude(), 2e-7 * map.outcomes[k].margin);
   }
 }

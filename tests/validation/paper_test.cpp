@@ -9,8 +9,8 @@
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/response/steady/frequency_response.h"
 #include "trivet/project/project.h"
+#include "trivet/response/steady/frequency_response.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ using namespace trivet;
 using test::RelativelyNear;
 constexpr double printed_digits = 1e-9;
 
-study::Project paper(const std::string& file) { return study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/" + file).value(); }
+project::Project paper(const std::string& file) { return project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/" + file).value(); }
 
 struct Natural {
   const char* case_name;
@@ -26,7 +26,7 @@ struct Natural {
 };
 
 void expect_frequencies(const std::string& file, const std::vector<Natural>& expected) {
-  const study::Project project = paper(file);
+  const project::Project project = paper(file);
   for (const Natural& natural : expected) {
     const modal::Modes modes = modal::modes(project.find(natural.case_name)->system);
     ASSERT_EQ(modes.list.size(), 6u);
@@ -72,7 +72,7 @@ struct Characteristic {
 };
 
 void expect_characteristics(const std::string& file, const std::vector<Characteristic>& expected) {
-  const study::Project project = paper(file);
+  const project::Project project = paper(file);
   const model::System& system = project.find("Figure 3")->system;
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
@@ -112,7 +112,7 @@ TEST(Paper, CharacteristicsOfTheCorrectedBody) {
 }
 
 TEST(Paper, AsPrintedHasOneGrowingRootAndSaysSo) {
-  const study::Project project = paper("as_printed.toml");
+  const project::Project project = paper("as_printed.toml");
   const modal::Roots roots = modal::roots(project.find("Figure 3")->system);
   const auto growing = std::find_if(roots.list.begin(), roots.list.end(), [](const auto& r) { return r.kind == modal::RootKind::growing; });
   ASSERT_NE(growing, roots.list.end());

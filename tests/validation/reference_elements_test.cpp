@@ -85,8 +85,8 @@ TEST(BodyOnBeam, FrequenciesOfABodyOnAFull12x12) {
 
 TEST(ThreeEqualElements, TogetherAreTheStiffnessOfThePaper) {
   // One realisation of the paper's K by three identical 12×12 elements, found by a separate linear solve.
-  const auto three = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
-  const auto one = study::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
+  const auto three = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
+  const auto one = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   const Eigen::MatrixXd expected = assembly::assemble(one.base().system).matrices.K;
   const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt();
   EXPECT_THAT(assembly::assemble(three.base().system).matrices.K, test::NearInUnits(expected, scale, 1e-12));

@@ -9,9 +9,9 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/excitation/spectrum.h"
+#include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
-#include "trivet/response/random/random_response.h"
 #include "trivet/response/transient/transient.h"
 
 namespace {

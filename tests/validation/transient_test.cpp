@@ -23,7 +23,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double round_off = 1e-11;
 
 struct Machine {
-  study::Project project;
+  project::Project project;
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
 };

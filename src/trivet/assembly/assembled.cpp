@@ -9,8 +9,8 @@
 
 #include "trivet/assembly/following.h"
 #include "trivet/assembly/geometric_stiffness.h"
-#include "trivet/foundation/invalid_input.h"
 #include "trivet/elements/law.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
 #include "trivet/spatial/rigid_motion.h"

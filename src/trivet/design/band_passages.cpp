@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 constexpr int most_halvings = 20;  // a strip thinner than a millionth of a step is no region of designs
@@ -73,4 +73,4 @@ BandPassages band_passages(const MapGrid& grid, const std::vector<DesignOutcome>
   return result;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

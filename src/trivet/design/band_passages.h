@@ -6,7 +6,7 @@
 
 #include "trivet/design/boundary_crossings.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 /// Kept neighbours between which a natural frequency passes over the whole band of the amplitudes, where a design breaks a rule.
 struct BandPassages {
@@ -18,4 +18,4 @@ struct BandPassages {
 /// Halves the way between these until the natural frequency stands in the band, and asks the design there: it breaks a rule or, with enough damping, does not.
 [[nodiscard]] BandPassages band_passages(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const JudgePlaces& judge, const foundation::Progress& progress = {});
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 /// Distance of every drawn node that is one of the equals to the nearest other, nodes beyond the frame among these: first along columns, then across them.
@@ -57,4 +57,4 @@ std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<D
   return best;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -7,7 +7,7 @@
 #include "trivet/design/design_outcome.h"
 #include "trivet/design/drawn_grid.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 struct BestDesign {
   std::size_t design = 0;
@@ -19,4 +19,4 @@ struct BestDesign {
 /// design and from the frame; of fine grids the drawn designs are candidates. None if no design is known.
 [[nodiscard]] std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes);
 
-}  // namespace trivet::study
+}  // namespace trivet::design

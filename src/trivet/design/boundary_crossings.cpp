@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 constexpr int most_steps = 80;  // bisection alone needs 20 of an axis of two points
@@ -81,4 +81,4 @@ std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<De
   return crossings;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

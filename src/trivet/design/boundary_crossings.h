@@ -4,11 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "trivet/foundation/interruption.h"
 #include "trivet/design/design_outcome.h"
 #include "trivet/design/map_contours.h"
+#include "trivet/foundation/interruption.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 inline constexpr double boundary_tolerance = 1e-6;  ///< of each axis
 
@@ -26,4 +26,4 @@ using JudgePlaces = std::function<std::vector<DesignOutcome>(const std::vector<M
 [[nodiscard]] std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const std::vector<CrossedEdge>& edges,
                                                      const JudgePlaces& judge, const foundation::Progress& progress = {});
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -10,17 +10,17 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
-#include "trivet/numerics/roots/design_modes.h"
+#include "trivet/modal/highest_frequency.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/roots/design_modes.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/design_parameter.h"
-#include "trivet/modal/highest_frequency.h"
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 /// Kept or not is decided before the margin is rounded.
-DesignOutcome outcome_of(const response::Governing& least) {
+DesignOutcome outcome_of(const Governing& least) {
   auto margin = static_cast<float>(least.margin);
   if (least.margin < 1 && margin >= 1) margin = std::nextafter(1.0F, 0.0F);
   return {margin, static_cast<std::uint8_t>(least.rule)};
@@ -49,42 +49,42 @@ std::string amplitude_words(const std::string& name, double amplitude, const std
 
 }  // namespace
 
-DesignEvaluation::DesignEvaluation(const Case& variant, const MapRequest& request, const EvaluationOptions& options)
-    : case_(variant), request_(request), options_(options), x_keys_(path_keys(request.x.parameter)), y_keys_(path_keys(request.y.parameter)) {
+DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::MapRequest& request, const EvaluationOptions& options)
+    : case_(variant), request_(request), options_(options), x_keys_(project::path_keys(request.x.parameter)), y_keys_(project::path_keys(request.y.parameter)) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
-  for (const MapLimit& limit : request.limits) {
+  for (const project::MapLimit& limit : request.limits) {
     const std::size_t channel = channel_of(limit.name, limit.quantity);
-    set_.rules.push_back({response::DesignRule::Kind::amplitude, channel, limit.amplitude});
+    set_.rules.push_back({DesignRule::Kind::amplitude, channel, limit.amplitude});
   }
   for (const assembly::Channel& channel : assembly::channels(variant.system, assembled, request.no_peak, request.quantity))
-    set_.rules.push_back({response::DesignRule::Kind::no_peak, channel_of(channel.name, request.quantity), request.peak_tolerance});
+    set_.rules.push_back({DesignRule::Kind::no_peak, channel_of(channel.name, request.quantity), request.peak_tolerance});
   if (set_.rules.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(fmt::format("map: {} rules; a map judges at most {}", set_.rules.size(), DesignOutcome::most_rules));
   set_.band = request.band.value_or(response::Band{0, std::numeric_limits<double>::infinity()});
   counts_modes_ = !request.limits.empty() && set_.band.from > 0 && std::isfinite(set_.band.to);
   set_.min_prominence = request.min_prominence;
   const std::vector<assembly::Channel> all = channels(variant.system, assembled);
-  for (const response::DesignRule& rule : set_.rules) {
+  for (const DesignRule& rule : set_.rules) {
     const assembly::Channel& channel = all[rule.channel];
-    const bool amplitude = rule.kind == response::DesignRule::Kind::amplitude;
+    const bool amplitude = rule.kind == DesignRule::Kind::amplitude;
     rules_.push_back({rule.kind, channel.name, channel.unit, rule.allowed, amplitude ? amplitude_words(channel.name, rule.allowed, channel.unit) : "no peak of " + channel.name});
   }
   if (options.fast) fit_family(variant);
 }
 
-void DesignEvaluation::fit_family(const Case& variant) {
-  const auto plain = [&](const model::System& system) -> response::PlainOrNot {
+void DesignEvaluation::fit_family(const project::Case& variant) {
+  const auto plain = [&](const model::System& system) -> PlainOrNot {
     const assembly::Assembled assembled = assembly::assemble(system);
-    response::PlainOrNot found = response::plain_design(assembled, channels(system, assembled), assembly::harmonic_loading(system, assembled, request_.excitations));
+    PlainOrNot found = plain_design(assembled, channels(system, assembled), assembly::harmonic_loading(system, assembled, request_.excitations));
     if (found.plain && !numerics::is_positive_definite(found.plain->K)) return {{}, "free or unstable motions"};
     return found;
   };
   report_.family = plain(variant.system).reason;
   if (!report_.family.empty()) return;
-  response::FamilyOrNot found = response::DesignFamily::fitted(
-      [&](const response::FamilyPoint& point) -> response::PlainOrNot {
+  FamilyOrNot found = DesignFamily::fitted(
+      [&](const FamilyPoint& point) -> PlainOrNot {
         const auto system = system_at({point.x, point.y});
-        return system ? plain(*system) : response::PlainOrNot{{}, "designs that are no model"};
+        return system ? plain(*system) : PlainOrNot{{}, "designs that are no model"};
       },
       {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
   family_ = std::move(found.family);
@@ -95,9 +95,9 @@ void DesignEvaluation::fit_family(const Case& variant) {
 }
 
 void DesignEvaluation::plan_searches() {
-  const response::PlainDesign& first = family_->first();
-  const auto of_kind = [&](response::DesignRule::Kind kind) { return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const response::DesignRule& r) { return r.kind == kind; }); };
-  search_.count_peaks = of_kind(response::DesignRule::Kind::no_peak);
+  const PlainDesign& first = family_->first();
+  const auto of_kind = [&](DesignRule::Kind kind) { return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& r) { return r.kind == kind; }); };
+  search_.count_peaks = of_kind(DesignRule::Kind::no_peak);
   search_.min_prominence = set_.min_prominence;
   search_.threads = 1;
   search_.rows = first.rows.array();
@@ -105,22 +105,22 @@ void DesignEvaluation::plan_searches() {
   search_.derivative = first.derivative;
   const bool whole = set_.band.from == 0 && std::isinf(set_.band.to);
   if (!search_.count_peaks) search_.from = set_.band.from, search_.to = set_.band.to;
-  else beyond_band_ = !whole && of_kind(response::DesignRule::Kind::amplitude);
+  else beyond_band_ = !whole && of_kind(DesignRule::Kind::amplitude);
 }
 
 std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
   std::vector<std::size_t> designs;
   for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
-    if (std::any_of(set_.rules.begin(), set_.rules.end(), [&](const response::DesignRule& rule) {
+    if (std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& rule) {
           const double at = found.highest_at(d, static_cast<Eigen::Index>(rule.channel));
-          return rule.kind == response::DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
+          return rule.kind == DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
         }))
       designs.push_back(static_cast<std::size_t>(d));
   return designs;
 }
 
 void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes) {
-  std::vector<response::FamilyPoint> places;
+  std::vector<FamilyPoint> places;
   for (const DesignPoint& p : points) places.push_back({p.x, p.y});
   const numerics::Designs designs = family_->designs(places);
   numerics::DesignPeaks found = numerics::design_peaks(designs, search_);
@@ -128,7 +128,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
   const auto good = [](numerics::DesignStatus status) { return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone; };
   if (beyond_band_) {  // peaks count wherever they lie, amplitudes in the band: rarely is the highest one outside
     const std::vector<std::size_t> again = highest_outside_band(found);
-    std::vector<response::FamilyPoint> there;
+    std::vector<FamilyPoint> there;
     for (const std::size_t d : again) there.push_back(places[d]);
     numerics::DesignPeakOptions in_band = search_;
     in_band.from = set_.band.from;
@@ -149,9 +149,9 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     }
     for (std::size_t r = 0; r < values.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(d), channel = static_cast<Eigen::Index>(set_.rules[r].channel);
-      values[r] = set_.rules[r].kind == response::DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
+      values[r] = set_.rules[r].kind == DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
     }
-    outcomes[d] = outcome_of(response::governing(set_, values));
+    outcomes[d] = outcome_of(governing(set_, values));
     for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k) count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
     ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
   }
@@ -174,8 +174,8 @@ std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& s
 }
 
 foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
-  const std::vector<Node> changes = {change_of(x_keys_, point.x, request_.x.unit), change_of(y_keys_, point.y, request_.y.unit)};
-  return changed_system(case_, changes);
+  const std::vector<project::Node> changes = {project::change_of(x_keys_, point.x, request_.x.unit), project::change_of(y_keys_, point.y, request_.y.unit)};
+  return project::changed_system(case_, changes);
 }
 
 bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& point) const {
@@ -185,14 +185,14 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
   if (a.layout.size() != b.layout.size()) return false;
   const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations), of_b = assembly::harmonic_loading(*there, b, request_.excitations);
   const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.layout.before_last());
-  const auto [lowest, highest] = compared_range(a, b, highest_natural_frequency(system, a));
+  const auto [lowest, highest] = compared_range(a, b, modal::highest_natural_frequency(system, a));
   if (!(lowest < highest)) return false;
   for (const double omega : {lowest, std::sqrt(lowest * highest), highest}) {
     const auto scaled = [&](const assembly::Assembled& m) -> Eigen::MatrixXcd { return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal(); };
     const Eigen::MatrixXcd of_case = scaled(a);
-    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <= response::DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff())) return false;
+    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <= DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff())) return false;
     const Eigen::VectorXcd load = assembly::exact_right_side(a, of_a, omega, omega);
-    if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <= response::DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff())) return false;
+    if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <= DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff())) return false;
   }
   return true;
 }
@@ -206,8 +206,8 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
   const double search_to = std::isfinite(set_.band.to) ? set_.band.to : 0;
   JudgedDesign result;
   result.peaks = response::peaks(assembled, asked, loading, modes, roots, {set_.min_prominence, search_to});
-  result.rules = response::rule_values(assembled, asked, loading, result.peaks, set_);
-  result.governing = response::governing(set_, result.rules.values);
+  result.rules = rule_values(assembled, asked, loading, result.peaks, set_);
+  result.governing = governing(set_, result.rules.values);
   for (const modal::Mode& mode : modes.list) result.natural_frequencies_squared.push_back(mode.eigenvalue_squared);
   return result;
 }
@@ -276,4 +276,4 @@ std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count, const s
   return outcomes;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "trivet/numerics/batch/design_peaks.h"
 #include "trivet/design/design_family.h"
 #include "trivet/design/design_outcome.h"
+#include "trivet/numerics/batch/design_peaks.h"
 #include "trivet/project/project.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 /// The designs of a case when two of its numbers change.
 class DesignEvaluation {
  public:
   /// @throws foundation::NotComputable if the rules cannot be asked of this case
-  DesignEvaluation(const Case& variant, const MapRequest& request) : DesignEvaluation(variant, request, EvaluationOptions()) {}
-  DesignEvaluation(const Case& variant, const MapRequest& request, const EvaluationOptions& options);
+  DesignEvaluation(const project::Case& variant, const project::MapRequest& request) : DesignEvaluation(variant, request, EvaluationOptions()) {}
+  DesignEvaluation(const project::Case& variant, const project::MapRequest& request, const EvaluationOptions& options);
 
   [[nodiscard]] const std::vector<MapRule>& rules() const { return rules_; }
 
@@ -44,21 +44,21 @@ class DesignEvaluation {
   [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system, const assembly::Assembled& assembled) const;
   [[nodiscard]] foundation::Expected<model::System> system_at(const DesignPoint& point) const;
   [[nodiscard]] DesignOutcome assembled_outcome(std::size_t index, const DesignPoint& point);
-  void fit_family(const Case& variant);
+  void fit_family(const project::Case& variant);
   void plan_searches();
   [[nodiscard]] std::vector<std::size_t> highest_outside_band(const numerics::DesignPeaks& found) const;
   /// Of designs first … : outcomes in lanes; where they are not proven, one by one.
   void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
   void note_missing(std::size_t index, const std::string& rule, const std::string& words);
 
-  const Case& case_;
-  const MapRequest& request_;
+  const project::Case& case_;
+  const project::MapRequest& request_;
   EvaluationOptions options_;
   std::vector<std::string> x_keys_, y_keys_;
   std::vector<Answer> answers_;
   std::vector<MapRule> rules_;
-  response::RuleSet set_;
-  std::optional<response::DesignFamily> family_;
+  RuleSet set_;
+  std::optional<DesignFamily> family_;
   numerics::DesignPeakOptions search_;   // of the family: over all frequencies where peaks are asked for, else over the band
   bool beyond_band_ = false;             // it sees amplitudes outside the band
   bool counts_modes_ = false;            // natural frequencies may pass over the band of the amplitudes
@@ -67,4 +67,4 @@ class DesignEvaluation {
   std::vector<std::string> missing_kinds_;   // of report_.missing
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -10,7 +10,7 @@
 
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 
-namespace trivet::response {
+namespace trivet::design {
 namespace {
 
 constexpr int most_nodes = 17;  // along one number
@@ -233,4 +233,4 @@ numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) con
   return designs;
 }
 
-}  // namespace trivet::response
+}  // namespace trivet::design

@@ -11,7 +11,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/numerics/roots/designs.h"
 
-namespace trivet::response {
+namespace trivet::design {
 
 /// A design that poles and residues in lanes can judge: real symmetric constant matrices, one real constant load, answers that are real
 /// combinations of displacements and velocities.
@@ -87,4 +87,4 @@ struct FamilyOrNot {
   std::string reason;
 };
 
-}  // namespace trivet::response
+}  // namespace trivet::design

@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -50,4 +50,4 @@ std::string EvaluationReport::words() const {
   return text;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

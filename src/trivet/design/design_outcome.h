@@ -7,11 +7,11 @@
 
 #include "trivet/design/design_rules.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 /// One rule of a map in words.
 struct MapRule {
-  response::DesignRule::Kind kind = response::DesignRule::Kind::amplitude;
+  DesignRule::Kind kind = DesignRule::Kind::amplitude;
   std::string answer;    ///< "aggregate.rz"
   std::string unit;      ///< of the answer, SI
   double allowed = 0;    ///< amplitude [SI], or relative prominence
@@ -46,8 +46,8 @@ struct MissingReason {
 
 /// One design with everything that was found.
 struct JudgedDesign {
-  response::RuleValues rules;
-  response::Governing governing;
+  RuleValues rules;
+  Governing governing;
   response::Peaks peaks;        ///< of the answers that have rules
   std::vector<double> natural_frequencies_squared;   ///< undamped [rad²/s²]; negative where a motion grows
 };
@@ -71,4 +71,4 @@ struct EvaluationOptions {
   bool fast = true;             ///< false: every design assembled and searched by itself
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::design

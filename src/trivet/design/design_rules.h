@@ -6,7 +6,7 @@
 #include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace trivet::response {
+namespace trivet::design {
 
 /// Largest |y| over a band, and where.
 struct LargestAmplitude {
@@ -17,7 +17,7 @@ struct LargestAmplitude {
 /// It stands at an end of the band or at an extremum inside. A band may reach to infinity.
 /// @param found  the peaks of all `channels`, of which `curve` is one
 [[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                               const assembly::Loading& loading, const Peaks& found, std::size_t curve, const Band& band);
+                                               const assembly::Loading& loading, const response::Peaks& found, std::size_t curve, const response::Band& band);
 
 /// What a design has to keep.
 struct DesignRule {
@@ -40,7 +40,7 @@ inline constexpr double on_the_limit = 1e-9;
 
 struct RuleSet {
   std::vector<DesignRule> rules;
-  Band band;                     ///< of the amplitudes [rad/s]; may reach to infinity
+  response::Band band;                     ///< of the amplitudes [rad/s]; may reach to infinity
   double min_prominence = 1e-6;  ///< see PeakOptions
 };
 
@@ -51,7 +51,7 @@ struct RuleValues {
 
 /// What each rule limits.
 [[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const assembly::Loading& loading, const Peaks& found, const RuleSet& set);
+                                     const assembly::Loading& loading, const response::Peaks& found, const RuleSet& set);
 
 /// The first rule whose margin is the least within 1e-6 of it, so that round-off does not choose among equals; broken ones before kept ones.
 struct Governing {
@@ -61,4 +61,4 @@ struct Governing {
 };
 [[nodiscard]] Governing governing(const RuleSet& set, const std::vector<double>& values);
 
-}  // namespace trivet::response
+}  // namespace trivet::design

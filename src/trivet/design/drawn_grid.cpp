@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 constexpr int most_nodes = 241;  // along an axis: about two pixels apart
@@ -29,4 +29,4 @@ MapPlace DrawnGrid::on_map(const MapPlace& among_nodes) const { return {share(am
 
 DrawnGrid drawn_grid(const MapGrid& grid) { return {grid, drawn(grid.nx), drawn(grid.ny)}; }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -6,7 +6,7 @@
 
 #include "trivet/design/map_contours.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 /// The nodes of a grid that pictures show: all, or of a finer grid 241 along an axis, both ends among them.
 struct DrawnGrid {
@@ -22,4 +22,4 @@ struct DrawnGrid {
 
 [[nodiscard]] DrawnGrid drawn_grid(const MapGrid& grid);
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 /// From one edge of the grid to the next: a piece of a contour within a cell.
@@ -157,4 +157,4 @@ MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>
   return tracing.outline();
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace trivet::study {
+namespace trivet::design {
 
 /// A place on a map: 0 … 1 along each axis.
 struct MapPlace {
@@ -43,4 +43,4 @@ struct MapContours {
 [[nodiscard]] MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>& inside, const std::vector<CrossedEdge>& edges,
                                    const std::vector<double>& crossing, const std::function<bool(int i, int j)>& connected);
 
-}  // namespace trivet::study
+}  // namespace trivet::design

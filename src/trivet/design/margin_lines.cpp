@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace trivet::study {
+namespace trivet::design {
 namespace {
 
 /// Half a dozen round margins between 1 and the largest.
@@ -104,4 +104,4 @@ std::vector<MarginLine> margin_lines(const DrawnGrid& grid, const std::vector<De
   return all;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::design

@@ -6,7 +6,7 @@
 #include "trivet/design/design_outcome.h"
 #include "trivet/design/drawn_grid.h"
 
-namespace trivet::study {
+namespace trivet::design {
 
 /// A line of equal margin.
 struct MarginLine {
@@ -19,4 +19,4 @@ struct MarginLine {
 /// designs: there they lie closer than these.
 [[nodiscard]] std::vector<MarginLine> margin_lines(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes, double largest);
 
-}  // namespace trivet::study
+}  // namespace trivet::design

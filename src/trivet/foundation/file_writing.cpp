@@ -10,7 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace trivet::study {
+namespace trivet::foundation {
 
 void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
                     const std::filesystem::path& shown) {
@@ -30,4 +30,4 @@ void write_new_file(const FolderHandle& folder, const std::string& name, const s
     throw std::runtime_error(fmt::format("cannot write {}: {}", shown.string(), std::strerror(reason)));
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::foundation

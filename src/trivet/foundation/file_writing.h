@@ -6,11 +6,11 @@
 
 #include "trivet/foundation/folder_handle.h"
 
-namespace trivet::study {
+namespace trivet::foundation {
 
 /// Writes a whole new file; what already has its name, a link too, is an error.
 /// @param shown  what a message calls it  @throws std::runtime_error with the reason (a full disk, for instance)
 void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
                     const std::filesystem::path& shown);
 
-}  // namespace trivet::study
+}  // namespace trivet::foundation

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace trivet::study {
+namespace trivet::foundation {
 
 FolderHandle::FolderHandle(const std::filesystem::path& path)
     : descriptor_(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {}
@@ -109,4 +109,4 @@ const char* words(FolderHandle::Kind kind) {
   return "";
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::foundation

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace trivet::study {
+namespace trivet::foundation {
 
 /// An open folder. Names are looked up in it one by one and no symbolic link is followed, so that a link planted later
 /// leads nowhere else.
@@ -44,4 +44,4 @@ class FolderHandle {
 /// "a folder", "a symbolic link", …: for messages.
 [[nodiscard]] const char* words(FolderHandle::Kind kind);
 
-}  // namespace trivet::study
+}  // namespace trivet::foundation

@@ -6,12 +6,12 @@
 
 #include "trivet/modal/modes.h"
 
-namespace trivet::study {
+namespace trivet::modal {
 
 double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled) {
   double highest = 0;
-  for (const modal::Mode& mode : modal::modes(system, assembled).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
+  for (const Mode& mode : modes(system, assembled).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
   return highest > 0 ? highest : 1;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::modal

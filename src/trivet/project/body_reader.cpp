@@ -8,7 +8,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/solids_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// Larger systems need sparse methods that this version does not have.
@@ -112,4 +112,4 @@ void read_bodies(TableReader& root, model::Description& description, Mentioned& 
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

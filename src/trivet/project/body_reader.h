@@ -3,9 +3,9 @@
 
 #include "trivet/project/text/mentioned.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// `bodies` of the file; adds to the description and reports its problems.
 void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

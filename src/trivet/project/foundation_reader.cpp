@@ -8,10 +8,10 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_parts.h"
-#include "trivet/project/text/idle_key.h"
 #include "trivet/project/mobility_table.h"
+#include "trivet/project/text/idle_key.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// One kind of ground, before it is put under its elements.
@@ -218,4 +218,4 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

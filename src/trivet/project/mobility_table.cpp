@@ -12,12 +12,12 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/mobility_causality.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/project/text/csv_table.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/stiffness_column.h"
+#include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr const char* column_rule = "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper triangle)";
@@ -176,4 +176,4 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   return table.directions;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

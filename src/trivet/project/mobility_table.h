@@ -7,7 +7,7 @@
 #include "trivet/model/system.h"
 #include "trivet/project/text/table_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Measured mobility of a ground point, v = Y F in ground axes: `file` with the columns frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of
 /// x, y, z, rx, ry, rz [(m/s)/N, (rad/s)/(N m) …]. It becomes the stiffness iωY⁻¹ of the directions that stand in the table, which are returned;
@@ -15,4 +15,4 @@ namespace trivet::study {
 /// Refused: rows that feed energy (Re Y must be positive semidefinite), and diagonal entries that no passive, causal ground has.
 [[nodiscard]] std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::Element& to_ground);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

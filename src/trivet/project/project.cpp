@@ -9,23 +9,23 @@
 #include <tuple>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/machinery/transmissibility.h"
+#include "trivet/project/analyses/analyses_reader.h"
+#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/body_reader.h"
+#include "trivet/project/elements/element_reader.h"
+#include "trivet/project/excitations/excitation_reader.h"
+#include "trivet/project/foundation_reader.h"
+#include "trivet/project/questions.h"
+#include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/design_parameter.h"
 #include "trivet/project/text/document.h"
-#include "trivet/project/foundation_reader.h"
-#include "trivet/project/analyses/analyses_reader.h"
-#include "trivet/project/body_reader.h"
-#include "trivet/project/elements/element_reader.h"
-#include "trivet/project/excitations/excitation_reader.h"
-#include "trivet/project/analyses/question_sizes.h"
-#include "trivet/project/questions.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/project/suspicions.h"
 #include "trivet/project/text/toml_text.h"
+#include "trivet/response/machinery/transmissibility.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::size_t most_cases = 1000;
@@ -389,4 +389,4 @@ foundation::Expected<Project> read_project(const std::filesystem::path& path,
   return read_project_for({}, path, settings);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

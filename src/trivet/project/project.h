@@ -10,7 +10,7 @@
 #include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/document.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// One variant of the model: the base ("" as its name) or a case.
 struct Case {
@@ -44,4 +44,4 @@ struct Project {
 [[nodiscard]] foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
                                                               const std::vector<std::string>& settings = {});
 
-}  // namespace trivet::study
+}  // namespace trivet::project

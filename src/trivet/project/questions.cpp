@@ -9,7 +9,7 @@
 
 #include "trivet/project/text/outside_features.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// How each question is removed from the analyses.
@@ -154,4 +154,4 @@ foundation::Problems unused_parts(const std::vector<Case>& cases) {
   return found;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -9,7 +9,7 @@
 #include "trivet/project/project.h"
 
 /// What a file asks, apart from the model that it describes: keys of `analyses`, and `limits`, `limit_lines`.
-namespace trivet::study {
+namespace trivet::project {
 
 /// The questions whose errors count. A command that answers one of them is not stopped by an error in another.
 struct Questions {
@@ -34,4 +34,4 @@ struct Questions {
 /// excitations (modes, say), since then the questions come with the commands.
 [[nodiscard]] foundation::Problems unused_parts(const std::vector<Case>& cases);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "trivet/solids/rigid_solid.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
+#include "trivet/solids/rigid_solid.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using solids::Part;
@@ -125,4 +125,4 @@ bool read_solids(TableReader& body, model::Body& result) {
   return true;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -4,10 +4,10 @@
 #include "trivet/model/system.h"
 #include "trivet/project/text/table_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]`: mass, centre and inertia of the body.
 /// False after reporting what is wrong.
 [[nodiscard]] bool read_solids(TableReader& body, model::Body& result);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -9,7 +9,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::string_view catalogue_prefix = "catalogue:";
@@ -147,4 +147,4 @@ void name_slips(const std::vector<model::Body>& bodies, const Node& document, fo
     }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

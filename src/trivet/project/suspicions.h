@@ -8,7 +8,7 @@
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/project.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// What is doubtful in a case that was read: of its machine and of what is asked of it, accepted or not.
 /// @param accepted  tables and kinds: they cast no doubt on the rest
@@ -18,4 +18,4 @@ namespace trivet::study {
 /// Names the slip behind bodies that are impossible, where a single one explains it.
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

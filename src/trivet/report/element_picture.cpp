@@ -7,7 +7,7 @@
 
 namespace trivet::report {
 
-std::string element_picture(const study::Case& variant, std::size_t index) {
+std::string element_picture(const project::Case& variant, std::size_t index) {
   constexpr double width = 980, title_height = 44, gap = 20;
   const model::Element& element = variant.system.elements()[index];
   const bool identified = element.evidence && !element.evidence->residuals.empty();

@@ -33,7 +33,7 @@ const char* colour_of(const MapRegion& region, std::size_t rank) {
 
 /// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while colours follow the nearest design of their side.
 void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& heading) {
-  const auto paint = [&](std::vector<study::MapLine> MapRegion::* side) {
+  const auto paint = [&](std::vector<design::MapLine> MapRegion::* side) {
     for (std::size_t rank = 0; rank < regions.size(); ++rank)
       picture.canvas.area(picture.rings(regions[rank].*side), fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
   };
@@ -44,7 +44,7 @@ void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, co
   paint(&MapRegion::kept);
   picture.canvas.end_clip();
   picture.canvas.area(outline, lighter);
-  for (const study::MapLine& line : picture.map.feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
+  for (const design::MapLine& line : picture.map.feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
 }
 
 void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& regions, Key& key) {
@@ -60,7 +60,7 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
       if (broken) others.broken = region.broken;
       if (kept) others.kept = region.kept;
     } else {
-      key.region(colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: " + study::unlimited_words(map) : map.rules[region.governing].words, share(region.designs));
+      key.region(colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map) : map.rules[region.governing].words, share(region.designs));
     }
   }
   if (others.designs > 0) key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
@@ -78,13 +78,13 @@ void explain_feasible(const study::DesignMap& map, Key& key) {
 double room_at(const MapPicture& picture, PixelPoint p) {
   const PlotPanel& panel = picture.panel;
   double room = std::min(std::min(p.x - panel.corner.x, panel.corner.x + panel.width - p.x), std::min(p.y - panel.corner.y, panel.corner.y + panel.height - p.y));
-  for (const study::MapLine& line : picture.map.feasible.lines)
-    for (const study::MapPlace& place : line) room = std::min(room, std::hypot(picture.at(place).x - p.x, picture.at(place).y - p.y));
+  for (const design::MapLine& line : picture.map.feasible.lines)
+    for (const design::MapPlace& place : line) room = std::min(room, std::hypot(picture.at(place).x - p.x, picture.at(place).y - p.y));
   return room;
 }
 
 /// On the longest piece of a line, far from the boundary, where nothing else stands.
-std::optional<PixelPoint> label_place(const MapPicture& picture, const study::MarginLine& margin, double half_width) {
+std::optional<PixelPoint> label_place(const MapPicture& picture, const design::MarginLine& margin, double half_width) {
   constexpr double least = 10, enough = 45;  // pixels of room
   const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
   if (longest == margin.lines.end()) return std::nullopt;
@@ -105,12 +105,12 @@ std::optional<PixelPoint> label_place(const MapPicture& picture, const study::Ma
 void draw_margins(MapPicture& picture, Key& key) {
   constexpr const char* style = "stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
   std::vector<std::pair<PixelPoint, std::string>> labels;
-  for (const study::MarginLine& margin : picture.map.margin_lines) {
+  for (const design::MarginLine& margin : picture.map.margin_lines) {
     const std::string text = fmt::format("{:g}", margin.margin);
     const double half = 0.5 * width_of(text) + 2;
     const auto place = label_place(picture, margin, half);
     if (!place) continue;
-    for (const study::MapLine& line : margin.lines) picture.canvas.polyline(picture.line(line), style);
+    for (const design::MapLine& line : margin.lines) picture.canvas.polyline(picture.line(line), style);
     picture.taken.push_back({place->x - half, place->y - 7, place->x + half, place->y + 7});
     labels.emplace_back(*place, text);
   }
@@ -126,7 +126,7 @@ void draw_margins(MapPicture& picture, Key& key) {
 void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
   constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
   const PlotPanel& panel = picture.panel;
-  const auto path = [](const study::MapAxis& axis) { return study::axis_name(axis) == axis.parameter ? "" : axis.parameter; };
+  const auto path = [](const project::MapAxis& axis) { return results::axis_name(axis) == axis.parameter ? "" : axis.parameter; };
   const double bottom = panel.corner.y + panel.height, x = panel.corner.x - y_title_distance(panel) - 18, y = panel.corner.y + panel.height / 2;
   picture.canvas.text({panel.corner.x + panel.width / 2, bottom + 44}, path(picture.map.request.x), small);
   picture.canvas.text({x, y}, path(picture.map.request.y), fmt::format("{} transform=\"rotate(-90 {:.2f} {:.2f})\"", small, x, y));
@@ -140,7 +140,7 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
 }  // namespace
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
-  std::vector<std::string> notes = {"Asked: " + study::asked_words(map) + "."};
+  std::vector<std::string> notes = {"Asked: " + results::asked_words(map) + "."};
   for (std::string& sentence : doubts(map)) notes.push_back(std::move(sentence));
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());

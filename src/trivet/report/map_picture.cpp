@@ -20,15 +20,15 @@ double width_of(const std::string& text) {
   return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
-std::vector<PixelPoint> MapPicture::line(const study::MapLine& places) const {
+std::vector<PixelPoint> MapPicture::line(const design::MapLine& places) const {
   std::vector<PixelPoint> points;
-  for (const study::MapPlace& p : places) points.push_back(at(p));
+  for (const design::MapPlace& p : places) points.push_back(at(p));
   return points;
 }
 
-std::vector<std::vector<PixelPoint>> MapPicture::rings(const std::vector<study::MapLine>& lines) const {
+std::vector<std::vector<PixelPoint>> MapPicture::rings(const std::vector<design::MapLine>& lines) const {
   std::vector<std::vector<PixelPoint>> all;
-  for (const study::MapLine& ring : lines) all.push_back(line(ring));
+  for (const design::MapLine& ring : lines) all.push_back(line(ring));
   return all;
 }
 

@@ -31,9 +31,9 @@ struct MapPicture {
   PlotPanel panel;
   std::vector<Box> taken = {};
 
-  [[nodiscard]] PixelPoint at(const study::MapPlace& p) const { return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height}; }
-  [[nodiscard]] std::vector<PixelPoint> line(const study::MapLine& places) const;
-  [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<study::MapLine>& lines) const;
+  [[nodiscard]] PixelPoint at(const design::MapPlace& p) const { return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height}; }
+  [[nodiscard]] std::vector<PixelPoint> line(const design::MapLine& places) const;
+  [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<design::MapLine>& lines) const;
   /// Inside the frame, and nothing is written there.
   [[nodiscard]] bool is_free(const Box& box) const;
 };

@@ -29,7 +29,7 @@ void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
 /// Does a line of margin 1 run through a box?
 bool meets_boundary(const MapPicture& picture, const Box& box) {
   constexpr double step = 3;  // pixels, less than a letter is high
-  for (const study::MapLine& line : picture.map.feasible.lines)
+  for (const design::MapLine& line : picture.map.feasible.lines)
     for (std::size_t k = 1; k < line.size(); ++k) {
       const PixelPoint a = picture.at(line[k - 1]), b = picture.at(line[k]);
       const int pieces = 1 + static_cast<int>(std::hypot(b.x - a.x, b.y - a.y) / step);
@@ -65,11 +65,11 @@ void place_label(MapPicture& picture, PixelPoint p, const std::string& text) {
 /// Sample and words of the best design, or of the nearest where none keeps every rule.
 void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
   const study::DesignMap& map = picture.map;
-  const study::DesignOutcome& best = map.outcomes[*map.best];
-  const study::DesignPoint p = map.point(*map.best);
+  const design::DesignOutcome& best = map.outcomes[*map.best];
+  const design::DesignPoint p = map.point(*map.best);
   draw_best(canvas, key.sample(), best.kept());
-  const std::size_t ends = study::best_ends(map).size();
-  const std::string where = fmt::format("{}, {}{}", study::axis_value(p.x, map.request.x), study::axis_value(p.y, map.request.y), ends == 0 ? "" : ends == 1 ? ": an axis ends there" : ": both axes end there");
+  const std::size_t ends = results::best_ends(map).size();
+  const std::string where = fmt::format("{}, {}{}", results::axis_value(p.x, map.request.x), results::axis_value(p.y, map.request.y), ends == 0 ? "" : ends == 1 ? ": an axis ends there" : ": both axes end there");
   if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
   else if (best.margin == 0) key.words("midst of equals: every margin is 0", where);
   else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);

@@ -12,23 +12,23 @@ namespace trivet::report {
 namespace {
 
 using Labels = std::array<std::uint8_t, 4>;           // of a cell's corners, counter-clockwise
-using Parts = std::map<std::uint8_t, std::vector<study::MapLine>>;
+using Parts = std::map<std::uint8_t, std::vector<design::MapLine>>;
 
-study::MapPlace middle(const study::MapPlace& a, const study::MapPlace& b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
+design::MapPlace middle(const design::MapPlace& a, const design::MapPlace& b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
 
-std::uint8_t label_of(const study::DesignOutcome& outcome) { return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing; }
+std::uint8_t label_of(const design::DesignOutcome& outcome) { return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing; }
 
 /// The part of a cell that belongs to one label: its corners, cut at the middles of the edges; with three or four labels in quarters.
-void add_parts(const std::array<study::MapPlace, 4>& corner, const Labels& label, Parts& parts) {
+void add_parts(const std::array<design::MapPlace, 4>& corner, const Labels& label, Parts& parts) {
   const std::set<std::uint8_t> labels(label.begin(), label.end());
-  const study::MapPlace centre = middle(corner[0], corner[2]);
+  const design::MapPlace centre = middle(corner[0], corner[2]);
   if (labels.size() > 2) {
     for (std::size_t c = 0; c < 4; ++c)
       parts[label[c]].push_back({corner[c], middle(corner[c], corner[(c + 1) % 4]), centre, middle(corner[c], corner[(c + 3) % 4])});
     return;
   }
   for (const std::uint8_t each : labels) {
-    study::MapLine part;
+    design::MapLine part;
     for (std::size_t c = 0; c < 4; ++c) {
       const std::size_t next = (c + 1) % 4;
       if (label[c] == each) part.push_back(corner[c]);
@@ -63,9 +63,9 @@ class Side {
 
  private:
   static bool is_uniform(const Labels& labels) { return std::all_of(labels.begin(), labels.end(), [&](std::uint8_t label) { return label == labels.front(); }); }
-  [[nodiscard]] study::MapPlace place(std::size_t i, std::size_t j) const { return map_.grid.place(map_.drawn.columns[i], map_.drawn.rows[j]); }
+  [[nodiscard]] design::MapPlace place(std::size_t i, std::size_t j) const { return map_.grid.place(map_.drawn.columns[i], map_.drawn.rows[j]); }
   [[nodiscard]] std::optional<std::uint8_t> label(int column, int row) const {
-    const study::DesignOutcome& outcome = map_.outcomes[map_.grid.index(column, row)];
+    const design::DesignOutcome& outcome = map_.outcomes[map_.grid.index(column, row)];
     return outcome.kept() == kept_ ? std::optional(label_of(outcome)) : std::nullopt;
   }
 
@@ -101,7 +101,7 @@ std::vector<MapRegion> map_regions(const study::DesignMap& map) {
   std::map<std::uint8_t, MapRegion> regions;
   for (auto& [label, parts] : Side(map, false).parts()) regions[label].broken = std::move(parts);
   for (auto& [label, parts] : Side(map, true).parts()) regions[label].kept = std::move(parts);
-  for (const study::DesignOutcome& outcome : map.outcomes)
+  for (const design::DesignOutcome& outcome : map.outcomes)
     if (const auto region = regions.find(label_of(outcome)); region != regions.end()) ++region->second.designs;
   std::vector<MapRegion> result;
   for (auto& [governing, region] : regions) {

@@ -10,10 +10,10 @@ namespace trivet::report {
 
 /// The part of a map with one governing rule, or without an answer (see DesignOutcome), as closed outlines.
 struct MapRegion {
-  static constexpr std::uint8_t unlimited = study::DesignOutcome::not_computed - 1;
+  static constexpr std::uint8_t unlimited = design::DesignOutcome::not_computed - 1;
   std::uint8_t governing = 0;                  ///< `unlimited` where no rule has a limit: nothing moves or peaks
   std::size_t designs = 0;                     ///< of the grid
-  std::vector<study::MapLine> broken, kept;    ///< pieces side by side, of each side of the boundary; they reach beyond it
+  std::vector<design::MapLine> broken, kept;    ///< pieces side by side, of each side of the boundary; they reach beyond it
 
   [[nodiscard]] bool known() const { return governing <= unlimited; }
 };

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/results/axis_words.h"
 #include "trivet/project/text/design_parameter.h"
+#include "trivet/results/axis_words.h"
 
 namespace trivet::report {
 namespace {
 
 /// Too short for ticks that show whole numbers.
-bool is_narrow(const study::MapAxis& axis) { return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to)); }
+bool is_narrow(const project::MapAxis& axis) { return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to)); }
 
 /// Numbers that no unit belongs to.
 bool is_pure(const std::string& key) { return key == "scale" || key == "stiffening" || key == "loss_factor"; }
@@ -33,14 +33,14 @@ bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
 
 }  // namespace
 
-std::string axis_label(const study::MapAxis& axis) {
-  const std::vector<std::string> keys = study::path_keys(axis.parameter);
-  const std::string unit = study::axis_unit(axis), words = study::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
+std::string axis_label(const project::MapAxis& axis) {
+  const std::vector<std::string> keys = project::path_keys(axis.parameter);
+  const std::string unit = results::axis_unit(axis), words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
   if (unit.empty() && !keys.empty() && is_pure(keys.back())) return words;
   return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }
 
-Axis drawn_axis(const study::MapAxis& axis) {
+Axis drawn_axis(const project::MapAxis& axis) {
   if (is_narrow(axis)) return {0, axis.to - axis.from, false, axis_label(axis)};  // so short a logarithmic axis is a straight one
   return {axis.from, axis.to, axis.logarithmic, axis_label(axis)};
 }
@@ -58,7 +58,7 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
     }
     const char* verdict = mark.judged->governing.kept() ? "keeps every rule" : "breaks a rule";
     if (!mark.placed() || !mark.of_this_model) another.push_back(fmt::format("{} ({})", name, verdict));
-    else outside.push_back(fmt::format("{} ({}, {}: {})", name, study::axis_value(*mark.x, map.request.x), study::axis_value(*mark.y, map.request.y), verdict));
+    else outside.push_back(fmt::format("{} ({}, {}: {})", name, results::axis_value(*mark.x, map.request.x), results::axis_value(*mark.y, map.request.y), verdict));
   }
   std::vector<std::string> sentences;
   if (!outside.empty()) sentences.push_back("Outside the frame: " + listed(outside) + ".");

@@ -10,10 +10,10 @@
 namespace trivet::report {
 
 /// What an axis is called, with its unit in brackets.
-[[nodiscard]] std::string axis_label(const study::MapAxis& axis);
+[[nodiscard]] std::string axis_label(const project::MapAxis& axis);
 
 /// The axis as pictures draw it: one that is short beside its numbers counts from its beginning, and its label says so.
-[[nodiscard]] Axis drawn_axis(const study::MapAxis& axis);
+[[nodiscard]] Axis drawn_axis(const project::MapAxis& axis);
 
 /// Why cases stand nowhere on the picture, with their verdicts, one sentence for each reason; empty if all do.
 [[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);

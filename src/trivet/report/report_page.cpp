@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "trivet/foundation/version.h"
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/svg_canvas.h"
-#include "trivet/foundation/version.h"
 
 namespace trivet::report {
 
@@ -41,7 +41,7 @@ std::string case_blocks(const std::vector<study::Answers>& answers) {
 
 }  // namespace
 
-std::string report_page(const study::Project& project, const std::vector<study::Answers>& answers, const std::string& results) {
+std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers, const std::string& results) {
   const std::string title = project.title.empty() ? project.source : project.title;
   std::string page = page_html;
   // From the end to the start: a name that looks like a place stands behind the place itself.
@@ -49,7 +49,7 @@ std::string report_page(const study::Project& project, const std::vector<study::
   replace(page, "{{results}}", inside_script(results));
   replace(page, "{{answers}}", case_blocks(answers));
   replace(page, "{{overview}}", overview(title, answers).svg);
-  replace(page, "{{program}}", fmt::format("trivet {}", study::version()));
+  replace(page, "{{program}}", fmt::format("trivet {}", foundation::version()));
   replace(page, "{{heading}}", escaped(title));
   replace(page, "{{style}}", page_css);
   replace(page, "{{title}}", escaped(title));

@@ -6,17 +6,17 @@
 #include "trivet/foundation/message_list.h"
 #include "trivet/results/json_parts.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace json {
 namespace {
 
-Json body_names(const Case& variant) {
+Json body_names(const project::Case& variant) {
   Json names = Json::array();
   for (const auto& body : variant.system.bodies()) names.push_back(body.name);
   return names;
 }
 
-Json element_names(const Case& variant) {
+Json element_names(const project::Case& variant) {
   Json names = Json::array();
   for (const auto& element : variant.system.elements()) names.push_back(element.name);
   return names;
@@ -64,7 +64,7 @@ Json complex_list(const Vector& values) {
   return result;
 }
 
-Json solution_checks(const ResponseAnswer& answer) {
+Json solution_checks(const study::ResponseAnswer& answer) {
   const auto& check = answer.curves.check;
   const auto& deep = answer.deep;
   return {{"worst_backward_error", check.worst_backward_error},
@@ -91,13 +91,13 @@ Json warnings(const foundation::Problems& problems) {
   return result;
 }
 
-Json modes(const Case& variant, const Answers& answers) {
+Json modes(const project::Case& variant, const study::Answers& answers) {
   Json result{{"bodies", body_names(variant)}, {"elements", element_names(variant)}, {"modes", Json::array()}, {"free_motions", answers.free_motions}, {"warnings", warnings(answers.warnings)}};
   for (const modal::Mode& m : answers.modes.list) result["modes"].push_back(mode(m));
   return result;
 }
 
-Json roots(const Case& variant, const Answers& answers) {
+Json roots(const project::Case& variant, const study::Answers& answers) {
   Json result{{"bodies", body_names(variant)}, {"roots", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (const modal::Root& root : answers.roots.list) {
     Json shape = Json::array();
@@ -114,8 +114,8 @@ Json roots(const Case& variant, const Answers& answers) {
   return result;
 }
 
-Json response(const Answers& answers) {
-  const ResponseAnswer& answer = *answers.response;
+Json response(const study::Answers& answers) {
+  const study::ResponseAnswer& answer = *answers.response;
   Json result{{"angular_frequency", answer.curves.angular_frequency}, {"results", Json::array()}, {"checks", solution_checks(answer)}, {"warnings", warnings(answers.warnings)}};
   for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
     const response::Curve& curve = answer.curves.curves[c];
@@ -126,8 +126,8 @@ Json response(const Answers& answers) {
   return result;
 }
 
-Json drawn_response(const Answers& answers) {
-  const ResponseAnswer& answer = *answers.response;
+Json drawn_response(const study::Answers& answers) {
+  const study::ResponseAnswer& answer = *answers.response;
   if (!answer.model) return response(answers);
   const response::CurveModel& model = *answer.model;
   Json result{{"band", {model.band.from, model.band.to}}, {"delays", model.delays}, {"pieces", Json::array()}, {"solves", model.solves}, {"tests", model.tests},
@@ -149,7 +149,7 @@ Json drawn_response(const Answers& answers) {
   return result;
 }
 
-Json peaks(const Answers& answers) {
+Json peaks(const study::Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
   Json result{{"peaks", Json::array()}, {"curves", Json::array()}, {"searched", {found.searched_from, json::number(found.searched_to)}}, {"min_prominence", answers.peaks->min_prominence},
               {"peak_tolerance", answers.peaks->peak_tolerance}, {"warnings", warnings(answers.warnings)}};
@@ -178,7 +178,7 @@ Json peaks(const Answers& answers) {
   return result;
 }
 
-Json statics(const Answers& answers) {
+Json statics(const study::Answers& answers) {
   Json result{{"results", Json::array()}, {"backward_error", answers.statics->backward_error}, {"warnings", warnings(answers.warnings)}};
   for (const response::StaticValue& value : answers.statics->values) result["results"].push_back({{"name", value.name}, {"unit", value.unit}, {"value", value.value}});
   return result;
@@ -186,10 +186,10 @@ Json statics(const Answers& answers) {
 
 }  // namespace json
 
-std::string modes_json(const Case& variant, const Answers& answers) { return json::text(json::modes(variant, answers), 1) + "\n"; }
-std::string roots_json(const Case& variant, const Answers& answers) { return json::text(json::roots(variant, answers), 1) + "\n"; }
-std::string response_json(const Answers& answers) { return json::text(json::response(answers), 1) + "\n"; }
-std::string peaks_json(const Answers& answers) { return json::text(json::peaks(answers), 1) + "\n"; }
-std::string static_json(const Answers& answers) { return json::text(json::statics(answers), 1) + "\n"; }
+std::string modes_json(const project::Case& variant, const study::Answers& answers) { return json::text(json::modes(variant, answers), 1) + "\n"; }
+std::string roots_json(const project::Case& variant, const study::Answers& answers) { return json::text(json::roots(variant, answers), 1) + "\n"; }
+std::string response_json(const study::Answers& answers) { return json::text(json::response(answers), 1) + "\n"; }
+std::string peaks_json(const study::Answers& answers) { return json::text(json::peaks(answers), 1) + "\n"; }
+std::string static_json(const study::Answers& answers) { return json::text(json::statics(answers), 1) + "\n"; }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

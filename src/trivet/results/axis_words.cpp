@@ -10,7 +10,7 @@
 
 #include "trivet/project/text/design_parameter.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 11> units = {{{"proportional", "s"},
@@ -39,7 +39,7 @@ constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"s
                                                                              {"xz", "product of inertia xz"},
                                                                              {"yz", "product of inertia yz"}}};
 
-int digits_on(const MapAxis& axis) {
+int digits_on(const project::MapAxis& axis) {
   constexpr int usual = 5, most = 17;
   const double steps = axis.points - 1;
   const double step = axis.logarithmic ? std::expm1(std::log(axis.to / axis.from) / steps) : (axis.to - axis.from) / steps / std::max(std::abs(axis.from), std::abs(axis.to));
@@ -48,8 +48,8 @@ int digits_on(const MapAxis& axis) {
 
 }  // namespace
 
-std::string axis_name(const MapAxis& axis) {
-  const std::vector<std::string> keys = path_keys(axis.parameter);
+std::string axis_name(const project::MapAxis& axis) {
+  const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
   std::string words = keys.back();
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -58,16 +58,16 @@ std::string axis_name(const MapAxis& axis) {
   return keys.size() > 2 ? words + " of " + keys[1] : words;
 }
 
-std::string axis_unit(const MapAxis& axis) {
+std::string axis_unit(const project::MapAxis& axis) {
   if (!axis.unit.empty()) return axis.unit;
-  const std::vector<std::string> keys = path_keys(axis.parameter);
+  const std::vector<std::string> keys = project::path_keys(axis.parameter);
   const auto found = std::find_if(units.begin(), units.end(), [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
   return found == units.end() ? "" : found->second;
 }
 
-std::string axis_value(double value, const MapAxis& axis) {
+std::string axis_value(double value, const project::MapAxis& axis) {
   const std::string unit = axis_unit(axis);
   return fmt::format("{:.{}g}{}", value, digits_on(axis), unit.empty() ? "" : " " + unit);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// A field of RFC 4180: in quotes where commas, quotes or line breaks ask for it.
 [[nodiscard]] inline std::string csv_field(const std::string& text) {
@@ -16,4 +16,4 @@ namespace trivet::study {
   return quoted + "\"";
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

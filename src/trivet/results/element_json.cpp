@@ -3,10 +3,10 @@
 
 #include "trivet/results/json_parts.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace json {
 
-Json end(const Case& variant, const model::End& end) {
+Json end(const project::Case& variant, const model::End& end) {
   const spatial::Pose in_ground = model::end_in_ground(variant.system.bodies(), end);
   return {{"on", end.body ? Json(variant.system.bodies()[*end.body].name) : Json("ground")},
           {"at", json::list(end.at)},
@@ -28,9 +28,9 @@ Json character_json(const elements::Character& c) {
           {"stiffest_combination", json::number(c.stiffest_combination)}};
 }
 
-Json modes_json(const ElementSummary& summary) {
+Json modes_json(const study::ElementSummary& summary) {
   Json result = Json::array();
-  for (const ElementInMode& mode : summary.modes)
+  for (const study::ElementInMode& mode : summary.modes)
     result.push_back({{"mode", mode.number}, {"strain_energy_share", json::number(mode.share)}, {"translation", json::number(mode.inside.translation)},
                       {"rotation", json::number(mode.inside.rotation)}, {"coupling", json::number(mode.inside.coupling)}});
   return result;
@@ -50,18 +50,18 @@ Json residuals_json(const model::Element& element) {
   return result;
 }
 
-Json peak_json(const std::optional<HighestPeak>& peak) {
+Json peak_json(const std::optional<study::HighestPeak>& peak) {
   if (!peak) return nullptr;
   return {{"angular_frequency", json::number(peak->angular_frequency)}, {"amplitude", json::number(peak->amplitude)}};
 }
 
-Json simplification_json(const Simplification& simple) {
+Json simplification_json(const study::Simplification& simple) {
   Json modes = Json::array(), peaks = Json::array();
-  for (const ModeComparison& mode : simple.modes)
+  for (const study::ModeComparison& mode : simple.modes)
     modes.push_back({{"mode", mode.number}, {"name", mode.name}, {"angular_frequency", json::optional(mode.full)},
                      {"simplified_angular_frequency", json::optional(mode.simplified)},
-                     {"relative_difference", json::optional(relative_difference(mode.full, mode.simplified))}, {"likeness", json::number(mode.likeness)}});
-  for (const PeakComparison& peak : simple.peaks)
+                     {"relative_difference", json::optional(study::relative_difference(mode.full, mode.simplified))}, {"likeness", json::number(mode.likeness)}});
+  for (const study::PeakComparison& peak : simple.peaks)
     peaks.push_back({{"name", peak.name}, {"unit", peak.unit}, {"peak", peak_json(peak.full)}, {"simplified_peak", peak_json(peak.simplified)},
                      {"simplified_vanishes", peak.vanishes}});
   return {{"replaced", simple.replaced}, {"left_out", simple.left_out}, {"modes", std::move(modes)}, {"free_motions", simple.free_motions},
@@ -70,7 +70,7 @@ Json simplification_json(const Simplification& simple) {
 
 }  // namespace
 
-std::string element_json(const Case& variant, std::size_t index, const ElementSummary& summary, const std::optional<Simplification>& simple) {
+std::string element_json(const project::Case& variant, std::size_t index, const study::ElementSummary& summary, const std::optional<study::Simplification>& simple) {
   const model::Element& element = variant.system.elements()[index];
   const elements::Law& law = element.law;
   Json facts = Json::array();
@@ -86,4 +86,4 @@ std::string element_json(const Case& variant, std::size_t index, const ElementSu
   return json::text(result, 1) + "\n";
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/explanation_json.h"
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "trivet/results/csv_field.h"
-#include "trivet/study/explanation.h"
 #include "trivet/results/json_parts.h"
+#include "trivet/study/explanation.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 using json::Json;
 
-Json trial_json(const std::optional<Trial>& trial) {
+Json trial_json(const std::optional<study::Trial>& trial) {
   if (!trial) return nullptr;
   return {
       {"parameter", trial->parameter},
@@ -24,7 +25,7 @@ Json trial_json(const std::optional<Trial>& trial) {
       {"solved_again", {{"angular_frequency", json::optional(trial->angular_frequency)}, {"amplitude", json::optional(trial->amplitude)}}}};
 }
 
-Json shares_json(const Case& variant, const Explanation& explanation, const response::PeakShares& shares) {
+Json shares_json(const project::Case& variant, const study::Explanation& explanation, const response::PeakShares& shares) {
   Json modes = Json::array(), elements = Json::array();
   for (const response::ModeShare& mode : shares.modes)
     modes.push_back({{"mode", mode.mode},
@@ -47,7 +48,7 @@ Json shares_json(const Case& variant, const Explanation& explanation, const resp
           {"foundation_damping", json::number(shares.by_foundations)}};
 }
 
-Json sensitivities_json(const Explanation& explanation, const ExplainedPeak& peak) {
+Json sensitivities_json(const study::Explanation& explanation, const study::ExplainedPeak& peak) {
   Json result = Json::array();
   for (const response::Sensitivity& s : peak.sensitivities) {
     const response::Parameter& parameter = explanation.parameters[s.parameter];
@@ -62,9 +63,9 @@ Json sensitivities_json(const Explanation& explanation, const ExplainedPeak& pea
 
 }  // namespace
 
-std::string explain_json(const Case& variant, const Explanation& explanation) {
+std::string explain_json(const project::Case& variant, const study::Explanation& explanation) {
   Json result{{"peaks", Json::array()}, {"left_out", explanation.left_out}, {"warnings", json::warnings(explanation.warnings)}};
-  for (const ExplainedPeak& peak : explanation.peaks)
+  for (const study::ExplainedPeak& peak : explanation.peaks)
     result["peaks"].push_back({{"name", peak.name},
                                {"unit", peak.unit},
                                {"angular_frequency", peak.peak.angular_frequency},
@@ -80,10 +81,10 @@ std::string explain_json(const Case& variant, const Explanation& explanation) {
   return json::text(result, 1) + "\n";
 }
 
-std::string explain_csv(const Explanation& explanation) {
+std::string explain_csv(const study::Explanation& explanation) {
   const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); };
   std::string text = "name,unit,angular_frequency [rad/s],amplitude,parameter,change,relative height change,relative frequency change\n";
-  for (const ExplainedPeak& peak : explanation.peaks)
+  for (const study::ExplainedPeak& peak : explanation.peaks)
     for (const response::Sensitivity& s : peak.sensitivities) {
       const response::Parameter& parameter = explanation.parameters[s.parameter];
       const auto changed = [&](const std::optional<double>& slope) {
@@ -96,4 +97,4 @@ std::string explain_csv(const Explanation& explanation) {
   return text;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 constexpr std::chrono::seconds longest_wait(
@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds pause(10);
 
 }  // namespace
 
-FolderLock::FolderLock(const FolderHandle& folder, const std::filesystem::path& shown) : own_(folder.folder(".")) {
+FolderLock::FolderLock(const foundation::FolderHandle& folder, const std::filesystem::path& shown) : own_(folder.folder(".")) {
   const auto end = std::chrono::steady_clock::now() + longest_wait;
   while (flock(own_.descriptor(), LOCK_EX | LOCK_NB) != 0) {
     error_ = errno;
@@ -40,4 +40,4 @@ FolderLock::~FolderLock() {
 
 std::string FolderLock::reason() const { return std::strerror(error_); }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -6,7 +6,7 @@
 
 #include "trivet/foundation/folder_handle.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// Held by one process at a time on one folder (flock); the system releases it when its holder ends, however that
 /// happens.
@@ -14,7 +14,7 @@ class FolderLock {
  public:
   /// Waits for the lock. @param shown  what a message calls the folder  @throws std::runtime_error if others hold it
   /// for a minute
-  FolderLock(const FolderHandle& folder, const std::filesystem::path& shown);
+  FolderLock(const foundation::FolderHandle& folder, const std::filesystem::path& shown);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -24,8 +24,8 @@ class FolderLock {
   [[nodiscard]] std::string reason() const;
 
  private:
-  FolderHandle own_;  ///< opened for this lock alone: two locks of one process exclude each other too
+  foundation::FolderHandle own_;  ///< opened for this lock alone: two locks of one process exclude each other too
   int error_ = 0;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -8,7 +8,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/further_json.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 /// Shortest digits that read back the same; empty where there is no number.
@@ -26,7 +26,7 @@ constexpr double turn = 2 * std::numbers::pi;
 
 }  // namespace
 
-std::string random_csv(const Answers& answers) {
+std::string random_csv(const study::Answers& answers) {
   std::string text = "name,unit,rms,three_sigma,rms_of_derivative,zero_crossings [1/s],weighted_rms";
   for (const std::string& input : answers.random->inputs) text += "," + csv_field("variance share " + input);
   text += "\n";
@@ -39,8 +39,8 @@ std::string random_csv(const Answers& answers) {
   return text;
 }
 
-std::string random_densities_csv(const Answers& answers) {
-  const RandomResult& random = *answers.random;
+std::string random_densities_csv(const study::Answers& answers) {
+  const study::RandomResult& random = *answers.random;
   std::string text = "frequency [Hz]";
   for (const response::RandomAnswer& a : random.response.answers) text += "," + csv_field(fmt::format("{} [({})²/Hz]", a.name, a.unit));
   text += "\n";
@@ -52,7 +52,7 @@ std::string random_densities_csv(const Answers& answers) {
   return text;
 }
 
-std::string transient_csv(const Answers& answers) {
+std::string transient_csv(const study::Answers& answers) {
   const response::TransientResponse& found = answers.transient->response;
   std::string text = "time [s]";
   for (const response::TimeCurve& c : found.curves) text += "," + csv_field(fmt::format("{} [{}]", c.name, c.unit));
@@ -65,7 +65,7 @@ std::string transient_csv(const Answers& answers) {
   return text;
 }
 
-std::string orders_csv(const Answers& answers) {
+std::string orders_csv(const study::Answers& answers) {
   const response::RunUp& run = answers.orders->run_up;
   std::string text = "speed [rad/s],speed [rpm]";
   for (const response::Overall& o : run.overall) text += "," + csv_field(fmt::format("{} rms [{}]", o.name, o.unit));
@@ -82,7 +82,7 @@ std::string orders_csv(const Answers& answers) {
   return text;
 }
 
-std::string critical_speeds_csv(const Answers& answers) {
+std::string critical_speeds_csv(const study::Answers& answers) {
   const response::RunUp& run = answers.orders->run_up;
   std::string text = "name,order,speed [rad/s],speed [rpm],angular_frequency [rad/s],amplitude,unit,relative_height,nearest_mode\n";
   for (const response::CriticalSpeed& c : run.critical)
@@ -91,8 +91,8 @@ std::string critical_speeds_csv(const Answers& answers) {
   return text;
 }
 
-std::string transmissibility_csv(const Answers& answers) {
-  const TransmissibilityResult& t = *answers.transmissibility;
+std::string transmissibility_csv(const study::Answers& answers) {
+  const study::TransmissibilityResult& t = *answers.transmissibility;
   std::string text = "angular_frequency [rad/s]";
   for (const response::Curve& c : t.curves.curves) text += "," + csv_field(c.name + " [1]") + "," + csv_field(c.name + " [dB]");
   text += "\n";
@@ -107,7 +107,7 @@ std::string transmissibility_csv(const Answers& answers) {
   return text;
 }
 
-std::string power_csv(const Answers& answers) {
+std::string power_csv(const study::Answers& answers) {
   const response::PowerFlow& p = *answers.power;
   std::string text = "angular_frequency [rad/s],by forces [W],by ground [W],into ground [W]";
   for (const std::string& mount : p.mounts) text += "," + csv_field("into ground at " + mount + " [W]");
@@ -121,7 +121,7 @@ std::string power_csv(const Answers& answers) {
   return text;
 }
 
-std::string shapes_csv(const Answers& answers) {
+std::string shapes_csv(const study::Answers& answers) {
   std::string text = "angular_frequency [rad/s],place,x [m],y [m],z [m]";
   for (const char* part : {"re", "im"})
     for (const char* name : model::coordinate_names) text += fmt::format(",{} {}", name, part);
@@ -137,12 +137,12 @@ std::string shapes_csv(const Answers& answers) {
   return text;
 }
 
-std::string shock_spectrum_csv(const Answers& answers) {
+std::string shock_spectrum_csv(const study::Answers& answers) {
   std::string text = "excitation,natural frequency [Hz],largest [m/s²],smallest [m/s²],maximax [m/s²],pseudo velocity [m/s],relative displacement [m]\n";
-  for (const ShockSpectrumResult& spectrum : answers.shock_spectra)
+  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra)
     for (const excitation::ShockResponse& r : spectrum.spectrum)
       text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(spectrum.excitation), r.angular_frequency / turn, r.largest(), r.smallest(), r.maximax(), r.pseudo_velocity(), r.relative_displacement);
   return text;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -6,7 +6,7 @@
 
 #include "trivet/results/json_parts.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace json {
 namespace {
 
@@ -26,14 +26,14 @@ Json place(const response::MovingPlace& p) {
 
 }  // namespace
 
-Json random(const Answers& answers) {
-  const RandomResult& random = *answers.random;
+Json random(const study::Answers& answers) {
+  const study::RandomResult& random = *answers.random;
   Json result{{"results", Json::array()}, {"method", response::name(random.response.method)}, {"remark", random.response.remark}, {"inputs", random.inputs},
               {"band", {random.response.from, number(random.response.to)}}, {"angular_frequency", random.curves.angular_frequency}, {"warnings", warnings(answers.warnings)}};
   if (!random.total_values.empty()) {
     result["vibration_total_values"] = Json::object();
     result["vibration_total_axes"] = Json::object();
-    for (const TotalValue& total : random.total_values) {
+    for (const study::TotalValue& total : random.total_values) {
       result["vibration_total_values"][total.name] = total.value;
       result["vibration_total_axes"][total.name] = total.axes;
     }
@@ -52,7 +52,7 @@ Json random(const Answers& answers) {
   return result;
 }
 
-Json transient(const Answers& answers) {
+Json transient(const study::Answers& answers) {
   const response::TransientResponse& found = answers.transient->response;
   Json result{{"time", list(found.time)}, {"results", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (const response::TimeCurve& c : found.curves)
@@ -60,7 +60,7 @@ Json transient(const Answers& answers) {
   return result;
 }
 
-Json orders(const Answers& answers) {
+Json orders(const study::Answers& answers) {
   const response::RunUp& run = answers.orders->run_up;
   const response::Campbell& campbell = answers.orders->campbell;
   Json result{{"speed", run.speed}, {"orders", Json::array()}, {"overall", Json::array()}, {"critical_speeds", Json::array()},
@@ -83,8 +83,8 @@ Json orders(const Answers& answers) {
   return result;
 }
 
-Json transmissibility(const Answers& answers) {
-  const TransmissibilityResult& t = *answers.transmissibility;
+Json transmissibility(const study::Answers& answers) {
+  const study::TransmissibilityResult& t = *answers.transmissibility;
   Json result{{"of", t.words}, {"angular_frequency", t.curves.angular_frequency}, {"results", Json::array()}, {"peaks", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::Curve& c = t.curves.curves[i];
@@ -103,7 +103,7 @@ Json transmissibility(const Answers& answers) {
   return result;
 }
 
-Json power(const Answers& answers) {
+Json power(const study::Answers& answers) {
   const response::PowerFlow& p = *answers.power;
   Json result{{"angular_frequency", p.angular_frequency}, {"mounts", Json::array()}, {"into_ground_in_total", list(p.into_ground_in_total)}, {"by_forces", list(p.by_forces)},
               {"by_ground", list(p.by_ground)}, {"elements", Json::array()}, {"dissipated_by_foundations", list(p.dissipated_by_foundations)}, {"dissipated_by_system", list(p.dissipated_by_system)}, {"warnings", warnings(answers.warnings)}};
@@ -112,7 +112,7 @@ Json power(const Answers& answers) {
   return result;
 }
 
-Json shapes(const Answers& answers) {
+Json shapes(const study::Answers& answers) {
   Json result{{"shapes", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (const response::DeflectionShape& shape : answers.shapes) {
     Json places = Json::array();
@@ -123,9 +123,9 @@ Json shapes(const Answers& answers) {
   return result;
 }
 
-Json shock_spectrum(const Answers& answers) {
+Json shock_spectrum(const study::Answers& answers) {
   Json result{{"spectra", Json::array()}, {"warnings", warnings(answers.warnings)}};
-  for (const ShockSpectrumResult& spectrum : answers.shock_spectra) {
+  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra) {
     Json rows = Json::array();
     for (const excitation::ShockResponse& r : spectrum.spectrum)
       rows.push_back({{"angular_frequency", r.angular_frequency}, {"largest", r.largest()}, {"smallest", r.smallest()}, {"maximax", r.maximax()}, {"primary", r.primary()}, {"residual", r.residual()},
@@ -135,7 +135,7 @@ Json shock_spectrum(const Answers& answers) {
   return result;
 }
 
-Json earthquake(const Answers& answers) {
+Json earthquake(const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.earthquake;
   Json result{{"results", Json::array()}, {"modes", Json::array()}, {"effective_mass_share", e.effective_mass_share}, {"warnings", warnings(answers.warnings)}};
   for (const response::CombinedAnswer& a : e.answers)
@@ -146,9 +146,9 @@ Json earthquake(const Answers& answers) {
   return result;
 }
 
-Json limit_lines(const Answers& answers) {
+Json limit_lines(const study::Answers& answers) {
   Json result = Json::array();
-  for (const LimitLineResult& l : answers.limit_lines) {
+  for (const study::LimitLineResult& l : answers.limit_lines) {
     Json exceeded = Json::array();
     for (const response::Band& band : l.comparison.exceeded) exceeded.push_back({band.from, band.to});
     result.push_back({{"name", l.line.name}, {"of", l.of}, {"unit", l.line.unit}, {"level", l.line.rms ? "rms" : "zero_to_peak"}, {"compared", {l.comparison.compared.from, l.comparison.compared.to}},
@@ -158,14 +158,14 @@ Json limit_lines(const Answers& answers) {
   return result;
 }
 
-Json load_sharing(const Answers& answers) {
+Json load_sharing(const study::Answers& answers) {
   Json mounts = Json::array();
   for (const response::MountLoad& m : answers.load_sharing->mounts)
     mounts.push_back({{"element", m.element}, {"force", list(m.force)}, {"bearing", m.bearing}, {"share", m.share}, {"deflection", list(m.deflection)}});
   return {{"mounts", std::move(mounts)}, {"bearing_in_total", answers.load_sharing->bearing_in_total}};
 }
 
-void add_further(const Answers& answers, Json& result) {
+void add_further(const study::Answers& answers, Json& result) {
   if (answers.random) result["random"] = random(answers);
   if (answers.transient) result["transient"] = transient(answers);
   if (answers.orders) result["orders"] = orders(answers);
@@ -181,9 +181,9 @@ void add_further(const Answers& answers, Json& result) {
 
 }  // namespace json
 
-std::string random_json(const Answers& answers) { return json::text(json::random(answers), 1) + "\n"; }
-std::string transient_json(const Answers& answers) { return json::text(json::transient(answers), 1) + "\n"; }
-std::string orders_json(const Answers& answers) { return json::text(json::orders(answers), 1) + "\n"; }
-std::string transmissibility_json(const Answers& answers) { return json::text(json::transmissibility(answers), 1) + "\n"; }
+std::string random_json(const study::Answers& answers) { return json::text(json::random(answers), 1) + "\n"; }
+std::string transient_json(const study::Answers& answers) { return json::text(json::transient(answers), 1) + "\n"; }
+std::string orders_json(const study::Answers& answers) { return json::text(json::orders(answers), 1) + "\n"; }
+std::string transmissibility_json(const study::Answers& answers) { return json::text(json::transmissibility(answers), 1) + "\n"; }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

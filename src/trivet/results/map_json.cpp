@@ -13,32 +13,32 @@
 #include "trivet/results/json_parts.h"
 #include "trivet/results/map_verdicts.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 using json::Json;
 
-Json axis(const MapAxis& a) {
+Json axis(const project::MapAxis& a) {
   return {{"parameter", a.parameter}, {"name", a.name}, {"from", a.from}, {"to", a.to}, {"unit", axis_unit(a)}, {"spacing", a.logarithmic ? "logarithmic" : "linear"}, {"points", a.points}};
 }
 
-const char* kind(response::DesignRule::Kind kind) { return kind == response::DesignRule::Kind::amplitude ? "amplitude" : "no_peak"; }
+const char* kind(design::DesignRule::Kind kind) { return kind == design::DesignRule::Kind::amplitude ? "amplitude" : "no_peak"; }
 
-Json rules(const DesignMap& map) {
+Json rules(const study::DesignMap& map) {
   Json list = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
-    const MapRule& rule = map.rules[r];
+    const design::MapRule& rule = map.rules[r];
     list.push_back({{"kind", kind(rule.kind)}, {"name", rule.answer}, {"unit", rule.unit}, {"allowed", rule.allowed}, {"words", rule.words},
                     {"governs_kept", map.shares[r].kept}, {"governs_broken", map.shares[r].broken}});
   }
   return list;
 }
 
-Json lines(const DesignMap& map, const std::vector<MapLine>& all) {
+Json lines(const study::DesignMap& map, const std::vector<design::MapLine>& all) {
   Json list = Json::array();
-  for (const MapLine& line : all) {
+  for (const design::MapLine& line : all) {
     Json points = Json::array();
-    for (const MapPlace& p : line) points.push_back({map.request.x.at(p.x), map.request.y.at(p.y)});
+    for (const design::MapPlace& p : line) points.push_back({map.request.x.at(p.x), map.request.y.at(p.y)});
     list.push_back(std::move(points));
   }
   return list;
@@ -64,19 +64,19 @@ class Pieces {
 };
 
 /// Margins and governing rules; null where a design has no margin or no rule limits it.
-void write_grid(const DesignMap& map, Pieces& out) {
+void write_grid(const study::DesignMap& map, Pieces& out) {
   out.text() += "{\"order\":\"row after row of y, x running\",\"margin\":[";
   const char* separator = "";
-  for (const DesignOutcome& outcome : map.outcomes) {
+  for (const design::DesignOutcome& outcome : map.outcomes) {
     if (outcome.known() && std::isfinite(outcome.margin)) fmt::format_to(std::back_inserter(out.text()), "{}{}", separator, outcome.margin);
     else (out.text() += separator) += "null";
     separator = ",";
   }
   out.text() += "],\"governing\":[";
   separator = "";
-  for (const DesignOutcome& outcome : map.outcomes) {
+  for (const design::DesignOutcome& outcome : map.outcomes) {
     out.text() += separator;
-    if (!outcome.known()) out.text() += outcome.governing == DesignOutcome::no_model ? "\"no model\"" : "\"not computed\"";
+    if (!outcome.known()) out.text() += outcome.governing == design::DesignOutcome::no_model ? "\"no model\"" : "\"not computed\"";
     else if (std::isinf(outcome.margin)) out.text() += "\"none\"";
     else fmt::format_to(std::back_inserter(out.text()), "{}", outcome.governing);
     separator = ",";
@@ -86,7 +86,7 @@ void write_grid(const DesignMap& map, Pieces& out) {
 
 Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
 
-Json mark(const DesignMap& map, const MapMark& m) {
+Json mark(const study::DesignMap& map, const study::MapMark& m) {
   Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"has_own_rules", m.has_own_rules}, {"words", verdict_words(map, m)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.kept();
@@ -94,8 +94,8 @@ Json mark(const DesignMap& map, const MapMark& m) {
   result["governing"] = governing(m.judged->governing.margin, m.judged->governing.rule);
   result["rules"] = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
-    const MapRule& rule = map.rules[r];
-    const double value = m.judged->rules.values[r], margin = response::margin({rule.kind, 0, rule.allowed}, value);
+    const design::MapRule& rule = map.rules[r];
+    const double value = m.judged->rules.values[r], margin = design::margin({rule.kind, 0, rule.allowed}, value);
     result["rules"].push_back({{"words", rule.words}, {"value", json::number(value)}, {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])}, {"allowed", rule.allowed}, {"margin", json::number(margin)}, {"kept", margin >= 1}});
   }
   result["peaks"] = Json::array();
@@ -105,7 +105,7 @@ Json mark(const DesignMap& map, const MapMark& m) {
   return result;
 }
 
-Json without_grid(const DesignMap& map) {
+Json without_grid(const study::DesignMap& map) {
   Json result{{"case", map.case_name}, {"x", axis(map.request.x)}, {"y", axis(map.request.y)}};
   result["band"] = map.request.band ? Json{map.request.band->from, map.request.band->to} : Json(nullptr);
   result["rules"] = rules(map);
@@ -115,18 +115,18 @@ Json without_grid(const DesignMap& map) {
   result["feasible"] = {{"share", map.feasible.area}, {"tolerance", map.boundary_tolerance}, {"boundary", lines(map, map.feasible.lines)}, {"rings", lines(map, map.feasible.rings)}};
   result["best"] = nullptr;
   if (map.best) {
-    const DesignPoint p = map.point(*map.best);
-    const DesignOutcome& outcome = map.outcomes[*map.best];
+    const design::DesignPoint p = map.point(*map.best);
+    const design::DesignOutcome& outcome = map.outcomes[*map.best];
     result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", governing(outcome.margin, outcome.governing)}, {"kept", outcome.kept()},
                       {"without_bound", map.without_bound}};
   }
   result["marks"] = Json::array();
-  for (const MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
+  for (const study::MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
   result["way"] = map.report.words();
   result["evaluation"] = {{"proven", map.report.proven}, {"redone", map.report.redone}, {"one_by_one", map.report.one_by_one}};
   result["missing"] = Json::array();
-  for (const MissingReason& reason : map.report.missing) {
-    const DesignPoint p = map.point(reason.first);
+  for (const design::MissingReason& reason : map.report.missing) {
+    const design::DesignPoint p = map.point(reason.first);
     result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}, {"first", {p.x, p.y}}});
   }
   return result;
@@ -134,7 +134,7 @@ Json without_grid(const DesignMap& map) {
 
 }  // namespace
 
-Json json::design_map(const DesignMap& map) {
+Json json::design_map(const study::DesignMap& map) {
   Json result = without_grid(map);
   std::string grid;
   const TextSink sink = [&](std::string_view piece) { grid += piece; };
@@ -145,16 +145,16 @@ Json json::design_map(const DesignMap& map) {
   return result;
 }
 
-Json json::map_marks(const DesignMap& map) {
+Json json::map_marks(const study::DesignMap& map) {
   Json marks = Json::array();
-  for (const MapMark& m : map.marks) {
+  for (const study::MapMark& m : map.marks) {
     marks.push_back({{"case", m.name}});
     if (m.judged) marks.back()["kept"] = m.judged->governing.kept();
   }
   return {{"marks", std::move(marks)}};
 }
 
-void write_map_json(const DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
+void write_map_json(const study::DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
   Json result = without_grid(map);
   result["warnings"] = json::warnings(warnings);
   std::string head = json::text(result);
@@ -166,27 +166,27 @@ void write_map_json(const DesignMap& map, const foundation::Problems& warnings, 
   pieces.hand_on();
 }
 
-void write_map_csv(const DesignMap& map, const TextSink& sink) {
-  const auto head = [](const MapAxis& a) { return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]"); };
+void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
+  const auto head = [](const project::MapAxis& a) { return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]"); };
   Pieces pieces(sink);
   pieces.text() += head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
   std::vector<std::string> words;
-  for (const MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
+  for (const design::MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
-    const DesignPoint p = map.point(k);
-    const DesignOutcome& o = map.outcomes[k];
+    const design::DesignPoint p = map.point(k);
+    const design::DesignOutcome& o = map.outcomes[k];
     std::string& text = pieces.text();
     fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
     if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
-    else text += o.governing == DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
+    else text += o.governing == design::DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
   pieces.hand_on();
 }
 
-std::string map_csv(const DesignMap& map) {
+std::string map_csv(const study::DesignMap& map) {
   std::string text;
   write_map_csv(map, [&](std::string_view piece) { text += piece; });
   return text;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

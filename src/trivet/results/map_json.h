@@ -7,18 +7,18 @@
 
 #include "trivet/study/design_map.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// Takes a text piece by piece, so that the text of a million designs never stands in memory as a whole.
 using TextSink = std::function<void(std::string_view)>;
 
 /// The whole map; contract in docs/map.md. @param warnings  of the model and of the map
-void write_map_json(const DesignMap& map, const foundation::Problems& warnings, const TextSink& sink);
+void write_map_json(const study::DesignMap& map, const foundation::Problems& warnings, const TextSink& sink);
 
 /// One row per design of the grid: both numbers, margin, governing rule, kept.
-void write_map_csv(const DesignMap& map, const TextSink& sink);
+void write_map_csv(const study::DesignMap& map, const TextSink& sink);
 
 /// The same as one text.
-[[nodiscard]] std::string map_csv(const DesignMap& map);
+[[nodiscard]] std::string map_csv(const study::DesignMap& map);
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -8,16 +8,16 @@
 #include <numeric>
 
 #include "trivet/results/axis_words.h"
-#include "trivet/study/map_warnings.h"
 #include "trivet/results/shown_apart.h"
+#include "trivet/study/map_warnings.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
-using Kind = response::DesignRule::Kind;
+using Kind = design::DesignRule::Kind;
 
-bool has(const DesignMap& map, Kind kind) {
-  return std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& rule) { return rule.kind == kind; });
+bool has(const study::DesignMap& map, Kind kind) {
+  return std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
 std::string band_words(const std::optional<response::Band>& band) {
@@ -28,7 +28,7 @@ std::string band_words(const std::optional<response::Band>& band) {
 
 }  // namespace
 
-std::string asked_words(const DesignMap& map) {
+std::string asked_words(const study::DesignMap& map) {
   std::string text;
   if (has(map, Kind::amplitude)) text = band_words(map.request.band);
   if (has(map, Kind::no_peak))
@@ -37,22 +37,22 @@ std::string asked_words(const DesignMap& map) {
   return text;
 }
 
-std::string feasible_words(const DesignMap& map) {
+std::string feasible_words(const study::DesignMap& map) {
   const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
   const bool rounded_up = share == "100.00 %" && (map.kept < map.outcomes.size() || map.passages.pairs > 0);
   std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
   if (map.steep > 0)
     text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
                         "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
-  if (std::any_of(map.marks.begin(), map.marks.end(), [&](const MapMark& mark) { return contradicts(map, mark); })) text += "; not to be trusted: a case contradicts all designs around it";
+  if (std::any_of(map.marks.begin(), map.marks.end(), [&](const study::MapMark& mark) { return study::contradicts(map, mark); })) text += "; not to be trusted: a case contradicts all designs around it";
   return text;
 }
 
-std::string best_words(const DesignMap& map) {
+std::string best_words(const study::DesignMap& map) {
   if (!map.best) return "";
-  const DesignOutcome& best = map.outcomes[*map.best];
-  const DesignPoint p = map.point(*map.best);
-  const MapAxis &x = map.request.x, &y = map.request.y;
+  const design::DesignOutcome& best = map.outcomes[*map.best];
+  const design::DesignPoint p = map.point(*map.best);
+  const project::MapAxis &x = map.request.x, &y = map.request.y;
   const std::string place = fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
   if (std::isinf(best.margin))
     return fmt::format("Best design: {}; margin ∞ (no rule limits {} designs; of these the one farthest from all others and from the frame)", place, map.without_bound);
@@ -65,12 +65,12 @@ std::string best_words(const DesignMap& map) {
   return text + (ends.empty() ? "" : ", a better one may lie beyond");
 }
 
-std::vector<std::string> best_ends(const DesignMap& map) {
+std::vector<std::string> best_ends(const study::DesignMap& map) {
   if (!map.best || !(map.outcomes[*map.best].margin > 0) || std::isinf(map.outcomes[*map.best].margin)) return {};
   const auto nx = static_cast<std::size_t>(map.grid.nx), ny = static_cast<std::size_t>(map.grid.ny);
-  const DesignPoint p = map.point(*map.best);
+  const design::DesignPoint p = map.point(*map.best);
   std::vector<std::string> ends;
-  const auto look = [&](const MapAxis& axis, double value, std::size_t at, std::size_t points) {
+  const auto look = [&](const project::MapAxis& axis, double value, std::size_t at, std::size_t points) {
     if (value != 0 && (at == 0 || at + 1 == points)) ends.push_back(fmt::format("the {} end of {}", at == 0 ? "lower" : "upper", axis_name(axis)));
   };
   look(map.request.x, p.x, *map.best % nx, nx);
@@ -78,7 +78,7 @@ std::vector<std::string> best_ends(const DesignMap& map) {
   return ends;
 }
 
-std::vector<std::size_t> governing_rules(const DesignMap& map) {
+std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
   const auto designs = [&](std::size_t rule) { return map.shares[rule].broken + map.shares[rule].kept; };
   std::vector<std::size_t> order(map.rules.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -87,6 +87,6 @@ std::vector<std::size_t> governing_rules(const DesignMap& map) {
   return order;
 }
 
-std::string unlimited_words(const DesignMap& map) { return has(map, Kind::amplitude) ? "nothing moves" : "no peak"; }
+std::string unlimited_words(const study::DesignMap& map) { return has(map, Kind::amplitude) ? "nothing moves" : "no peak"; }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -8,7 +8,7 @@
 
 #include "trivet/results/shown_apart.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 /// A peak that the tolerance allows is called slight only where a reader of the curve would hardly see it.
@@ -19,18 +19,18 @@ std::string peak_words(bool counted, double tallest) {
 
 }  // namespace
 
-std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark) {
+std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark) {
   std::vector<std::string> words;
   if (mark.has_own_rules) words.push_back(fmt::format("judged by the rules of this map; its own map asks otherwise: {}", mark.name.empty() ? "map without --case" : "map --case \"" + mark.name + "\""));
   if (!mark.judged) {
     words.push_back("not computed: " + mark.failure);
     return words;
   }
-  const JudgedDesign& judged = *mark.judged;
+  const design::JudgedDesign& judged = *mark.judged;
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
-    const MapRule& rule = map.rules[r];
+    const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
-    if (rule.kind != response::DesignRule::Kind::amplitude || response::keeps_limit(value, rule.allowed)) continue;
+    if (rule.kind != design::DesignRule::Kind::amplitude || design::keeps_limit(value, rule.allowed)) continue;
     const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
     if (std::isinf(value)) {
       words.push_back(fmt::format("{} has no bound {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
@@ -39,16 +39,16 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
     const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
     words.push_back(fmt::format("{} reaches {} {} {}, allowed {}", rule.answer, reached, rule.unit, where, allowed));
   }
-  const response::DesignRule no_peak{response::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
+  const design::DesignRule no_peak{design::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
       const std::string& name = judged.peaks.curves[c].name;
-      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const MapRule& r) { return r.kind == response::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit; });
+      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& r) { return r.kind == design::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit; });
       std::string list;
       double tallest = 0;
       for (const response::Peak& peak : judged.peaks.list) {
         const double prominence = response::relative_prominence(peak);
-        if (!ruled || peak.curve != c || (response::margin(no_peak, prominence) < 1) != counted) continue;
+        if (!ruled || peak.curve != c || (design::margin(no_peak, prominence) < 1) != counted) continue;
         tallest = std::max(tallest, prominence);
         list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency, std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
       }
@@ -59,4 +59,4 @@ std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark
   return words;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -6,9 +6,9 @@
 
 #include "trivet/study/design_map.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
-[[nodiscard]] std::vector<std::string> verdict_words(const DesignMap& map, const MapMark& mark);
+[[nodiscard]] std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark);
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/file_writing.h"
+#include "trivet/foundation/invalid_input.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,7 +59,7 @@ PictureFile::PictureFile(const fs::path& target, const fs::path& project) {
 
 void PictureFile::publish(const std::string& svg) const {
   constexpr const char* name = "picture.svg";
-  write_new_file(FolderHandle(temporary_->path()), name, svg, target_);
+  foundation::write_new_file(foundation::FolderHandle(temporary_->path()), name, svg, target_);
   const foundation::Undisturbed step;
   std::error_code error;
   fs::rename(temporary_->path() / name, target_,
@@ -67,4 +67,4 @@ void PictureFile::publish(const std::string& svg) const {
   if (error) throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), error.message()));
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/temporary_folder.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// A picture in the making, begun before the answer is computed: it is written to a temporary folder beside the target
 /// and takes its place as a whole, or not at all.
@@ -28,4 +28,4 @@ class PictureFile {
   std::unique_ptr<foundation::TemporaryFolder> temporary_;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -9,12 +9,12 @@
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/message_list.h"
-#include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/study/element_summary.h"
-#include "trivet/results/json_parts.h"
 #include "trivet/foundation/version.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/results/json_parts.h"
+#include "trivet/study/element_summary.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 using json::Json;
@@ -80,7 +80,7 @@ Json excitation_json(const model::Description& d, const model::Excitation& excit
   return result;
 }
 
-Json model_json(const Case& variant) {
+Json model_json(const project::Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
               {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)}, {"damping", damping_words(d.damping)}};
@@ -113,11 +113,11 @@ Json model_json(const Case& variant) {
 
 enum class Reader { file, page };
 
-Json case_json(const Case& variant, const Answers& answers, Reader reader) {
+Json case_json(const project::Case& variant, const study::Answers& answers, Reader reader) {
   Json checks = Json::array();
   for (const CheckLine& line : check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
   Json limits = Json::array();
-  for (const LimitAnswer& limit : answers.limits)
+  for (const study::LimitAnswer& limit : answers.limits)
     limits.push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}, {"in_band", json::number(limit.in_band)},
                       {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
   Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
@@ -141,7 +141,7 @@ Json case_json(const Case& variant, const Answers& answers, Reader reader) {
 
 }  // namespace
 
-std::vector<CheckLine> check_lines(const Case& variant) {
+std::vector<CheckLine> check_lines(const project::Case& variant) {
   std::vector<CheckLine> lines;
   for (const auto& body : variant.system.bodies()) {
     const std::string subject = "body " + body.name;
@@ -156,7 +156,7 @@ std::vector<CheckLine> check_lines(const Case& variant) {
   for (const auto& element : variant.system.elements()) {
     const std::string subject = "element " + element.name;
     const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
-    const elements::MatrixVerdict of_k = matrix_verdict(variant, element, k), of_b = matrix_verdict(variant, element, b);
+    const elements::MatrixVerdict of_k = study::matrix_verdict(variant, element, k), of_b = study::matrix_verdict(variant, element, b);
     // Turned as a whole, a preloaded element does work: N is held.
     add_matrix_lines(subject, "stiffness", of_k, element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric, lines);
     add_matrix_lines(subject, "damping", of_b, of_b.lowest_eigenvalue, element.symmetric, lines);
@@ -166,8 +166,8 @@ std::vector<CheckLine> check_lines(const Case& variant) {
 
 namespace {
 
-std::string all_results(const Project& project, const std::vector<Answers>& answers, Reader reader) {
-  Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", version()}}},
+std::string all_results(const project::Project& project, const std::vector<study::Answers>& answers, Reader reader) {
+  Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
               {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
               {"title", project.title}, {"cases", Json::array()}};
   for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
@@ -176,9 +176,9 @@ std::string all_results(const Project& project, const std::vector<Answers>& answ
 
 }  // namespace
 
-std::string results_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::file); }
+std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) { return all_results(project, answers, Reader::file); }
 
-std::string page_json(const Project& project, const std::vector<Answers>& answers) { return all_results(project, answers, Reader::page); }
+std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers) { return all_results(project, answers, Reader::page); }
 
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
                           const std::vector<CaseDeepCheck>& deep) {
@@ -202,4 +202,4 @@ std::string problems_json(const foundation::Problems& problems, const std::vecto
   return json::text(result, 1) + "\n";
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

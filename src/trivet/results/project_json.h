@@ -6,7 +6,7 @@
 
 #include "trivet/study/answers.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// One check that the data passed or failed, in words.
 struct CheckLine {
@@ -18,13 +18,13 @@ struct CheckLine {
 };
 
 /// Checks of every body and element of a case, with their figures.
-[[nodiscard]] std::vector<CheckLine> check_lines(const Case& variant);
+[[nodiscard]] std::vector<CheckLine> check_lines(const project::Case& variant);
 
 /// The whole result file of `trivet run`: program, input, model, checks, and all answers of all cases (docs/json.md).
-[[nodiscard]] std::string results_json(const Project& project, const std::vector<Answers>& answers);
+[[nodiscard]] std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
 /// What the report page needs of it: models instead of long tables of curves, and nothing of the answers that stand in the page as static figures.
-[[nodiscard]] std::string page_json(const Project& project, const std::vector<Answers>& answers);
+[[nodiscard]] std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
 /// Two solvers compared on one case.
 struct CaseDeepCheck {
@@ -38,4 +38,4 @@ struct CaseDeepCheck {
                                         const std::vector<std::string>& free_motions,
                                         const std::vector<CaseDeepCheck>& deep = {});
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -14,10 +14,10 @@
 #include "trivet/foundation/file_writing.h"
 #include "trivet/results/users_files.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
-using Kind = FolderHandle::Kind;
+using Kind = foundation::FolderHandle::Kind;
 
 constexpr const char* manifest_of_both = "manifest-of-both.json";  // only ever in the folder of the new result
 
@@ -33,7 +33,7 @@ struct Place {
         name(folder.empty() ? path : path.substr(folder.size() + 1)) {}
 };
 
-void put_aside(const std::string& path, const FolderHandle& folder, const std::string& name, bool listed,
+void put_aside(const std::string& path, const foundation::FolderHandle& folder, const std::string& name, bool listed,
                std::vector<std::string>& notes) {
   const std::string free = kept_name(name, folder, folder);
   require(renameat(folder.descriptor(), name.c_str(), folder.descriptor(), free.c_str()) == 0, path);
@@ -42,7 +42,7 @@ void put_aside(const std::string& path, const FolderHandle& folder, const std::s
 
 void put_in_place(const std::string& path, const ResultExchange& exchange, std::vector<std::string>& notes) {
   const Place place(path);
-  FolderHandle from_inner, to_inner;
+  foundation::FolderHandle from_inner, to_inner;
   if (!place.folder.empty()) {
     const Kind kind = exchange.current.kind(place.folder);
     if (kind != Kind::none && kind != Kind::folder)
@@ -51,18 +51,18 @@ void put_in_place(const std::string& path, const ResultExchange& exchange, std::
     to_inner = exchange.current.made_folder(place.folder);
     require(from_inner.is_open() && to_inner.is_open(), path);
   }
-  const FolderHandle& from = place.folder.empty() ? exchange.next : from_inner;
-  const FolderHandle& to = place.folder.empty() ? exchange.current : to_inner;
+  const foundation::FolderHandle& from = place.folder.empty() ? exchange.next : from_inner;
+  const foundation::FolderHandle& to = place.folder.empty() ? exchange.current : to_inner;
   const bool free = to.kind(place.name) == Kind::none ||
                     (to.kind(place.name) == Kind::file && exchange.ours.is_ours(path, to, place.name));
   if (!free) put_aside(path, to, place.name, exchange.ours.names(path), notes);
   require(renameat(from.descriptor(), place.name.c_str(), to.descriptor(), place.name.c_str()) == 0, path);
 }
 
-void remove_from(const FolderHandle& current, const std::string& path, const ResultManifest& ours) {
+void remove_from(const foundation::FolderHandle& current, const std::string& path, const ResultManifest& ours) {
   const Place place(path);
-  const FolderHandle inner = place.folder.empty() ? FolderHandle() : current.folder(place.folder);
-  const FolderHandle& folder = place.folder.empty() ? current : inner;
+  const foundation::FolderHandle inner = place.folder.empty() ? foundation::FolderHandle() : current.folder(place.folder);
+  const foundation::FolderHandle& folder = place.folder.empty() ? current : inner;
   if (folder.kind(place.name) == Kind::file && ours.is_ours(path, folder, place.name))
     unlinkat(folder.descriptor(), place.name.c_str(), 0);
   if (!place.folder.empty())
@@ -71,8 +71,8 @@ void remove_from(const FolderHandle& current, const std::string& path, const Res
 
 }  // namespace
 
-bool exchange_folders(const ResultExchange& exchange, const FolderHandle& next_place, const std::string& next_name,
-                      const FolderHandle& place, const std::string& name, std::vector<std::string>& notes) {
+bool exchange_folders(const ResultExchange& exchange, const foundation::FolderHandle& next_place, const std::string& next_name,
+                      const foundation::FolderHandle& place, const std::string& name, std::vector<std::string>& notes) {
   UsersFiles users(exchange.current, exchange.ours);
   if (!users.link_into(exchange.next)) return false;
   struct stat status;
@@ -95,7 +95,7 @@ bool exchange_folders(const ResultExchange& exchange, const FolderHandle& next_p
 void replace_one_by_one(const ResultExchange& exchange, std::vector<std::string>& notes) {
   ResultManifest both = exchange.ours;
   both.add(exchange.next_ours);
-  write_new_file(exchange.next, manifest_of_both, both.text(), manifest_name);
+  foundation::write_new_file(exchange.next, manifest_of_both, both.text(), manifest_name);
   require(renameat(exchange.next.descriptor(), manifest_of_both, exchange.current.descriptor(), manifest_name) == 0,
           manifest_name);
   for (const auto& [path, content] : exchange.next_ours.files()) put_in_place(path, exchange, notes);
@@ -105,4 +105,4 @@ void replace_one_by_one(const ResultExchange& exchange, std::vector<std::string>
           manifest_name);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

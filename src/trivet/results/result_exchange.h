@@ -7,13 +7,13 @@
 #include "trivet/foundation/folder_handle.h"
 #include "trivet/results/result_manifest.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// A result folder in place, and the one that follows it.
 struct ResultExchange {
-  const FolderHandle& current;      ///< in place
+  const foundation::FolderHandle& current;      ///< in place
   const ResultManifest& ours;       ///< its manifest
-  const FolderHandle& next;         ///< the new result
+  const foundation::FolderHandle& next;         ///< the new result
   const ResultManifest& next_ours;  ///< its manifest
 };
 
@@ -22,8 +22,8 @@ struct ResultExchange {
 /// these names
 /// @returns false, with the folder in place as it was, if the file system cannot do that  @throws std::runtime_error if it
 /// cannot be done at all
-[[nodiscard]] bool exchange_folders(const ResultExchange& exchange, const FolderHandle& next_place,
-                                    const std::string& next_name, const FolderHandle& place, const std::string& name,
+[[nodiscard]] bool exchange_folders(const ResultExchange& exchange, const foundation::FolderHandle& next_place,
+                                    const std::string& next_name, const foundation::FolderHandle& place, const std::string& name,
                                     std::vector<std::string>& notes);
 
 /// Moves the new files into the folder that is in place, one after another, then removes those of the earlier result
@@ -32,4 +32,4 @@ struct ResultExchange {
 /// @throws std::runtime_error if a file cannot be moved
 void replace_one_by_one(const ResultExchange& exchange, std::vector<std::string>& notes);
 
-}  // namespace trivet::study
+}  // namespace trivet::results

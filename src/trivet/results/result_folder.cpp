@@ -17,11 +17,11 @@
 #include "trivet/results/folder_lock.h"
 #include "trivet/results/result_exchange.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = FolderHandle::Kind;
+using Kind = foundation::FolderHandle::Kind;
 
 constexpr const char* advice = "choose another folder with -o";
 
@@ -47,7 +47,7 @@ fs::path absolute_target(const fs::path& given) {
 
 /// The manifest of what is in place: an empty one for an empty folder. @throws std::runtime_error if it is not Trivet's
 /// to replace
-ResultManifest earlier_result(const FolderHandle& folder, const fs::path& target) {
+ResultManifest earlier_result(const foundation::FolderHandle& folder, const fs::path& target) {
   if (!folder.is_open()) refuse(target, fmt::format("cannot be read ({})", std::strerror(errno)));
   if (const auto manifest = ResultManifest::of(folder)) return *manifest;
   const std::vector<std::string> names = folder.names();
@@ -60,14 +60,14 @@ ResultManifest earlier_result(const FolderHandle& folder, const fs::path& target
 }
 
 /// What stands at a place, as a kind; an error of the system is one here.
-Kind kind_at(const FolderHandle& parent, const fs::path& target) {
+Kind kind_at(const foundation::FolderHandle& parent, const fs::path& target) {
   struct stat status;
   if (fstatat(parent.descriptor(), target.filename().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno != ENOENT)
     refuse_writing(target, std::strerror(errno));
   return parent.kind(target.filename().string());
 }
 
-bool is_mount_point(const FolderHandle& folder, const FolderHandle& parent) {
+bool is_mount_point(const foundation::FolderHandle& folder, const foundation::FolderHandle& parent) {
   struct stat inner, outer;
   return fstat(folder.descriptor(), &inner) == 0 && fstat(parent.descriptor(), &outer) == 0 &&
          inner.st_dev != outer.st_dev;
@@ -82,11 +82,11 @@ ResultFolder::ResultFolder(const fs::path& target, const std::vector<std::string
     refuse(target_, "is the current folder, which is not replaced");
   try {
     make_parents();
-    const FolderHandle parent(target_.parent_path());
+    const foundation::FolderHandle parent(target_.parent_path());
     if (!parent.is_open()) refuse_writing(target_, std::strerror(errno));
     check(parent, folders);
     temporary_ = std::make_unique<foundation::TemporaryFolder>(one_by_one_ ? target_ : target_.parent_path());
-    working_ = FolderHandle(temporary_->path()).made_folder(new_result);
+    working_ = foundation::FolderHandle(temporary_->path()).made_folder(new_result);
     if (!working_.is_open()) throw std::system_error(errno, std::generic_category());
   } catch (const std::system_error& reason) {
     remove_parents();
@@ -123,13 +123,13 @@ void ResultFolder::remove_parents() {
   for (auto folder = made_parents_.rbegin(); folder != made_parents_.rend(); ++folder) rmdir(folder->path().c_str());
 }
 
-void ResultFolder::check(const FolderHandle& parent, const std::vector<std::string>& folders) {
+void ResultFolder::check(const foundation::FolderHandle& parent, const std::vector<std::string>& folders) {
   const FolderLock lock(parent, target_.parent_path());
   const Kind kind = kind_at(parent, target_);
   if (kind == Kind::none) return;
   if (kind == Kind::link) refuse(target_, "is a symbolic link, which is neither followed nor replaced");
   if (kind != Kind::folder) refuse(target_, fmt::format("is {}, not a folder", words(kind)));
-  const FolderHandle current = parent.folder(target_.filename().string());
+  const foundation::FolderHandle current = parent.folder(target_.filename().string());
   const ResultManifest ours = earlier_result(current, target_);
   for (const char* name : {"results.json", "report.html", manifest_name}) {
     const Kind found = current.kind(name);
@@ -144,20 +144,20 @@ void ResultFolder::check(const FolderHandle& parent, const std::vector<std::stri
 
 void ResultFolder::write(const std::string& name, const std::string& content) {
   const fs::path path(name);
-  FolderHandle inner;
+  foundation::FolderHandle inner;
   for (const fs::path& part : path.parent_path()) {
     inner = (inner.is_open() ? inner : working_).made_folder(part.string());
     if (!inner.is_open())
       throw std::runtime_error(fmt::format("cannot write {}: {}", (target_ / name).string(), std::strerror(errno)));
   }
-  write_new_file(inner.is_open() ? inner : working_, path.filename().string(), content, target_ / name);
+  foundation::write_new_file(inner.is_open() ? inner : working_, path.filename().string(), content, target_ / name);
   if (name != manifest_name) manifest_.add(name, content);
 }
 
 std::vector<std::string> ResultFolder::publish() {
   write(manifest_name, manifest_.text());
   const std::string name = target_.filename().string();
-  const FolderHandle parent(target_.parent_path()), temporary(temporary_->path());
+  const foundation::FolderHandle parent(target_.parent_path()), temporary(temporary_->path());
   const FolderLock lock(parent, target_.parent_path());
   const foundation::Undisturbed step;
   std::vector<std::string> notes;
@@ -166,7 +166,7 @@ std::vector<std::string> ResultFolder::publish() {
     throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), std::strerror(errno)));
   if (kind != Kind::none) {
     if (kind != Kind::folder) refuse(target_, fmt::format("has become {}", words(kind)));
-    const FolderHandle current = parent.folder(name);
+    const foundation::FolderHandle current = parent.folder(name);
     const ResultManifest ours = earlier_result(current, target_);
     const ResultExchange exchange{current, ours, working_, manifest_};
     if (one_by_one_ || !exchange_folders(exchange, temporary, new_result, parent, name, notes))
@@ -180,4 +180,4 @@ std::vector<std::string> ResultFolder::publish() {
   return notes;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

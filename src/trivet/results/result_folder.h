@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "trivet/foundation/temporary_folder.h"
 #include "trivet/foundation/folder_handle.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/results/result_manifest.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// A result folder in the making: files go to a temporary folder beside the target, which takes the target's place in
 /// one step when `publish` is called; without it, everything written is removed again. Files of an earlier result go,
@@ -38,15 +38,15 @@ class ResultFolder {
 
   void make_parents();
   void remove_parents();
-  void check(const FolderHandle& parent, const std::vector<std::string>& folders);
+  void check(const foundation::FolderHandle& parent, const std::vector<std::string>& folders);
 
   std::filesystem::path target_;  ///< absolute
   std::list<foundation::RegisteredFolder> made_parents_;
   bool one_by_one_ = false;  ///< a mount point: it cannot change places with another folder
   std::unique_ptr<foundation::TemporaryFolder> temporary_;
-  FolderHandle working_;  ///< new_result in the temporary folder
+  foundation::FolderHandle working_;  ///< new_result in the temporary folder
   ResultManifest manifest_;
   bool published_ = false;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -6,7 +6,7 @@
 
 #include "trivet/project/text/source_file.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 constexpr std::size_t largest_manifest = 64u << 20;  // 400,000 files
@@ -25,7 +25,7 @@ bool stays_inside(const std::string& path) {
 
 }  // namespace
 
-std::optional<ResultManifest> ResultManifest::of(const FolderHandle& folder) {
+std::optional<ResultManifest> ResultManifest::of(const foundation::FolderHandle& folder) {
   const auto text = folder.content(manifest_name, largest_manifest);
   if (!text) return std::nullopt;
   const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
@@ -44,7 +44,7 @@ std::optional<ResultManifest> ResultManifest::of(const FolderHandle& folder) {
 }
 
 void ResultManifest::add(const std::string& path, const std::string& content) {
-  files_.emplace(path, Content{content.size(), study::sha256(content)});
+  files_.emplace(path, Content{content.size(), project::sha256(content)});
 }
 
 std::string ResultManifest::text() const {
@@ -64,16 +64,16 @@ bool ResultManifest::names_folder(const std::string& path) const {
   return next != files_.end() && next->first.starts_with(path + "/");
 }
 
-bool ResultManifest::is_ours(const std::string& path, const FolderHandle& folder, const std::string& name) const {
-  if (path == manifest_name) return folder.kind(name) == FolderHandle::Kind::file;
+bool ResultManifest::is_ours(const std::string& path, const foundation::FolderHandle& folder, const std::string& name) const {
+  if (path == manifest_name) return folder.kind(name) == foundation::FolderHandle::Kind::file;
   std::string found;
   for (auto [file, end] = files_.equal_range(path); file != end; ++file) {
     const auto content = folder.content(name, file->second.size);
     if (!content || content->size() != file->second.size) continue;
-    if (found.empty()) found = study::sha256(*content);
+    if (found.empty()) found = project::sha256(*content);
     if (found == file->second.sha256) return true;
   }
   return false;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

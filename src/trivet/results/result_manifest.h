@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/folder_handle.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// The file of a result folder that names the files of Trivet in it.
 inline constexpr const char* manifest_name = "manifest.json";
@@ -18,7 +18,7 @@ inline constexpr const char* manifest_name = "manifest.json";
 class ResultManifest {
  public:
   /// Of a folder; nothing if there is no manifest in it, or one that cannot be understood.
-  [[nodiscard]] static std::optional<ResultManifest> of(const FolderHandle& folder);
+  [[nodiscard]] static std::optional<ResultManifest> of(const foundation::FolderHandle& folder);
 
   /// @param path  "00-base/modes.csv", relative to the folder
   void add(const std::string& path, const std::string& content);
@@ -29,7 +29,7 @@ class ResultManifest {
   /// Is this folder the place of a file that is listed?
   [[nodiscard]] bool names_folder(const std::string& path) const;
   /// Is it listed, and unchanged since? @param folder  that holds it  @param name  its name there
-  [[nodiscard]] bool is_ours(const std::string& path, const FolderHandle& folder, const std::string& name) const;
+  [[nodiscard]] bool is_ours(const std::string& path, const foundation::FolderHandle& folder, const std::string& name) const;
 
   struct Content {
     std::uintmax_t size;
@@ -42,4 +42,4 @@ class ResultManifest {
   std::multimap<std::string, Content> files_;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::results

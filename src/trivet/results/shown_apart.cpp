@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace trivet::study {
+namespace trivet::results {
 
 std::pair<std::string, std::string> shown_apart(double a, double b, int digits) {
   constexpr double noticeable = 0.01;  // of their distance
@@ -22,4 +22,4 @@ std::pair<std::string, std::string> shown_apart(double a, double b, int digits) 
   return {shown(a), shown(b)};
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

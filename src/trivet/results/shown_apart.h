@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// Two numbers in `digits` significant digits, or in as many more as show how far they are apart.
 [[nodiscard]] std::pair<std::string, std::string> shown_apart(double a, double b, int digits);
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -6,7 +6,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 using json::Json;
@@ -49,7 +49,7 @@ Json modes_json(const modal::BodySuspension& body) {
 
 }  // namespace
 
-std::string suspension_json(const Case& variant, const SuspensionAnswer& answer) {
+std::string suspension_json(const project::Case& variant, const study::SuspensionAnswer& answer) {
   Json result{{"bodies", Json::array()},
               {"excitations", answer.excitations},
               {"frequency_separation", Json::array()},
@@ -72,7 +72,7 @@ std::string suspension_json(const Case& variant, const SuspensionAnswer& answer)
   return json::text(result, 1) + "\n";
 }
 
-std::string suspension_csv(const Case& variant, const SuspensionAnswer& answer) {
+std::string suspension_csv(const project::Case& variant, const study::SuspensionAnswer& answer) {
   std::string text = "body,angular_frequency [rad/s]";
   for (const char* coordinate : model::coordinate_names) text += fmt::format(",kinetic energy share {}", coordinate);
   text += ",in elements,purest,decoupling\n";
@@ -87,4 +87,4 @@ std::string suspension_csv(const Case& variant, const SuspensionAnswer& answer) 
   return text;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -5,10 +5,10 @@
 
 #include "trivet/study/suspension.h"
 
-namespace trivet::study {
+namespace trivet::results {
 
 /// JSON (docs/json.md), and one CSV row per body and mode.
-[[nodiscard]] std::string suspension_json(const Case& variant, const SuspensionAnswer& answer);
-[[nodiscard]] std::string suspension_csv(const Case& variant, const SuspensionAnswer& answer);
+[[nodiscard]] std::string suspension_json(const project::Case& variant, const study::SuspensionAnswer& answer);
+[[nodiscard]] std::string suspension_csv(const project::Case& variant, const study::SuspensionAnswer& answer);
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
 /// A field in quotes where commas, quotes or line breaks ask for it.
@@ -29,7 +29,7 @@ std::string optional(const std::optional<T>& value) {
 
 }  // namespace
 
-std::string modes_csv(const Case& variant, const Answers& answers) {
+std::string modes_csv(const project::Case& variant, const study::Answers& answers) {
   std::string text = "mode,eigenvalue_squared [rad2/s2],angular_frequency [rad/s],frequency [Hz],name";
   for (const auto& body : variant.system.bodies())
     for (const char* coordinate : model::coordinate_names) text += "," + field(fmt::format("shape {}.{}", body.name, coordinate));
@@ -46,7 +46,7 @@ std::string modes_csv(const Case& variant, const Answers& answers) {
   return text;
 }
 
-std::string roots_csv(const Answers& answers) {
+std::string roots_csv(const study::Answers& answers) {
   std::string text = "real [1/s],imaginary [rad/s],kind,angular_frequency [rad/s],damping_ratio,nearest_mode\n";
   for (const modal::Root& root : answers.roots.list)
     text += fmt::format("{},{},{},{},{},{}\n", number(root.eigenvalue.real()), number(root.eigenvalue.imag()), modal::name(root.kind),
@@ -54,8 +54,8 @@ std::string roots_csv(const Answers& answers) {
   return text;
 }
 
-std::string response_csv(const Answers& answers) {
-  const ResponseAnswer& answer = *answers.response;
+std::string response_csv(const study::Answers& answers) {
+  const study::ResponseAnswer& answer = *answers.response;
   std::string text = "angular_frequency [rad/s]";
   for (const auto& curve : answer.curves.curves)
     for (const char* part : {"re", "im", "amplitude"}) text += "," + field(fmt::format("{} {} [{}]", curve.name, part, curve.unit));
@@ -74,7 +74,7 @@ std::string response_csv(const Answers& answers) {
   return text;
 }
 
-std::string peaks_csv(const Answers& answers) {
+std::string peaks_csv(const study::Answers& answers) {
   std::string text = "name,unit,angular_frequency [rad/s],amplitude,prominence,relative_prominence,ratio_to_static,nearest_mode,angular_frequency_uncertainty [rad/s],amplitude_uncertainty,method\n";
   const response::Peaks& found = answers.peaks->peaks;
   for (const response::Peak& peak : found.list)
@@ -84,10 +84,10 @@ std::string peaks_csv(const Answers& answers) {
   return text;
 }
 
-std::string static_csv(const Answers& answers) {
+std::string static_csv(const study::Answers& answers) {
   std::string text = "name,unit,value\n";
   for (const response::StaticValue& value : answers.statics->values) text += fmt::format("{},{},{}\n", field(value.name), field(value.unit), number(value.value));
   return text;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/users_files.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/results/users_files.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,10 +10,10 @@
 
 #include <stdexcept>
 
-namespace trivet::study {
+namespace trivet::results {
 namespace {
 
-using Kind = FolderHandle::Kind;
+using Kind = foundation::FolderHandle::Kind;
 
 constexpr std::size_t longest_stem = 200, longest_extension = 30;  // names have at most 255 bytes
 constexpr int most_kept = 10000;
@@ -22,7 +22,7 @@ std::string inside(const std::string& path, const std::string& name) { return pa
 
 /// Rights, owner and times of the folder that the user made. Only the superuser may give a file away; for others the
 /// owner is right already.
-void copy_rights(const FolderHandle& from, const FolderHandle& to) {
+void copy_rights(const foundation::FolderHandle& from, const foundation::FolderHandle& to) {
   struct stat status;
   if (fstat(from.descriptor(), &status) != 0) return;
   static_cast<void>(!fchown(to.descriptor(), status.st_uid, status.st_gid));
@@ -33,7 +33,7 @@ void copy_rights(const FolderHandle& from, const FolderHandle& to) {
 
 }  // namespace
 
-std::string kept_name(const std::string& name, const FolderHandle& one, const FolderHandle& other) {
+std::string kept_name(const std::string& name, const foundation::FolderHandle& one, const foundation::FolderHandle& other) {
   const std::filesystem::path path(name);
   const std::string stem = foundation::shortened(path.stem().string(), longest_stem), extension = path.extension().string();
   for (int i = 1; i <= most_kept; ++i) {
@@ -51,9 +51,9 @@ std::string kept_words(const std::string& path, const std::string& new_name, boo
                      new_path);
 }
 
-bool UsersFiles::link_into(const FolderHandle& next) { return link("", earlier_, next); }
+bool UsersFiles::link_into(const foundation::FolderHandle& next) { return link("", earlier_, next); }
 
-bool UsersFiles::link(const std::string& path, const FolderHandle& from, const FolderHandle& to) {
+bool UsersFiles::link(const std::string& path, const foundation::FolderHandle& from, const foundation::FolderHandle& to) {
   if (!from.is_open() || !to.is_open()) return false;  // no right to look into it: the other method names the path
   for (const std::string& name : from.names()) {
     const std::string whole = inside(path, name);
@@ -77,10 +77,10 @@ bool UsersFiles::link(const std::string& path, const FolderHandle& from, const F
   return true;
 }
 
-bool UsersFiles::link_folder(const std::string& path, const std::string& name, const FolderHandle& from,
-                             const FolderHandle& to) {
+bool UsersFiles::link_folder(const std::string& path, const std::string& name, const foundation::FolderHandle& from,
+                             const foundation::FolderHandle& to) {
   if (!from.is_open()) return false;
-  const FolderHandle made = to.made_folder(name);
+  const foundation::FolderHandle made = to.made_folder(name);
   if (!made.is_open() || !link(path, from, made)) return false;
   if (ours_.names_folder(
           path)) {  // a case that no longer exists: its folder stays only if the user keeps something in it
@@ -91,9 +91,9 @@ bool UsersFiles::link_folder(const std::string& path, const std::string& name, c
   return true;
 }
 
-bool UsersFiles::move_latecomers_into(const FolderHandle& current) { return move("", earlier_, current); }
+bool UsersFiles::move_latecomers_into(const foundation::FolderHandle& current) { return move("", earlier_, current); }
 
-bool UsersFiles::move(const std::string& path, const FolderHandle& from, const FolderHandle& to) {
+bool UsersFiles::move(const std::string& path, const foundation::FolderHandle& from, const foundation::FolderHandle& to) {
   if (!from.is_open() || !to.is_open()) return false;
   bool complete = true;
   for (const std::string& name : from.names()) {
@@ -124,4 +124,4 @@ bool UsersFiles::move(const std::string& path, const FolderHandle& from, const F
   return complete;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::results

@@ -10,12 +10,12 @@
 #include <numbers>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/design/design_rules.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/guides.h"
-#include "trivet/design/design_rules.h"
-#include "trivet/study/further_answers.h"
 #include "trivet/project/analyses/question_sizes.h"
+#include "trivet/study/further_answers.h"
 
 namespace trivet::study {
 namespace {
@@ -31,7 +31,7 @@ struct Loaded {
   assembly::Loading load;
 };
 
-Loaded loaded(const model::System& system, const assembly::Assembled& assembled, const Wanted& wanted) {
+Loaded loaded(const model::System& system, const assembly::Assembled& assembled, const project::Wanted& wanted) {
   if (!is_driven(system))
     throw foundation::NotComputable("response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
   return {assembly::channels(system, assembled, wanted.of, wanted.quantity), assembly::harmonic_loading(system, assembled, wanted.excitations)};
@@ -87,12 +87,12 @@ std::vector<double> spread(const std::vector<double>& all, int most) {
 
 class CaseStudy {
  public:
-  CaseStudy(const Case& variant, const foundation::Progress& progress)
+  CaseStudy(const project::Case& variant, const foundation::Progress& progress)
       : system_(variant.system), progress_(progress), assembled_(assembly::assemble(variant.system)), modes_(modal::modes(system_, assembled_)),
         roots_(modal::roots(system_, assembled_, modes_)) {}
 
   /// A force along a guide, an unbalance that turns about the only free direction …
-  void note_idle(const Analyses& analyses, foundation::Problems& warnings) const {
+  void note_idle(const project::Analyses& analyses, foundation::Problems& warnings) const {
     for (const std::vector<std::string>* selected : {analyses.response ? &analyses.response->wanted.excitations : nullptr, analyses.peaks ? &analyses.peaks->wanted.excitations : nullptr,
                                                      analyses.map ? &analyses.map->excitations : nullptr})
       if (selected && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, *selected).vanishes()) {
@@ -101,8 +101,8 @@ class CaseStudy {
       }
   }
 
-  Answers answer(const Case& variant, const Analyses& analyses) {
-    for (const Analyses* asked : {&variant.analyses, &analyses})
+  Answers answer(const project::Case& variant, const project::Analyses& analyses) {
+    for (const project::Analyses* asked : {&variant.analyses, &analyses})
       if (asked->response && asked->response->band) search_to_ = asked->response->band->to;
     Answers result;
     result.case_name = variant.name;
@@ -154,7 +154,7 @@ class CaseStudy {
   [[nodiscard]] CaseContext context() const { return {system_, assembled_, modes_, roots_, progress_}; }
 
   template <typename Attempt>
-  void further_answers(const Analyses& analyses, const Attempt& attempt, Answers& result) const {
+  void further_answers(const project::Analyses& analyses, const Attempt& attempt, Answers& result) const {
     const CaseContext c = context();
     if (analyses.load_sharing && result.statics) {
       try {
@@ -175,13 +175,13 @@ class CaseStudy {
   }
 
   /// Totals on the ground are those of elements: what a guide carries is not among them, and that must be said.
-  void note_guides(const Analyses& analyses, foundation::Problems& warnings) const {
+  void note_guides(const project::Analyses& analyses, foundation::Problems& warnings) const {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
     if (analyses.response) of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
     if (analyses.peaks) of.insert(of.end(), analyses.peaks->wanted.of.begin(), analyses.peaks->wanted.of.end());
     if (analyses.map) {
       of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
-      for (const MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
+      for (const project::MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
     }
     if (analyses.random) of.insert(of.end(), analyses.random->wanted.of.begin(), analyses.random->wanted.of.end());
     if (analyses.transient) of.insert(of.end(), analyses.transient->wanted.of.begin(), analyses.transient->wanted.of.end());
@@ -196,7 +196,7 @@ class CaseStudy {
   }
 
   /// Motions of the ground that a question brings with it, past the guides of a body.
-  void note_guided_questions(const Analyses& analyses, foundation::Problems& warnings) const {
+  void note_guided_questions(const project::Analyses& analyses, foundation::Problems& warnings) const {
     const auto warn = [&](const char* question, const response::Direction& direction) {
       model::Action::Amplitude motion = model::Action::Amplitude::Zero();
       (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
@@ -229,7 +229,7 @@ class CaseStudy {
   }
 
   /// Static answers know one stiffness too, that of vibration.
-  void note_stiffening(const Analyses& analyses, foundation::Problems& warnings) const {
+  void note_stiffening(const project::Analyses& analyses, foundation::Problems& warnings) const {
     if (!analyses.static_of) return;
     for (const model::Element& element : system_.elements())
       if (element.stiffening != 1)
@@ -254,7 +254,7 @@ class CaseStudy {
   }
 
   /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.
-  const response::Peaks& peaks_of(const Wanted& wanted, double min_prominence = response::PeakOptions{}.min_prominence) {
+  const response::Peaks& peaks_of(const project::Wanted& wanted, double min_prominence = response::PeakOptions{}.min_prominence) {
     for (const auto& earlier : searched_)
       if (earlier.wanted == wanted && earlier.min_prominence == min_prominence) return earlier.peaks;
     const Loaded asked = loaded(system_, assembled_, wanted);
@@ -262,7 +262,7 @@ class CaseStudy {
     return searched_.back().peaks;
   }
 
-  ResponseAnswer response_of(const ResponseRequest& request) {
+  ResponseAnswer response_of(const project::ResponseRequest& request) {
     const Loaded asked = loaded(system_, assembled_, request.wanted);
     ResponseAnswer result;
     result.quantity = request.wanted.quantity;
@@ -293,18 +293,18 @@ class CaseStudy {
     result.continuous_phase = request.continuous_phase;
     result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase, progress_);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
-    const int checked = deep_check_frequencies(assembled_.matrices.A.rows());
+    const int checked = project::deep_check_frequencies(assembled_.matrices.A.rows());
     const std::vector<double> samples = request.at.empty() ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
                                                            : spread(grid, checked);
     result.deep = response::deep_check(system_, assembled_, asked.load, samples, request.wanted.excitations);
     return result;
   }
 
-  std::vector<LimitAnswer> limits_of(const Analyses& analyses, const ResponseAnswer& response) {
+  std::vector<LimitAnswer> limits_of(const project::Analyses& analyses, const ResponseAnswer& response) {
     std::vector<LimitAnswer> result;
     response_ = &response;
-    for (const Limit& limit : analyses.limits) {
-      Wanted wanted = analyses.response->wanted;
+    for (const project::Limit& limit : analyses.limits) {
+      project::Wanted wanted = analyses.response->wanted;
       const auto& curves = response.curves.curves;
       const bool among_curves = std::any_of(curves.begin(), curves.end(), [&](const response::Curve& c) { return c.name == limit.name; });
       if (!among_curves) wanted.of = {limit.name};
@@ -325,14 +325,14 @@ class CaseStudy {
   }
 
   /// The largest amplitude of one curve in a band stands at an end of the band or at a peak inside it.
-  LimitAnswer judged(const Limit& limit, const Wanted& wanted, const response::Band& band) {
+  LimitAnswer judged(const project::Limit& limit, const project::Wanted& wanted, const response::Band& band) {
     const response::Peaks& found = peaks_of(wanted);
     const auto curve = static_cast<std::size_t>(
         std::find_if(found.curves.begin(), found.curves.end(), [&](const response::CurveSummary& c) { return c.name == limit.name; }) - found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest, true};
     const Loaded asked = loaded(system_, assembled_, wanted);
     if (grows_toward_rest(found, curve, asked)) answer.anywhere = std::numeric_limits<double>::infinity();
-    const response::LargestAmplitude largest = response::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
+    const design::LargestAmplitude largest = design::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
     answer.in_band = largest.amplitude;
     answer.in_band_at = largest.angular_frequency;
     if (response_ && response_->band.from == band.from && response_->band.to == band.to)
@@ -340,7 +340,7 @@ class CaseStudy {
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
           if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
             answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[static_cast<std::size_t>(i)];
-    answer.kept = response::keeps_limit(answer.in_band, answer.limit);
+    answer.kept = design::keeps_limit(answer.in_band, answer.limit);
     return answer;
   }
 
@@ -351,7 +351,7 @@ class CaseStudy {
   modal::Roots roots_;
 
   struct Searched {
-    Wanted wanted;
+    project::Wanted wanted;
     double min_prominence;
     response::Peaks peaks;
   };
@@ -362,14 +362,14 @@ class CaseStudy {
 
 }  // namespace
 
-Answers answers(const Case& variant, const Analyses& analyses, const foundation::Progress& progress) {
+Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress) {
   // A file's own questions were held to these sizes when it was read; those of a command line come here first.
-  const foundation::Problems sizes = too_large(variant.system.description(), analyses);
+  const foundation::Problems sizes = project::too_large(variant.system.description(), analyses);
   if (sizes.has_errors()) throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " + sizes.list().front().rule + "; " + sizes.list().front().remedy);
   return CaseStudy(variant, progress).answer(variant, analyses);
 }
 
-response::DeepCheck deep_check(const Case& variant) {
+response::DeepCheck deep_check(const project::Case& variant) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   const modal::Modes modes = modal::modes(variant.system, assembled);
   const modal::Roots roots = modal::roots(variant.system, assembled, modes);
@@ -382,7 +382,7 @@ response::DeepCheck deep_check(const Case& variant) {
     everywhere.head(bodies) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(bodies).cast<std::complex<double>>();
     load = assembly::Loading(everywhere);
   }
-  return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, deep_check_frequencies(assembled.matrices.A.rows())));
+  return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, project::deep_check_frequencies(assembled.matrices.A.rows())));
 }
 
 }  // namespace trivet::study

@@ -5,25 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "trivet/excitation/shock_spectrum.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
-#include "trivet/excitation/shock_spectrum.h"
+#include "trivet/project/project.h"
 #include "trivet/response/machinery/campbell.h"
+#include "trivet/response/machinery/deflection_shape.h"
+#include "trivet/response/machinery/load_sharing.h"
+#include "trivet/response/machinery/power.h"
+#include "trivet/response/machinery/run_up.h"
+#include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/deep_check.h"
-#include "trivet/response/machinery/deflection_shape.h"
-#include "trivet/response/transient/earthquake.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/response/machinery/load_sharing.h"
 #include "trivet/response/steady/peaks.h"
-#include "trivet/response/machinery/power.h"
-#include "trivet/response/random/random_response.h"
-#include "trivet/response/machinery/run_up.h"
 #include "trivet/response/steady/static_response.h"
+#include "trivet/response/transient/earthquake.h"
 #include "trivet/response/transient/transient.h"
 #include "trivet/study/design_map.h"
-#include "trivet/project/project.h"
 
 /// Answers to what a project asks, case by case.
 namespace trivet::study {
@@ -138,10 +138,10 @@ struct Answers {
 
 /// Everything a case asks for; what cannot be computed is listed in `failures` and in the warnings, the rest goes on.
 /// `analyses` may differ from the case's own (a single answer from the command line).
-[[nodiscard]] Answers answers(const Case& variant, const Analyses& analyses, const foundation::Progress& progress = {});
+[[nodiscard]] Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress = {});
 
 /// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or under a
 /// force on every coordinate if it has none.
-[[nodiscard]] response::DeepCheck deep_check(const Case& variant);
+[[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
 }  // namespace trivet::study

@@ -7,23 +7,23 @@
 #include <cmath>
 #include <functional>
 
-#include "trivet/foundation/invalid_input.h"
 #include "trivet/design/best_design.h"
 #include "trivet/design/boundary_crossings.h"
 #include "trivet/design/design_evaluation.h"
-#include "trivet/study/map_warnings.h"
 #include "trivet/design/steep_neighbours.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/map_warnings.h"
 #include "trivet/study/unbounded_peaks.h"
 
 namespace trivet::study {
 namespace {
 
-DesignPoint value_at(const MapRequest& request, const MapPlace& place) { return {request.x.at(place.x), request.y.at(place.y)}; }
+design::DesignPoint value_at(const project::MapRequest& request, const design::MapPlace& place) { return {request.x.at(place.x), request.y.at(place.y)}; }
 
 void count(DesignMap& map) {
   map.shares.resize(map.rules.size());
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
-    const DesignOutcome& outcome = map.outcomes[k];
+    const design::DesignOutcome& outcome = map.outcomes[k];
     if (!outcome.known()) {
       ++map.unknown;
       continue;
@@ -31,31 +31,31 @@ void count(DesignMap& map) {
     map.kept += outcome.kept();
     if (std::isfinite(outcome.margin)) ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
   }
-  if (const auto best = best_design(map.drawn, map.outcomes)) {
+  if (const auto best = design::best_design(map.drawn, map.outcomes)) {
     map.best = best->design;
     map.without_bound = best->without_bound;
     map.equals = best->equals;
   }
-  map.steep = steep_neighbours(map.grid, map.rules, map.outcomes);
+  map.steep = design::steep_neighbours(map.grid, map.rules, map.outcomes);
 }
 
 }  // namespace
 
-DesignPoint DesignMap::point(std::size_t design) const {
+design::DesignPoint DesignMap::point(std::size_t design) const {
   const auto nx = static_cast<std::size_t>(grid.nx);
   return value_at(request, grid.place(static_cast<int>(design % nx), static_cast<int>(design / nx)));
 }
 
-DesignMap design_map(const Project& project, const Case& variant, const MapRequest& request, const MapOptions& options, const foundation::Progress& progress) {
+DesignMap design_map(const project::Project& project, const project::Case& variant, const project::MapRequest& request, const MapOptions& options, const foundation::Progress& progress) {
   DesignMap map;
   map.case_name = variant.name;
   map.request = request;
   map.grid = {options.nx > 0 ? options.nx : request.x.points, options.ny > 0 ? options.ny : request.y.points};
   map.request.x.points = map.grid.nx;
   map.request.y.points = map.grid.ny;
-  map.drawn = drawn_grid(map.grid);
+  map.drawn = design::drawn_grid(map.grid);
   refuse_unbounded_peaks(variant, map.request);
-  DesignEvaluation evaluation(variant, map.request, options.evaluation);
+  design::DesignEvaluation evaluation(variant, map.request, options.evaluation);
   map.rules = evaluation.rules();
   map.outcomes = evaluation.evaluate(map.grid.count(), [&](std::size_t k) { return map.point(k); }, progress);
   map.report = evaluation.report();
@@ -64,27 +64,27 @@ DesignMap design_map(const Project& project, const Case& variant, const MapReque
     throw foundation::NotComputable(fmt::format("map: none of the {} designs has an answer; the first: {}", map.outcomes.size(),
                                                 map.report.missing.empty() ? "no reason was given" : map.report.missing.front().words));
   const std::function<bool(std::size_t)> kept = [&](std::size_t k) { return map.outcomes[k].kept(); };
-  const std::vector<CrossedEdge> edges = crossed_edges(map.grid, kept);
-  const JudgePlaces judge = [&](const std::vector<MapPlace>& places, const foundation::Progress& of_boundary) {
+  const std::vector<design::CrossedEdge> edges = design::crossed_edges(map.grid, kept);
+  const design::JudgePlaces judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress& of_boundary) {
     return evaluation.evaluate(places.size(), [&](std::size_t k) { return value_at(map.request, places[k]); }, of_boundary);
   };
-  const std::vector<double> crossing = boundary_crossings(map.grid, map.outcomes, edges, judge, progress);
+  const std::vector<double> crossing = design::boundary_crossings(map.grid, map.outcomes, edges, judge, progress);
   const auto connected = [&](int i, int j) {
     double sum = 0;
-    for (const std::size_t k : {map.grid.index(i, j), map.grid.index(i + 1, j), map.grid.index(i, j + 1), map.grid.index(i + 1, j + 1)}) sum += boundary_level(map.outcomes[k]);
+    for (const std::size_t k : {map.grid.index(i, j), map.grid.index(i + 1, j), map.grid.index(i, j + 1), map.grid.index(i + 1, j + 1)}) sum += design::boundary_level(map.outcomes[k]);
     return sum >= 0;
   };
-  map.passages = band_passages(map.grid, map.outcomes, judge, progress);
-  map.feasible = contours(map.grid, kept, edges, crossing, connected);
-  map.boundary_tolerance = boundary_tolerance;
-  if (map.best) map.margin_lines = margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
+  map.passages = design::band_passages(map.grid, map.outcomes, judge, progress);
+  map.feasible = design::contours(map.grid, kept, edges, crossing, connected);
+  map.boundary_tolerance = design::boundary_tolerance;
+  if (map.best) map.margin_lines = design::margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
   map.marks = map_marks(project, map.request, evaluation, options.evaluation.threads, progress);
   map.warnings = map_warnings(variant, map);
   return map;
 }
 
-bool has_own_map(const Project& project, const Case& variant) {
-  const std::optional<MapRequest>& of_base = project.base().analyses.map;
+bool has_own_map(const project::Project& project, const project::Case& variant) {
+  const std::optional<project::MapRequest>& of_base = project.base().analyses.map;
   return variant.analyses.map && (variant.name.empty() || !of_base || !(*variant.analyses.map == *of_base));
 }
 

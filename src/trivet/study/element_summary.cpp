@@ -24,14 +24,14 @@ Vector6 deformation(const model::Element& element, const model::Span& span, cons
 
 }  // namespace
 
-elements::MatrixVerdict matrix_verdict(const Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
+elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
   const bool of_stiffness = element.law.preload && matrix == elements::stiffness(element.law);
   return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
                            of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
 }
 
-ElementSummary element_summary(const Case& variant, std::size_t index) {
+ElementSummary element_summary(const project::Case& variant, std::size_t index) {
   const model::Element& element = variant.system.elements()[index];
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
   ElementSummary summary;

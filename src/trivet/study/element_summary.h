@@ -28,10 +28,10 @@ struct ElementSummary {
   std::vector<ElementInMode> modes;          ///< of those with strain energy
   foundation::Problems warnings;             ///< of this element alone
 };
-[[nodiscard]] ElementSummary element_summary(const Case& variant, std::size_t element);
+[[nodiscard]] ElementSummary element_summary(const project::Case& variant, std::size_t element);
 
 /// The checks of one of an element's matrices; its stiffness may ask for what turning its preload takes.
-[[nodiscard]] elements::MatrixVerdict matrix_verdict(const Case& variant, const model::Element& element, const elements::Matrix12& matrix);
+[[nodiscard]] elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model::Element& element, const elements::Matrix12& matrix);
 
 /// "u_x", "θ_z": the displacement component 0 … 11 of an element, end left out.
 [[nodiscard]] std::string component_name(int component);

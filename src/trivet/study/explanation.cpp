@@ -17,14 +17,14 @@ namespace {
 
 using response::Sensitivity;
 
-Wanted wanted_of(const Case& variant, const ExplainRequest& request) {
-  const Analyses& file = variant.analyses;
-  Wanted wanted = file.peaks ? file.peaks->wanted : file.response ? file.response->wanted : Wanted{};
+project::Wanted wanted_of(const project::Case& variant, const ExplainRequest& request) {
+  const project::Analyses& file = variant.analyses;
+  project::Wanted wanted = file.peaks ? file.peaks->wanted : file.response ? file.response->wanted : project::Wanted{};
   if (!request.of.empty()) wanted.of = request.of;
   return wanted;
 }
 
-response::Question question_of(const Wanted& wanted, const response::Peaks& peaks) {
+response::Question question_of(const project::Wanted& wanted, const response::Peaks& peaks) {
   response::Question question;
   for (const response::CurveSummary& curve : peaks.curves) question.channels.push_back(curve.name);
   question.quantity = wanted.quantity;
@@ -42,7 +42,7 @@ response::PeakPlace place_of(const response::Peak& peak) {
 }
 
 /// Peaks that are more than round-off of a motion which a symmetry keeps out of their channel.
-std::vector<response::Peak> above_round_off(const Case& variant, const assembly::Assembled& assembled, const response::Question& question,
+std::vector<response::Peak> above_round_off(const project::Case& variant, const assembly::Assembled& assembled, const response::Question& question,
                                             const std::vector<response::Peak>& peaks) {
   constexpr double round_off = 1e-9;
   std::vector<response::Peak> result;
@@ -83,7 +83,7 @@ struct Candidate {
 };
 
 /// Stiffness of an element along the direction with most of its strain energy; the element as a whole if directions say less.
-std::optional<Candidate> candidate(const Case& variant, std::size_t e, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
   const model::Element& element = variant.system.elements()[e];
   Eigen::Index direction = 0;
   peak.shares.elements[e].by_direction.maxCoeff(&direction);
@@ -106,7 +106,7 @@ double effect(const std::string& name, const ExplainedPeak& peak, const std::vec
 }
 
 /// The stiffness that changes the peak most: of one element, or of all.
-std::optional<Candidate> strongest(const Case& variant, std::optional<std::size_t> of, const ExplainedPeak& peak,
+std::optional<Candidate> strongest(const project::Case& variant, std::optional<std::size_t> of, const ExplainedPeak& peak,
                                    const std::vector<response::Parameter>& parameters) {
   std::optional<Candidate> found;
   double most = 0;
@@ -129,7 +129,7 @@ std::optional<Candidate> strongest(const Case& variant, std::optional<std::size_
 
 /// The element and direction with most of the strain energy. If they hardly change the peak, which shows another motion, the stiffness of
 /// that element that does, or of any element.
-std::optional<Trial> trial_of(const Case& variant, ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
   constexpr double idle = 0.01;  // of the strongest effect
   const auto& elements = variant.system.elements();
   std::size_t first = 0;
@@ -153,7 +153,7 @@ std::optional<Trial> trial_of(const Case& variant, ExplainedPeak& peak, const st
 }
 
 /// The peak of the changed model that lies nearest to where it is expected.
-void solve_again(const Case& variant, const response::Question& question, const response::Parameter& parameter, const ExplainedPeak& peak,
+void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter, const ExplainedPeak& peak,
                  Trial& trial) {
   constexpr double beyond_recognition = 0.2;
   const model::System system = response::changed(variant.system, parameter, trial.amount);
@@ -186,7 +186,7 @@ void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
   }
 }
 
-void try_more(const Case& variant, const response::Question& question, const std::vector<response::Parameter>& parameters,
+void try_more(const project::Case& variant, const response::Question& question, const std::vector<response::Parameter>& parameters,
               ExplainedPeak& peak) {
   peak.trial = trial_of(variant, peak, parameters);
   if (!peak.trial) return;
@@ -205,10 +205,10 @@ void try_more(const Case& variant, const response::Question& question, const std
 
 }  // namespace
 
-Explanation explanation(const Case& variant, const ExplainRequest& request, const foundation::Progress& progress) {
-  const Wanted wanted = wanted_of(variant, request);
-  Analyses analyses;
-  analyses.peaks = PeaksRequest{wanted};
+Explanation explanation(const project::Case& variant, const ExplainRequest& request, const foundation::Progress& progress) {
+  const project::Wanted wanted = wanted_of(variant, request);
+  project::Analyses analyses;
+  analyses.peaks = project::PeaksRequest{wanted};
   const Answers found = answers(variant, analyses, progress);
   if (!found.failures.empty()) throw foundation::NotComputable(found.failures.front());
   const response::Peaks& peaks = found.peaks->peaks;

@@ -45,11 +45,7 @@ struct Explanation {
 };
 
 /// @throws foundation::InvalidInput for an answer that the model does not have, NotComputable if nothing excites it
-[[nodiscard]] Explanation explanation(const Case& variant, const ExplainRequest& request = {}, const foundation::Progress& progress = {});
-
-/// JSON (docs/json.md), and one CSV row per peak and parameter.
-[[nodiscard]] std::string explain_json(const Case& variant, const Explanation& explanation);
-[[nodiscard]] std::string explain_csv(const Explanation& explanation);
+[[nodiscard]] Explanation explanation(const project::Case& variant, const ExplainRequest& request = {}, const foundation::Progress& progress = {});
 
 /// A value with the prefix that an engineer would choose: "8.4 mm", "1.2 kN", "35 µrad".
 [[nodiscard]] std::string value_words(double value, const std::string& unit);

@@ -40,7 +40,7 @@ std::string modes_words(const Explanation& explanation, const ExplainedPeak& pea
   return words;
 }
 
-std::string energy_words(const Case& variant, const ExplainedPeak& peak) {
+std::string energy_words(const project::Case& variant, const ExplainedPeak& peak) {
   const auto& elements = peak.shares.elements;
   if (elements.empty() || peak.shares.strain_energy == 0) return "";
   const auto most = std::max_element(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a.stored < b.stored; });
@@ -99,7 +99,7 @@ std::string value_words(double value, const std::string& unit) {
   return fmt::format("{:.4g} {}", value, unit);
 }
 
-std::string sentence(const Case& variant, const Explanation& explanation, const ExplainedPeak& peak) {
+std::string sentence(const project::Case& variant, const Explanation& explanation, const ExplainedPeak& peak) {
   std::string text =
       fmt::format("{}: {} at {}", peak.name, std::isinf(peak.peak.amplitude) ? "unbounded" : value_words(peak.peak.amplitude, peak.unit),
                   place_words(peak.peak.angular_frequency));

@@ -21,7 +21,7 @@ bool selected(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<assembly::Channel> channels_of(const CaseContext& c, const Wanted& wanted) {
+std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::Wanted& wanted) {
   return assembly::channels(c.system, c.assembled, wanted.of, wanted.quantity);
 }
 
@@ -87,7 +87,7 @@ Eigen::Index row_of(const CaseContext& c, const std::string& name) {
   throw foundation::NotComputable("transient: initial value of \"" + name + "\": no free coordinate has this name");
 }
 
-std::optional<response::InitialState> initial_state(const CaseContext& c, const TransientRequest& request) {
+std::optional<response::InitialState> initial_state(const CaseContext& c, const project::TransientRequest& request) {
   if (request.displacements.empty() && request.velocities.empty()) return std::nullopt;
   Eigen::VectorXd q = Eigen::VectorXd::Zero(c.assembled.layout.of_bodies()), v = q;
   for (const auto& [name, value] : request.displacements) q(row_of(c, name)) = value;
@@ -113,7 +113,7 @@ response::Band default_band(const CaseContext& c) {
   return band;
 }
 
-RandomResult random_answer(const CaseContext& c, const RandomRequest& request) {
+RandomResult random_answer(const CaseContext& c, const project::RandomRequest& request) {
   const std::vector<assembly::Channel> channels = channels_of(c, request.wanted);
   const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.wanted.excitations);
   if (loading.inputs.empty()) throw foundation::NotComputable("random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
@@ -130,7 +130,7 @@ RandomResult random_answer(const CaseContext& c, const RandomRequest& request) {
   return result;
 }
 
-TransientResult transient_answer(const CaseContext& c, const TransientRequest& request, foundation::Problems& warnings) {
+TransientResult transient_answer(const CaseContext& c, const project::TransientRequest& request, foundation::Problems& warnings) {
   const std::vector<response::TimeInput> inputs = time_inputs(c, request.wanted.excitations);
   response::TransientOptions options;
   options.from = request.from;
@@ -148,7 +148,7 @@ TransientResult transient_answer(const CaseContext& c, const TransientRequest& r
   return result;
 }
 
-OrdersResult orders_answer(const CaseContext& c, const OrdersRequest& request) {
+OrdersResult orders_answer(const CaseContext& c, const project::OrdersRequest& request) {
   const std::vector<response::OrderLoading> orders = response::order_loadings(c.system, c.assembled, request.wanted.excitations);
   if (orders.empty()) throw foundation::NotComputable("orders: the model has no excitation that goes with a shaft; add [excitations.NAME] with type = \"orders\" or \"unbalance\"");
   response::RunUpOptions options;
@@ -157,7 +157,7 @@ OrdersResult orders_answer(const CaseContext& c, const OrdersRequest& request) {
           response::campbell(c.assembled, orders, c.modes, c.roots, request.speed), request.wanted.quantity};
 }
 
-TransmissibilityResult transmissibility_answer(const CaseContext& c, const TransmissibilityRequest& request) {
+TransmissibilityResult transmissibility_answer(const CaseContext& c, const project::TransmissibilityRequest& request) {
   const bool force = !request.force.empty();
   if (!force) require_rigid_ground(c, "transmissibility");
   const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, request.force))
@@ -174,7 +174,7 @@ TransmissibilityResult transmissibility_answer(const CaseContext& c, const Trans
   return result;
 }
 
-response::PowerFlow power_answer(const CaseContext& c, const PowerRequest& request) {
+response::PowerFlow power_answer(const CaseContext& c, const project::PowerRequest& request) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, request.excitations);
   if (loading.vanishes()) throw foundation::NotComputable("power: the model has no harmonic excitation");
   const std::vector<assembly::Channel> channels = assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::Quantity::velocity);
@@ -187,7 +187,7 @@ response::PowerFlow power_answer(const CaseContext& c, const PowerRequest& reque
   return response::power_flow(c.system, c.assembled, loading, grid, c.progress);
 }
 
-std::vector<response::DeflectionShape> shapes_answer(const CaseContext& c, const ShapesRequest& request) {
+std::vector<response::DeflectionShape> shapes_answer(const CaseContext& c, const project::ShapesRequest& request) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, request.excitations);
   if (loading.vanishes()) throw foundation::NotComputable("shapes: the model has no harmonic excitation");
   std::vector<response::DeflectionShape> shapes;
@@ -195,7 +195,7 @@ std::vector<response::DeflectionShape> shapes_answer(const CaseContext& c, const
   return shapes;
 }
 
-std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, const ShockSpectrumRequest& request, foundation::Problems& warnings) {
+std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, const project::ShockSpectrumRequest& request, foundation::Problems& warnings) {
   constexpr int per_octave = 48;
   std::vector<double> natural;
   const int count = std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(request.band.to / request.band.from))) + 1);
@@ -218,7 +218,7 @@ std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& c, con
   return results;
 }
 
-response::EarthquakeResponse earthquake_answer(const CaseContext& c, const EarthquakeRequest& request, foundation::Problems& warnings) {
+response::EarthquakeResponse earthquake_answer(const CaseContext& c, const project::EarthquakeRequest& request, foundation::Problems& warnings) {
   require_rigid_ground(c, "earthquake");
   spatial::Vector6 direction = spatial::Vector6::Zero();
   direction.head<3>() = request.direction;
@@ -228,10 +228,10 @@ response::EarthquakeResponse earthquake_answer(const CaseContext& c, const Earth
   return result;
 }
 
-std::vector<LimitLineResult> limit_line_answer(const CaseContext& c, const std::vector<LimitLineRequest>& requests, const Wanted& wanted, const response::Band& band) {
+std::vector<LimitLineResult> limit_line_answer(const CaseContext& c, const std::vector<project::LimitLineRequest>& requests, const project::Wanted& wanted, const response::Band& band) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, wanted.excitations);
   std::vector<LimitLineResult> results;
-  for (const LimitLineRequest& request : requests) {
+  for (const project::LimitLineRequest& request : requests) {
     const std::string& unit = request.line.unit;
     const auto quantity = unit == "m/s" || unit == "rad/s" ? assembly::Quantity::velocity : unit == "m/s²" || unit == "rad/s²" ? assembly::Quantity::acceleration : assembly::Quantity::displacement;
     const std::vector<assembly::Channel> channel = assembly::channels(c.system, c.assembled, {request.of}, quantity);

@@ -8,9 +8,9 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/steady/visible_amplitudes.h"
-#include "trivet/project/text/design_parameter.h"
 #include "trivet/modal/highest_frequency.h"
+#include "trivet/project/text/design_parameter.h"
+#include "trivet/response/steady/visible_amplitudes.h"
 
 namespace trivet::study {
 namespace {
@@ -22,14 +22,14 @@ constexpr double unchanged = 1e-11;  // of an amplitude, solved with another loa
 /// Amplitudes at one design, answers × frequencies; round-off is 0.
 using Amplitudes = Eigen::Array<double, Eigen::Dynamic, static_cast<int>(frequencies.size())>;
 
-std::vector<std::string> answers_of(const std::vector<MapRule>& rules) {
+std::vector<std::string> answers_of(const std::vector<design::MapRule>& rules) {
   std::vector<std::string> names;
-  for (const MapRule& rule : rules)
+  for (const design::MapRule& rule : rules)
     if (std::find(names.begin(), names.end(), rule.answer) == names.end()) names.push_back(rule.answer);
   return names;
 }
 
-Amplitudes amplitudes(const model::System& system, const MapRequest& request, const std::vector<std::string>& names, double top) {
+Amplitudes amplitudes(const model::System& system, const project::MapRequest& request, const std::vector<std::string>& names, double top) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, names, assembly::Quantity::displacement);
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request.excitations);
@@ -45,15 +45,15 @@ bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <
 
 }  // namespace
 
-Influence influence(const Case& variant, const MapRequest& request, const std::vector<MapRule>& rules) {
+Influence influence(const project::Case& variant, const project::MapRequest& request, const std::vector<design::MapRule>& rules) {
   const std::vector<std::string> names = answers_of(rules);
-  const double top = highest_natural_frequency(variant.system, assembly::assemble(variant.system));
+  const double top = modal::highest_natural_frequency(variant.system, assembly::assemble(variant.system));
   std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
   Amplitudes largest = Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
   for (std::size_t i = 0; i < shares.size(); ++i)
     for (std::size_t j = 0; j < shares.size(); ++j) try {
-        const std::vector<Node> changes = {change_of(path_keys(request.x.parameter), request.x.at(shares[i]), request.x.unit), change_of(path_keys(request.y.parameter), request.y.at(shares[j]), request.y.unit)};
-        const auto system = changed_system(variant, changes);
+        const std::vector<project::Node> changes = {project::change_of(project::path_keys(request.x.parameter), request.x.at(shares[i]), request.x.unit), project::change_of(project::path_keys(request.y.parameter), request.y.at(shares[j]), request.y.unit)};
+        const auto system = project::changed_system(variant, changes);
         if (!system) return {};
         designs[i][j] = amplitudes(*system, request, names, top);
         largest = largest.max(designs[i][j]);

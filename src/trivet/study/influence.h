@@ -16,6 +16,6 @@ struct Influence {
 };
 
 /// Says nothing where one of these designs has no model or no answer.
-[[nodiscard]] Influence influence(const Case& variant, const MapRequest& request, const std::vector<MapRule>& rules);
+[[nodiscard]] Influence influence(const project::Case& variant, const project::MapRequest& request, const std::vector<design::MapRule>& rules);
 
 }  // namespace trivet::study

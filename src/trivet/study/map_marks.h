@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "trivet/foundation/interruption.h"
+#include "trivet/design/design_evaluation.h"
 #include "trivet/design/design_outcome.h"
+#include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
 
 namespace trivet::study {
 
-class DesignEvaluation;
 
 /// A case on the map, judged by itself.
 struct MapMark {
   std::string name;                     ///< empty: the base model
   std::optional<double> x, y;           ///< in the units of the axes; none: the number stands nowhere in the file
   bool of_this_model = true;            ///< false: it differs from the model of the map in more than the two numbers
-  std::optional<JudgedDesign> judged;   ///< none if it could not be computed
+  std::optional<design::JudgedDesign> judged;   ///< none if it could not be computed
   std::string failure;
   bool has_own_rules = false;           ///< its own map asks otherwise than the one on which it stands
 
@@ -26,7 +26,7 @@ struct MapMark {
 };
 
 /// The cases that the request lists, or all that have both numbers.
-[[nodiscard]] std::vector<MapMark> map_marks(const Project& project, const MapRequest& request, const DesignEvaluation& evaluation, int threads,
+[[nodiscard]] std::vector<MapMark> map_marks(const project::Project& project, const project::MapRequest& request, const design::DesignEvaluation& evaluation, int threads,
                                              const foundation::Progress& progress);
 
 }  // namespace trivet::study

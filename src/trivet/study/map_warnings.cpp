@@ -30,7 +30,7 @@ void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings
 }
 
 void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
-  const BandPassages& found = map.passages;
+  const design::BandPassages& found = map.passages;
   if (found.pairs == 0) return;
   std::string points;
   for (const auto& [axis, needed] : {std::pair{&map.request.x, found.points[0]}, {&map.request.y, found.points[1]}})
@@ -39,21 +39,21 @@ void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
                    "the map is too coarse there, and its feasible share too large", fmt::format("take {}, or narrower ranges around it", points));
 }
 
-void warn_of_idle(const Case& variant, const DesignMap& map, foundation::Problems& warnings) {
+void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   const Influence found = influence(variant, map.request, map.rules);
   for (const std::string& name : found.still)
     warnings.warning("map: " + name, "does not move (zero but for round-off)", "its rules say nothing", "look at the directions of forces and guides, or remove the rules");
-  const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const MapRule& rule) { return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end(); });
+  const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) { return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end(); });
   if (all_still) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
     if (!changes) warnings.warning("map: " + axis->name, "the axis changes no answer", "amplitudes of all rules are the same along it", "take a number that the answers depend on");
 }
 
 /// A motion of the ground given by its velocity or acceleration drifts off at rest.
-void warn_of_drift(const Case& variant, const DesignMap& map, foundation::Problems& warnings) {
+void warn_of_drift(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   if (map.request.band && map.request.band->from > 0) return;
-  const auto unbounded = [&](const DesignOutcome& d) { return d.known() && d.margin == 0 && map.rules[d.governing].kind == response::DesignRule::Kind::amplitude; };
-  if (!std::all_of(map.outcomes.begin(), map.outcomes.end(), [&](const DesignOutcome& d) { return !d.known() || unbounded(d); })) return;
+  const auto unbounded = [&](const design::DesignOutcome& d) { return d.known() && d.margin == 0 && map.rules[d.governing].kind == design::DesignRule::Kind::amplitude; };
+  if (!std::all_of(map.outcomes.begin(), map.outcomes.end(), [&](const design::DesignOutcome& d) { return !d.known() || unbounded(d); })) return;
   const auto first = std::find_if(map.outcomes.begin(), map.outcomes.end(), unbounded);
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   std::vector<std::string> names = map.request.excitations;
@@ -67,7 +67,7 @@ void warn_of_drift(const Case& variant, const DesignMap& map, foundation::Proble
                        "start the band of the map above 0");
 }
 
-void warn_of_unphysical(const Case& variant, foundation::Problems& warnings) {
+void warn_of_unphysical(const project::Case& variant, foundation::Problems& warnings) {
   for (const model::Body& body : variant.system.bodies())
     if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
       warnings.warning("map: bodies." + body.name, "no real body has these numbers (allow_unphysical is set)", "every design is doubtful", "mend mass and inertia before the map is used");
@@ -82,13 +82,13 @@ bool contradicts(const DesignMap& map, const MapMark& mark) {
   const bool kept = mark.judged->governing.kept();
   for (const int j : lines_around(y, map.grid.ny))
     for (const int i : lines_around(x, map.grid.nx)) {
-      const DesignOutcome& design = map.outcomes[map.grid.index(i, j)];
+      const design::DesignOutcome& design = map.outcomes[map.grid.index(i, j)];
       if (!design.known() || design.kept() == kept) return false;
     }
   return true;
 }
 
-foundation::Problems map_warnings(const Case& variant, const DesignMap& map) {
+foundation::Problems map_warnings(const project::Case& variant, const DesignMap& map) {
   foundation::Problems warnings;
   warn_of_unphysical(variant, warnings);
   warn_of_contradictions(map, warnings);

@@ -12,6 +12,6 @@ namespace trivet::study {
 /// What a reader must know before trusting a map: bodies that cannot be, marks that contradict the designs around them, resonances that pass unseen between
 /// designs, answers that do not move, axes that change nothing, limits that no design can keep at rest.
 /// @param variant  whose model it is
-[[nodiscard]] foundation::Problems map_warnings(const Case& variant, const DesignMap& map);
+[[nodiscard]] foundation::Problems map_warnings(const project::Case& variant, const DesignMap& map);
 
 }  // namespace trivet::study

@@ -123,9 +123,9 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
 }
 
 /// Highest peaks of both models, or why there are none; the modes stand without them.
-void compare_peaks(const Case& full, const Case& simple, const foundation::Progress& progress, Simplification& result) {
-  Analyses wanted;
-  wanted.peaks = full.analyses.peaks.value_or(PeaksRequest{full.analyses.response ? full.analyses.response->wanted : Wanted{}});
+void compare_peaks(const project::Case& full, const project::Case& simple, const foundation::Progress& progress, Simplification& result) {
+  project::Analyses wanted;
+  wanted.peaks = full.analyses.peaks.value_or(project::PeaksRequest{full.analyses.response ? full.analyses.response->wanted : project::Wanted{}});
   try {
     const Answers of_full = answers(full, wanted, progress), of_simple = answers(simple, wanted, progress);
     if (of_full.peaks && of_simple.peaks) result.peaks = compared(of_full.peaks->peaks, of_simple.peaks->peaks);
@@ -159,8 +159,8 @@ model::System with_three_springs(const model::System& system, const std::vector<
   return std::move(*checked);
 }
 
-Simplification simplification(const Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress) {
-  Case simple = variant;
+Simplification simplification(const project::Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress) {
+  project::Case simple = variant;
   simple.system = with_three_springs(variant.system, replaced);
   const assembly::Assembled assembled = assembly::assemble(variant.system), simple_assembled = assembly::assemble(simple.system);
   const modal::Modes full = modal::modes(variant.system, assembled), simplified = modal::modes(simple.system, simple_assembled);

@@ -52,6 +52,6 @@ struct Simplification {
 
 /// Modes and highest peaks of a case with and without the simplification; without excitation modes only.
 /// @throws foundation::NotComputable as `with_three_springs`
-[[nodiscard]] Simplification simplification(const Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress = {});
+[[nodiscard]] Simplification simplification(const project::Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress = {});
 
 }  // namespace trivet::study

@@ -3,7 +3,7 @@
 
 namespace trivet::study {
 
-SuspensionAnswer suspension(const Case& variant, const std::vector<Eigen::Vector3d>& torques, const std::vector<double>& excitations) {
+SuspensionAnswer suspension(const project::Case& variant, const std::vector<Eigen::Vector3d>& torques, const std::vector<double>& excitations) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   const modal::Modes modes = modal::modes(variant.system, assembled);
   SuspensionAnswer answer;

@@ -10,13 +10,13 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
-#include "trivet/response/steady/curve_ends.h"
 #include "trivet/project/text/design_parameter.h"
+#include "trivet/response/steady/curve_ends.h"
 
 namespace trivet::study {
 namespace {
 
-std::vector<std::string> unbounded(const model::System& system, const MapRequest& request) {
+std::vector<std::string> unbounded(const model::System& system, const project::MapRequest& request) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, request.no_peak, request.quantity);
   const modal::Roots roots = modal::roots(system, assembled, modal::modes(system, assembled));
@@ -28,10 +28,10 @@ std::vector<std::string> unbounded(const model::System& system, const MapRequest
 }
 
 /// The base model may have a symmetry that the designs have not. A middle without a model tells nothing.
-void keep_those_of_the_middle(const Case& variant, const MapRequest& request, std::vector<std::string>& names) {
+void keep_those_of_the_middle(const project::Case& variant, const project::MapRequest& request, std::vector<std::string>& names) {
   constexpr double middle = 0.47;  // of both axes; no design of symmetry
-  const auto system = changed_system(variant, {change_of(path_keys(request.x.parameter), request.x.at(middle), request.x.unit),
-                                               change_of(path_keys(request.y.parameter), request.y.at(middle), request.y.unit)});
+  const auto system = project::changed_system(variant, {project::change_of(project::path_keys(request.x.parameter), request.x.at(middle), request.x.unit),
+                                               project::change_of(project::path_keys(request.y.parameter), request.y.at(middle), request.y.unit)});
   if (!system) return;
   try {
     const std::vector<std::string> there = unbounded(*system, request);
@@ -47,7 +47,7 @@ const char* name_of(assembly::Quantity quantity) {
 
 }  // namespace
 
-void refuse_unbounded_peaks(const Case& variant, const MapRequest& request) {
+void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequest& request) {
   if (request.no_peak.empty()) return;
   std::vector<std::string> names = unbounded(variant.system, request);
   if (!names.empty()) keep_those_of_the_middle(variant, request, names);

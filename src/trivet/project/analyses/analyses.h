@@ -8,11 +8,11 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/excitation/human_weighting.h"
 #include "trivet/excitation/modal_combination.h"
-#include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/machinery/transmissibility.h"
+#include "trivet/response/steady/frequency_grid.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Which answers of which quantity under which excitations.
 struct Wanted {
@@ -164,4 +164,4 @@ struct Analyses {
   std::vector<Limit> limits;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::project

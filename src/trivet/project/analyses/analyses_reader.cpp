@@ -7,7 +7,7 @@
 
 #include "trivet/project/analyses/map_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr int most_points = 2'000'000;
@@ -136,4 +136,4 @@ Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
   return analyses;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/wanted_reader.h"
 #include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/pairs_reader.h"
-#include "trivet/project/analyses/wanted_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr double most_time_points = 20'000'000;
@@ -251,4 +251,4 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

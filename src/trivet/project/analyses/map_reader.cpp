@@ -12,7 +12,7 @@
 #include "trivet/project/text/design_parameter.h"
 #include "trivet/project/text/idle_key.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity, assembly::Quantity::acceleration};
@@ -56,7 +56,7 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
   }
   const auto told = [&](const foundation::Problem& p) { return p.severity == foundation::Severity::error && p.subject == path; };
   if (!written_number(*node) && std::none_of(root.problems().list().begin(), root.problems().list().end(), told))
-    reader.error("parameter", shown, fmt::format("{} stands there, not a number", node->kind == Node::Kind::text ? study::shown(*node) : words(node->kind)),
+    reader.error("parameter", shown, fmt::format("{} stands there, not a number", node->kind == Node::Kind::text ? project::shown(*node) : words(node->kind)),
                  "name one number; entries of an array have no path");
 }
 
@@ -247,4 +247,4 @@ void take_limits_of_file(Analyses& analyses) {
   for (const Limit& limit : analyses.limits) analyses.map->limits.push_back({limit.name, quantity, limit.amplitude});
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

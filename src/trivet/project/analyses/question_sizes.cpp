@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr double most_values = 3e6;      // points × curves; with tables, page and figures each takes some 350 bytes
@@ -156,4 +156,4 @@ int deep_check_frequencies(Eigen::Index coordinates) {
       most);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,7 +5,7 @@
 #include "trivet/project/analyses/analyses.h"
 
 /// What questions cost, estimated before any work begins: curves, points, memory and time.
-namespace trivet::study {
+namespace trivet::project {
 
 /// Free coordinates that a system may have: dense eigenproblems of more take minutes to hours. A hundred free bodies
 /// have as many.
@@ -31,4 +31,4 @@ inline constexpr std::size_t most_things_of_cases = 50'000;
 /// ones, fewer where each takes seconds.
 [[nodiscard]] int deep_check_frequencies(Eigen::Index coordinates);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

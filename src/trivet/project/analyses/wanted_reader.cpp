@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/idle_key.h"
-#include "trivet/project/text/admissible_range.h"
 #include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/idle_key.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 
@@ -189,4 +189,4 @@ void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

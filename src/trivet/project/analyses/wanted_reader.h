@@ -9,7 +9,7 @@
 #include "trivet/project/text/band_reader.h"
 #include "trivet/project/text/mentioned.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// What can be asked for: motions of bodies, points and ends of elements, forces of elements and on the ground.
 class ResultNames {
@@ -65,4 +65,4 @@ void read_further_analyses(TableReader& analyses, const ResultNames& names, cons
 /// `limit_lines` of the file: each an answer of the response and a line over frequency.
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

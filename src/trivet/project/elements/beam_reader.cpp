@@ -9,7 +9,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/material_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using elements::Section;
@@ -112,4 +112,4 @@ LengthOf read_link(TableReader& reader, model::Element& element) {
   return link.length;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -12,7 +12,7 @@
 #include "trivet/project/text/table_reader.h"
 #include "trivet/project/text/toml_text.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::size_t most_mounts = 10000;
@@ -160,4 +160,4 @@ foundation::Expected<Mount> mount_named(const std::string& name, const std::vect
   return tl::make_unexpected(std::move(problems));
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

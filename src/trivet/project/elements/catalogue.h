@@ -9,7 +9,7 @@
 
 #include "trivet/foundation/problems.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// One mount of a catalogue, in its local axes: e3 is its main axis, from end N to end K.
 struct Mount {
@@ -45,4 +45,4 @@ struct Catalogue {
 /// The mount of that name, from the first catalogue that has it; otherwise a problem that proposes the nearest name.
 [[nodiscard]] foundation::Expected<Mount> mount_named(const std::string& name, const std::vector<Catalogue>& catalogues);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

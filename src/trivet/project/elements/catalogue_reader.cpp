@@ -5,7 +5,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 void read_catalogue_mount(TableReader& reader, const std::string& name, const model::Span& span, model::Element& element) {
   std::vector<Catalogue> catalogues;
@@ -44,4 +44,4 @@ void read_catalogue_mount(TableReader& reader, const std::string& name, const mo
   element.facts.push_back({"source", mount->source});
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -9,7 +9,7 @@
 
 #include "trivet/elements/matrix_checks.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using elements::Matrix12;
@@ -73,4 +73,4 @@ void take_loss(TableReader& reader, const Matrix12& loss, const model::Span& spa
   element.facts.push_back({"loss", "a 12×12 of its own, the same at every frequency"});
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

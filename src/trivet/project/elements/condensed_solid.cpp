@@ -9,7 +9,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/element_cache.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// Raised whenever meshes or kernels change, so that no older result is taken out of the cache.
@@ -140,4 +140,4 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
   return std::nullopt;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -11,7 +11,7 @@
 #include "trivet/project/elements/element_parts.h"
 
 /// Solids that are meshed and condensed onto their two plates, or remembered from an earlier run.
-namespace trivet::study {
+namespace trivet::project {
 
 /// A solid between its plates, whatever it was made from.
 struct Solid {
@@ -45,4 +45,4 @@ void read_large_strain(TableReader& reader, fem::Material& material);
 [[nodiscard]] LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make, const std::optional<Compression>& compression,
                                  model::Element& element);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,7 +5,7 @@
 
 #include "trivet/project/elements/element_parts.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using elements::Viscoelastic;
@@ -119,4 +119,4 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
   if (laws.empty() && reader.errors() == before) reader.error("damping", "no law", rule, "give one of them");
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

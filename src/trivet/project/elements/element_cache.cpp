@@ -9,13 +9,13 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "trivet/foundation/temporary_folder.h"
 #include "trivet/foundation/file_writing.h"
 #include "trivet/foundation/folder_handle.h"
-#include "trivet/project/text/source_file.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/foundation/version.h"
+#include "trivet/project/text/source_file.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ std::string bytes_of(const std::vector<double>& numbers) {
 }  // namespace
 
 std::string content_key(const std::string& description, const std::vector<std::string>& files) {
-  std::string all = std::string(version()) + "\n" + description;
+  std::string all = std::string(foundation::version()) + "\n" + description;
   for (const std::string& name : files) {
     std::ifstream file(name, std::ios::binary);
     all += "\n" + sha256(std::string(std::istreambuf_iterator<char>(file), {}));
@@ -54,7 +54,7 @@ std::optional<std::vector<double>> cached_numbers(const std::string& key) {
   const auto where = folder();
   if (!where) return std::nullopt;
   clean(*where);
-  const FolderHandle cache(*where);
+  const foundation::FolderHandle cache(*where);
   const auto found = cache.is_open() ? cache.content(key, largest_entry) : std::nullopt;
   if (!found) return std::nullopt;
   const std::string& all = *found;
@@ -74,7 +74,7 @@ void keep_numbers(const std::string& key, const std::vector<double>& numbers) {
     fs::create_directories(*where, ignored);
     const foundation::TemporaryFolder unfinished(*where);
     const std::string bytes = bytes_of(numbers);
-    write_new_file(FolderHandle(unfinished.path()), key, sha256(bytes) + bytes, *where / key);
+    foundation::write_new_file(foundation::FolderHandle(unfinished.path()), key, sha256(bytes) + bytes, *where / key);
     const foundation::Undisturbed step;
     fs::rename(unfinished.path() / key, *where / key, ignored);  // replaces a link, and does not follow it
   } catch (const std::runtime_error&) {
@@ -82,4 +82,4 @@ void keep_numbers(const std::string& key, const std::vector<double>& numbers) {
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Numbers that cost long to find, kept on disk under a hash of everything they depend on. The folder is $TRIVET_CACHE,
 /// else trivet/ in $XDG_CACHE_HOME or ~/.cache; TRIVET_CACHE="" switches it off. A damaged entry, a link or a folder in
@@ -17,4 +17,4 @@ void keep_numbers(const std::string& key, const std::vector<double>& numbers);
 /// A key from a description of the computation in words and digits, and from the contents of files.
 [[nodiscard]] std::string content_key(const std::string& description, const std::vector<std::string>& files = {});
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,7 +8,7 @@
 #include "trivet/project/text/table_reader.h"
 
 /// One function per part of an element's table.
-namespace trivet::study {
+namespace trivet::project {
 
 /// What entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix measures.
 [[nodiscard]] Quantity matrix_entry(bool damping, int i, int j);
@@ -50,4 +50,4 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
 /// `type = "catalogue:NAME"`.
 void read_catalogue_mount(TableReader& reader, const std::string& name, const model::Span& span, model::Element& element);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

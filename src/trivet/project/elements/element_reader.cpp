@@ -9,13 +9,13 @@
 #include <iterator>
 
 #include "trivet/elements/law.h"
-#include "trivet/spatial/rigid_motion.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/idle_key.h"
-#include "trivet/project/text/outside_features.h"
 #include "trivet/project/text/mentioned.h"
+#include "trivet/project/text/outside_features.h"
+#include "trivet/spatial/rigid_motion.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using elements::Matrix12;
@@ -243,4 +243,4 @@ void read_system_damping(TableReader& root, model::Description& description) {
   reader.finish();
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

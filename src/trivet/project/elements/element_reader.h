@@ -3,7 +3,7 @@
 
 #include "trivet/project/text/mentioned.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// `elements` of the file; adds to the description and reports its problems.
 void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned);
@@ -11,4 +11,4 @@ void read_elements(TableReader& root, model::Description& description, Mentioned
 /// `damping` of the whole system.
 void read_system_damping(TableReader& root, model::Description& description);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

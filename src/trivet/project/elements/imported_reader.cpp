@@ -10,7 +10,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// Whole numbers out of a list of the given length.
@@ -90,4 +90,4 @@ void read_imported(TableReader& reader, const model::Span& span, model::Element&
   element.facts.push_back({"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,11 +8,11 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/law_fit.h"
-#include "trivet/project/text/csv_table.h"
 #include "trivet/project/elements/element_parts.h"
+#include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using identification::LawFit;
@@ -129,4 +129,4 @@ void read_loops(TableReader& damping, model::Element& element) {
   else element.law.damping = *taken->viscoelastic;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

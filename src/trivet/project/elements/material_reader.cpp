@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/elements/material_reader.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/elements/material_reader.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 void require_positive(TableReader& reader, const char* key, double value, const char* unit) {
@@ -154,4 +154,4 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   return reader.errors() == before ? std::optional(rubber) : std::nullopt;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

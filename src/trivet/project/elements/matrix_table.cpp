@@ -14,7 +14,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/stiffness_column.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::string_view loss_ending = "_loss";
@@ -147,4 +147,4 @@ void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Sp
   element.law.frequency_dependence = std::move(dependence);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -6,7 +6,7 @@
 #include "trivet/project/text/table_reader.h"
 
 /// A whole dynamic stiffness matrix over frequency, out of the columns k_I_J and k_I_J_loss of a file.
-namespace trivet::study {
+namespace trivet::project {
 
 /// Has it a column that looks like an entry of a matrix?
 [[nodiscard]] bool is_matrix_table(const CsvTable& csv);
@@ -15,4 +15,4 @@ namespace trivet::study {
 /// the upper triangle is given. Each row must be passive: the loss matrix has no negative eigenvalue; linear interpolation keeps it so.
 void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Span& span, model::Element& element);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -7,11 +7,11 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/stiffness_fit.h"
-#include "trivet/project/text/csv_table.h"
 #include "trivet/project/elements/element_parts.h"
+#include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using identification::LoadCase;
@@ -129,4 +129,4 @@ void read_measured(TableReader& reader, const model::Span& span, model::Element&
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

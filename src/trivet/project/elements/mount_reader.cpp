@@ -6,7 +6,7 @@
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/rubber_shape.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 int read_mesh_level(TableReader& reader) {
@@ -119,4 +119,4 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
   return shape_by_elements(reader, *shape, element);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -7,7 +7,7 @@
 
 #include "trivet/project/elements/material_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using elements::LayerFormulas;
@@ -111,4 +111,4 @@ elements::Matrix12 stiffness_by_formulas(const RubberShape& shape) {
   return elements::sandwich(std::get<elements::Sandwich>(shape.formulas));
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -10,7 +10,7 @@
 #include "trivet/fem/shapes.h"
 #include "trivet/project/text/table_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// A parametric rubber mount as its closed forms and as its finite elements want it.
 struct RubberShape {
@@ -28,4 +28,4 @@ struct RubberShape {
 [[nodiscard]] foundation::Problems check(const RubberShape& shape);
 [[nodiscard]] elements::Matrix12 stiffness_by_formulas(const RubberShape& shape);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -15,7 +15,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/material_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using elements::CoilSpring;
@@ -190,4 +190,4 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
   return distance;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

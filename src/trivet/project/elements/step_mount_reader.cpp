@@ -7,13 +7,13 @@
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/step_mesh.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/spatial/rigid_motion.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_cache.h"
 #include "trivet/project/elements/material_reader.h"
 #include "trivet/project/text/file_name.h"
+#include "trivet/spatial/rigid_motion.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// "top", "bottom" and their like, {cylinder = radius, point, axis}, {faces = [1, 4]}, {low, high}.
@@ -140,4 +140,4 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   return distance;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

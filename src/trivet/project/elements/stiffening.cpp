@@ -5,7 +5,7 @@
 
 #include "trivet/project/elements/element_parts.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element) {
   const Node* material = reader.has("material") ? reader.node("material") : nullptr;
@@ -22,4 +22,4 @@ LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element
   return length;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

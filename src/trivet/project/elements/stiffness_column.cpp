@@ -8,7 +8,7 @@
 
 #include "trivet/identification/causality.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name, const Eigen::MatrixXd& values,
                                                       elements::Interpolation interpolation, bool coupling) {
@@ -60,4 +60,4 @@ model::Fact defined_range(double from, double to) {
   return {"defined", fmt::format("{:.6g} … {:.6g} Hz", from / (2 * std::numbers::pi), to / (2 * std::numbers::pi))};
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -10,7 +10,7 @@
 #include "trivet/project/text/table_reader.h"
 
 /// One stiffness over frequency out of the columns of a file.
-namespace trivet::study {
+namespace trivet::project {
 
 /// Columns frequency [Hz], storage, loss. What is wrong with them goes to the key `file`; a negative loss is only that of a coupling.
 [[nodiscard]] std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name, const Eigen::MatrixXd& values,
@@ -22,4 +22,4 @@ void judge_causality(TableReader& reader, const std::string& name, const element
 /// [rad/s] in words.
 [[nodiscard]] model::Fact defined_range(double from, double to);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

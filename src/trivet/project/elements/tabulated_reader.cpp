@@ -9,13 +9,13 @@
 
 #include "trivet/elements/piecewise_stiffness.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/csv_table.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/matrix_table.h"
 #include "trivet/project/elements/stiffness_column.h"
+#include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::array<const char*, 6> directions = {"x", "y", "z", "rx", "ry", "rz"};
@@ -92,4 +92,4 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
   element.facts.push_back(defined_range(from, to));
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -7,7 +7,7 @@
 #include "trivet/project/excitations/excitation_parts.h"
 #include "trivet/project/text/mentioned.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// One phase for all six components, or six: three of the force or translation, three of the moment or rotation.
@@ -130,4 +130,4 @@ Quantity course_quantity(const model::Action& action) {
   return (linear ? translation : rotation)[action.derivative];
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

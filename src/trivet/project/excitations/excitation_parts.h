@@ -7,7 +7,7 @@
 #include "trivet/project/text/mentioned.h"
 
 /// One function per part of an excitation's table.
-namespace trivet::study {
+namespace trivet::project {
 
 /// What the six numbers of an action are: amplitudes with units, or factors on what its course gives in units.
 enum class ActionNumbers { amplitudes, factors };
@@ -36,4 +36,4 @@ enum class ActionNumbers { amplitudes, factors };
 /// The unbalance of a rotor: mass_eccentricity, or grade with rotor_mass and service_speed; axis, direction, phase.
 void read_unbalance(TableReader& reader, model::Action& action);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,7 +8,7 @@
 #include "trivet/project/excitations/excitation_parts.h"
 #include "trivet/project/text/idle_key.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders", "random", "time", "constant"};
@@ -128,4 +128,4 @@ void read_excitations(TableReader& root, model::Description& description, Mentio
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -11,7 +11,7 @@
 #include "trivet/project/excitations/excitation_parts.h"
 #include "trivet/project/text/pairs_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr double standard_gravity = 9.80665;
@@ -145,4 +145,4 @@ std::optional<excitation::Signal> read_history(TableReader& reader, const std::s
   return signal;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

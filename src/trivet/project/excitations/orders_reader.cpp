@@ -6,11 +6,11 @@
 
 #include "trivet/excitation/balance.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/spatial/rigid_motion.h"
 #include "trivet/project/excitations/excitation_parts.h"
 #include "trivet/project/text/pairs_reader.h"
+#include "trivet/spatial/rigid_motion.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr double perpendicular_within = 1e-6;
@@ -218,4 +218,4 @@ void read_unbalance(TableReader& reader, model::Action& action) {
   action.amplitude.head<3>() = turn * (axes.col(0).cast<std::complex<double>>() + std::complex<double>(0, backward ? 1 : -1) * axes.col(1).cast<std::complex<double>>());
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

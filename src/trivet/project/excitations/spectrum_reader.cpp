@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "trivet/excitation/road.h"
-#include "trivet/project/text/admissible_range.h"
 #include "trivet/project/excitations/excitation_parts.h"
-#include "trivet/project/text/pairs_reader.h"
+#include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/band_reader.h"
+#include "trivet/project/text/pairs_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr double standard_gravity = 9.80665;
@@ -97,4 +97,4 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
   return spectrum;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

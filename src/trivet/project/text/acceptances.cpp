@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/acceptances.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/acceptances.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cctype>
 #include <iterator>
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr const char* holders[] = {"bodies", "elements", "excitations", "foundations", "analyses"};
@@ -114,4 +114,4 @@ foundation::Problems AcceptanceBook::unneeded(bool changed) const {
   return result;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -11,7 +11,7 @@
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/text/document.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// `accept = {"mass" = "reason"}` of one table: a suspicion that its author has looked at.
 struct Acceptance {
@@ -45,4 +45,4 @@ class AcceptanceBook {
   std::map<Key, foundation::Problem> reported_;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace trivet::study {
+namespace trivet::project {
 
 Largest largest(Quantity quantity) {
   constexpr const char* of_force = "the thrust of the largest rocket is 1e8 N";
@@ -86,4 +86,4 @@ std::optional<std::string> wrong_band(double from, double to) {
   return std::nullopt;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

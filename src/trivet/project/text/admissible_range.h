@@ -9,7 +9,7 @@
 /// Which numbers a project file may hold at all. The ranges are far wider than any machine: they keep slips of a power
 /// of ten, and squares and products that overflow or vanish, away from the solvers. What a single key admits is
 /// stricter and is checked where the key is read.
-namespace trivet::study {
+namespace trivet::project {
 
 /// The largest magnitude that a quantity may have, SI, and why.
 struct Largest {
@@ -28,4 +28,4 @@ inline constexpr double smallest_number = 1e-60;
 /// beyond rounding.
 [[nodiscard]] std::optional<std::string> wrong_band(double from, double to);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

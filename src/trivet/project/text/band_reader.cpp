@@ -5,7 +5,7 @@
 
 #include "trivet/project/text/admissible_range.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// 0 is 0 in every unit.
@@ -36,4 +36,4 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
   return std::nullopt;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -4,7 +4,7 @@
 
 #include "trivet/project/text/toml_text.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// Tables whose keys exclude each other: in braces, a new one takes the place of the old.
@@ -68,4 +68,4 @@ foundation::Expected<Node> parse_setting(const std::string& setting) {
   return plain;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

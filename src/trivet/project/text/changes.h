@@ -6,7 +6,7 @@
 
 #include "trivet/project/text/document.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Lays `changes` over `base`, key by key. Arrays and single values replace what was there, and so do damping,
 /// inertia and orientation when written in braces.
@@ -16,4 +16,4 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
 /// "elements.front.scale=1.5" → a document of changes. A value that is not TOML is taken as text ("3 kg").
 [[nodiscard]] foundation::Expected<Node> parse_setting(const std::string& setting);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

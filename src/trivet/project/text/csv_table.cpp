@@ -16,7 +16,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::string_view rule = "a table is a header row and rows of numbers as long as it";
@@ -222,4 +222,4 @@ foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::
   return result;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -9,7 +9,7 @@
 
 #include "trivet/foundation/problems.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Largest table that is read.
 inline constexpr std::uintmax_t largest_csv_file = 256u << 20;
@@ -42,4 +42,4 @@ struct CsvTable {
 /// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there are.
 [[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

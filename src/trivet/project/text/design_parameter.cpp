@@ -8,7 +8,7 @@
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/units.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// SI value of 1 in a unit, for each quantity that it can measure.
@@ -76,4 +76,4 @@ std::optional<double> in_unit(const WrittenNumber& number, const std::string& un
   return std::nullopt;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -7,7 +7,7 @@
 
 #include "trivet/project/text/document.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// A dotted path of the project file, in its keys: elements."front left".scale → elements, front left, scale. Empty if it is none.
 [[nodiscard]] std::vector<std::string> path_keys(const std::string& path);
@@ -28,4 +28,4 @@ struct WrittenNumber {
 /// The number in another unit, both as written; an empty unit is SI. None if they do not measure the same.
 [[nodiscard]] std::optional<double> in_unit(const WrittenNumber& number, const std::string& unit);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/document.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/document.h"
 
 #include <fmt/format.h>
 
-namespace trivet::study {
+namespace trivet::project {
 
 const Node* Node::find(std::string_view key) const {
   for (std::size_t i = 0; i < keys.size(); ++i)
@@ -71,4 +71,4 @@ void locate(foundation::Problems& problems, const Node& root) {
     }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/problems.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// One value of a project file, with where it stands. Tables keep the order of the file.
 struct Node {
@@ -39,4 +39,4 @@ struct Node {
 /// Sets the origin of every problem that has none from its subject path.
 void locate(foundation::Problems& problems, const Node& root);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-namespace trivet::study {
+namespace trivet::project {
 
 extern const char* const schema_text;   ///< JSON Schema of the project file
 extern const char* const starter_text;  ///< commented starter project

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/text/file_name.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key) {
   namespace fs = std::filesystem;
@@ -18,4 +18,4 @@ std::optional<std::filesystem::path> read_file_name(TableReader& reader, const s
   return path;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

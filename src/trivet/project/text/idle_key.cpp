@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace trivet::study {
+namespace trivet::project {
 
 void warn_of_idle_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
                       std::string remedy) {
@@ -13,4 +13,4 @@ void warn_of_idle_key(TableReader& reader, const std::string& key, std::string f
   if (node) problem.origin = node->origin;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,10 +5,10 @@
 
 #include "trivet/project/text/table_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Warns of a key that is read but has no effect beside the others of its table.
 void warn_of_idle_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
                       std::string remedy);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

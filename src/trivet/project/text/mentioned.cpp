@@ -5,7 +5,7 @@
 
 #include "trivet/foundation/plain_text.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 std::string listed(const std::vector<std::string>& names) {
@@ -32,4 +32,4 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
   return std::nullopt;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,7 +8,7 @@
 #include "trivet/model/system.h"
 #include "trivet/project/text/table_reader.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Names that stand in the file, whether what they name could be read or not: a reference to an unreadable thing is no
 /// second problem.
@@ -28,4 +28,4 @@ struct Mentioned {
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description,
                                                     const Mentioned& mentioned);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 using Words = std::vector<std::string_view>;
@@ -98,4 +98,4 @@ std::optional<OutsideFeature> outside_type(const std::string& type) {
 
 bool is_outside_analysis(const std::string& key) { return outside_feature("analyses", key).has_value(); }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

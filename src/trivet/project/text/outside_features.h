@@ -7,7 +7,7 @@
 #include "trivet/foundation/problems.h"
 
 /// Keys by which users ask for what this version does not do: they are no typing mistakes, and the message says so.
-namespace trivet::study {
+namespace trivet::project {
 
 /// Rule and remedy for a key that belongs to a feature outside this version.
 struct OutsideFeature {
@@ -24,4 +24,4 @@ struct OutsideFeature {
 /// A key of `analyses` that belongs to such a feature.
 [[nodiscard]] bool is_outside_analysis(const std::string& key);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -9,7 +9,7 @@
 #include "trivet/project/text/file_name.h"
 #include "trivet/project/text/idle_key.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key) {
   const Node* value = reader.node(key);
@@ -70,4 +70,4 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   return holes.has_errors() ? std::nullopt : std::optional(*values);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <fstream>
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, const std::string& kind, std::string finding, std::string remedy) {
@@ -47,4 +47,4 @@ std::string sha256(const std::string& text) {
   return digest;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

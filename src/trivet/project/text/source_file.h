@@ -6,7 +6,7 @@
 
 #include "trivet/foundation/problems.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Largest project file that is read.
 inline constexpr std::uintmax_t largest_project_file = 16u << 20;
@@ -17,4 +17,4 @@ inline constexpr std::uintmax_t largest_project_file = 16u << 20;
 /// SHA-256 of a text, hexadecimal.
 [[nodiscard]] std::string sha256(const std::string& text);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,12 +8,12 @@
 #include <numbers>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/spatial/rigid_motion.h"
 #include "trivet/project/text/acceptances.h"
-#include "trivet/project/text/outside_features.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/outside_features.h"
+#include "trivet/spatial/rigid_motion.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 /// Deviation of a given rotation matrix from orthonormality that is taken for rounding of its digits.
@@ -297,4 +297,4 @@ void TableReader::finish() {
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -12,7 +12,7 @@
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/units.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Reads one table of a project file key by key; every problem goes to the list, and reading goes on. What no call asked
 /// for is an unknown key, reported by `finish`.
@@ -78,4 +78,4 @@ class TableReader {
   std::vector<std::string> known_;
 };
 
-}  // namespace trivet::study
+}  // namespace trivet::project

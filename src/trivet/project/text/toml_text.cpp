@@ -10,7 +10,7 @@
 
 #include "trivet/project/text/written_names.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr int deepest_nesting = 64;
@@ -161,4 +161,4 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
   }
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -6,9 +6,9 @@
 
 #include "trivet/project/text/document.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// Parses TOML text. `source` names it in messages. Nesting and dotted keys deeper than 64 are refused.
 [[nodiscard]] foundation::Expected<Node> parse_toml(std::string_view text, const std::string& source);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

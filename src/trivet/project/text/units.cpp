@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/units.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/units.h"
 
 #include <udunits2.h>
 
@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 struct FreeUnit {
@@ -171,4 +171,4 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   return cv_convert_double(converter.get(), value);
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -6,7 +6,7 @@
 
 #include "trivet/foundation/problems.h"
 
-namespace trivet::study {
+namespace trivet::project {
 
 /// What a number of the project file measures; its SI unit stands in `si_unit`.
 enum class Quantity {
@@ -43,4 +43,4 @@ enum class Quantity {
 /// "5 rad" is no pure number nor "5 J" a moment. The result is the value or what is wrong with the text.
 [[nodiscard]] tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity);
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/plain_text.h"
 
-namespace trivet::study {
+namespace trivet::project {
 namespace {
 
 constexpr std::size_t longest_name =
@@ -70,4 +70,4 @@ foundation::Problems check_names_and_texts(const Node& document) {
   return problems;
 }
 
-}  // namespace trivet::study
+}  // namespace trivet::project

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "trivet/modal/roots.h"
-#include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/machinery/order_loading.h"
+#include "trivet/response/steady/frequency_grid.h"
 
 namespace trivet::response {
 

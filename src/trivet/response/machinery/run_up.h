@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "trivet/response/machinery/order_loading.h"
 #include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/response/machinery/order_loading.h"
 #include "trivet/response/steady/peaks.h"
 
 namespace trivet::response {

@@ -6,9 +6,9 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pole_residue.h"
+#include "trivet/response/random/random_variance.h"
 #include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/response/random/random_variance.h"
 
 namespace trivet::response {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/steady/channel_terms.h"
 #include "trivet/response/random/integration_panels.h"
+#include "trivet/response/steady/channel_terms.h"
 
 namespace trivet::response {
 namespace {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <set>
 
-#include "trivet/response/random/integration_panels.h"
 #include "trivet/numerics/linalg/polynomial_roots.h"
+#include "trivet/response/random/integration_panels.h"
 
 namespace trivet::response {
 namespace {

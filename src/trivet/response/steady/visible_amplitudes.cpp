@@ -5,8 +5,8 @@
 
 #include "trivet/assembly/answer_coordinates.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
-#include "trivet/numerics/peaks/extremum.h"
 #include "trivet/numerics/linalg/pivoted_solution.h"
+#include "trivet/numerics/peaks/extremum.h"
 #include "trivet/response/steady/exact_response.h"
 
 namespace trivet::response {
