@@ -8,16 +8,15 @@
 #include <numbers>
 
 #include "cli/text_table.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/message_list.h"
 
 namespace trivet::cli {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double turn = 2 * std::numbers::pi;
+using foundation::two_pi;
 constexpr std::size_t most_rows = 60;  // of a characteristic on the screen
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string strain_words(const project::Case& variant, const modal::Mode& mode) {
   if (!mode.strain_energy_share) return "–";
@@ -38,7 +37,7 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
   TextTable table({"mode", "ω [rad/s]", "f [Hz]", "ω² [rad²/s²]", "most strain energy in", "motion"});
   for (const modal::Mode& mode : answers.modes.list) {
     const double omega = mode.angular_frequency.value_or(nothing);
-    table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / turn, 7), shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
+    table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / two_pi, 7), shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
                mode.name + (mode.repeated ? " (repeated root: one of an orthonormal basis)" : "")});
   }
   return "Undamped modes\n" + table.text();
@@ -66,7 +65,7 @@ std::string response_text(const study::Answers& answers) {
     std::vector<std::string> row = {shown(answer.curves.angular_frequency[i])};
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
       row.push_back(shown(std::abs(answer.curves.curves[c].value(static_cast<Eigen::Index>(i)))));
-      const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / turn;
+      const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / two_pi;
       row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
     table.add(row);
@@ -89,7 +88,7 @@ std::string peaks_text(const study::Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
   TextTable table({"curve", "ω [rad/s]", "f [Hz]", "amplitude", "unit", "× static", "above minimum", "nearest mode"});
   for (const response::Peak& peak : found.list)
-    table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / turn), shown(peak.amplitude, 9), found.curves[peak.curve].unit,
+    table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / two_pi), shown(peak.amplitude, 9), found.curves[peak.curve].unit,
                shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(response::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
   std::string text = (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4)) : std::string("Resonance peaks, 0 < ω < ∞\n")) + (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {

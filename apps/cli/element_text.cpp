@@ -8,11 +8,12 @@
 #include <numbers>
 
 #include "cli/text_table.h"
+#include "trivet/foundation/constants.h"
 
 namespace trivet::cli {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+using foundation::two_pi;
 constexpr std::array<const char*, 6> loads = {"F_x [N]", "F_y [N]", "F_z [N]", "M_x [N m]", "M_y [N m]", "M_z [N m]"};
 
 std::string vector_words(const Eigen::Vector3d& v, double round_off) {
@@ -92,7 +93,7 @@ std::string energy_text(const study::ElementSummary& summary) {
   std::size_t shown_modes = 0;
   for (const study::ElementInMode& mode : summary.modes) {
     if (std::abs(mode.share) < idle || !(mode.inside.energy > 0)) continue;
-    table.add({std::to_string(mode.number), shown(mode.angular_frequency.value_or(std::nan("")) / turn), fmt::format("{:.2f}%", 100 * mode.share),
+    table.add({std::to_string(mode.number), shown(mode.angular_frequency.value_or(std::nan("")) / two_pi), fmt::format("{:.2f}%", 100 * mode.share),
                percent(mode.inside.translation), percent(mode.inside.rotation), percent(mode.inside.coupling), mode.name});
     ++shown_modes;
   }
@@ -132,17 +133,17 @@ std::string frequency_text(const model::Element& element) {
   std::string text = "Damping: " + damping_words(law) + "\n";
   if (const auto& given = law.frequency_dependence) {
     text += "Frequency dependence: the stiffness above is that at rest; " + std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");
-    text += std::isfinite(given->to) ? fmt::format(" from {:.6g} to {:.6g} Hz\n", given->from / turn, given->to / turn) : "\n";
+    text += std::isfinite(given->to) ? fmt::format(" from {:.6g} to {:.6g} Hz\n", given->from / two_pi, given->to / two_pi) : "\n";
   } else if (elements::is_frequency_dependent(law) || std::holds_alternative<elements::Viscoelastic>(law.damping)) {
     text += "Frequency dependence: the material relaxes; the stiffness above is that at rest\n";
   }
   if (law.inertia && law.inertia->angular_frequencies.size() > 0) {
     text += "Own natural frequencies, both ends held:";
-    for (Eigen::Index i = 0; i < law.inertia->angular_frequencies.size(); ++i) text += fmt::format(" {:.5g}", law.inertia->angular_frequencies(i) / turn);
+    for (Eigen::Index i = 0; i < law.inertia->angular_frequencies.size(); ++i) text += fmt::format(" {:.5g}", law.inertia->angular_frequencies(i) / two_pi);
     text += " Hz\n";
   }
   if (std::isfinite(element.massless_up_to))
-    text += fmt::format("Its mass is left out: hold its results below its first natural frequency, {:.5g} Hz\n", element.massless_up_to / turn);
+    text += fmt::format("Its mass is left out: hold its results below its first natural frequency, {:.5g} Hz\n", element.massless_up_to / two_pi);
   return text;
 }
 
@@ -173,7 +174,7 @@ std::string list(const std::vector<std::string>& words, const char* separator) {
 
 std::string mode_comparison_text(const study::Simplification& simple) {
   TextTable table({"mode", "f [Hz]", "three springs", "difference", "alike (MAC)", "motion"});
-  const auto hertz = [](const std::optional<double>& omega) { return shown(omega ? *omega / turn : std::nan("")); };
+  const auto hertz = [](const std::optional<double>& omega) { return shown(omega ? *omega / two_pi : std::nan("")); };
   for (const study::ModeComparison& mode : simple.modes)
     table.add({std::to_string(mode.number), hertz(mode.full), mode.simplified && *mode.simplified == 0 ? "0 (free)" : hertz(mode.simplified),
                percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.likeness), mode.name});
@@ -194,7 +195,7 @@ std::string peak_comparison_text(const study::Simplification& simple) {
   for (const study::PeakComparison& peak : simple.peaks) {
     const auto full = part(peak.full, &HighestPeak::angular_frequency), simplified = part(peak.simplified, &HighestPeak::angular_frequency);
     const auto high = part(peak.full, &HighestPeak::amplitude), high_simplified = part(peak.simplified, &HighestPeak::amplitude);
-    table.add({peak.name, shown(full.value_or(none) / turn), shown(simplified.value_or(none) / turn), percent(study::relative_difference(full, simplified)),
+    table.add({peak.name, shown(full.value_or(none) / two_pi), shown(simplified.value_or(none) / two_pi), percent(study::relative_difference(full, simplified)),
                shown(high.value_or(none)), shown(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)), peak.unit});
     if (peak.vanishes) notes += fmt::format("  {}: stays at rest with three springs\n", peak.name);
     else if (peak.full && !peak.simplified) notes += fmt::format("  {}: no peak with three springs\n", peak.name);

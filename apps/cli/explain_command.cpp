@@ -16,9 +16,9 @@ namespace trivet::cli {
 namespace {
 
 constexpr std::size_t most_levers = 12;
-constexpr double worth_a_row = 0.005;
+constexpr double worth_an_element = 0.005;
 
-std::string percent(double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); }
+std::string rounded_percent(double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); }
 
 /// Lines of a screen's width, the next ones indented.
 std::string wrapped(const std::string& text) {
@@ -45,11 +45,11 @@ std::string modes_table(const study::Explanation& explanation, const study::Expl
   TextTable table({"mode", "share of the amplitude", "motion"});
   int rows = 0;
   for (const response::ModeShare& mode : peak.shares.modes) {
-    if (std::abs(mode.share) < worth_a_row) continue;
-    table.add({std::to_string(mode.mode), percent(mode.share), explanation.modes.list[static_cast<std::size_t>(mode.mode - 1)].name});
+    if (std::abs(mode.share) < worth_an_element) continue;
+    table.add({std::to_string(mode.mode), rounded_percent(mode.share), explanation.modes.list[static_cast<std::size_t>(mode.mode - 1)].name});
     ++rows;
   }
-  if (std::abs(peak.shares.beyond_modes) >= worth_a_row) table.add({"", percent(peak.shares.beyond_modes), "beyond the undamped modes"});
+  if (std::abs(peak.shares.beyond_modes) >= worth_an_element) table.add({"", rounded_percent(peak.shares.beyond_modes), "beyond the undamped modes"});
   return rows > 0 ? table.text() : "";
 }
 
@@ -57,17 +57,17 @@ std::string elements_table(const project::Case& variant, const study::ExplainedP
   TextTable table({"element", "strain energy", "along x", "y", "z", "about x", "y", "z", "dissipated"});
   const auto& shares = peak.shares;
   for (std::size_t e = 0; e < shares.elements.size(); ++e) {
-    std::vector<std::string> row = {variant.system.elements()[e].name, percent(shares.elements[e].stored)};
-    for (const double direction : shares.elements[e].by_direction) row.push_back(percent(direction));
-    row.push_back(percent(shares.elements[e].dissipated));
+    std::vector<std::string> row = {variant.system.elements()[e].name, rounded_percent(shares.elements[e].stored)};
+    for (const double direction : shares.elements[e].by_direction) row.push_back(rounded_percent(direction));
+    row.push_back(rounded_percent(shares.elements[e].dissipated));
     table.add(row);
   }
-  if (std::abs(shares.geometric) >= worth_a_row)
-    table.add({"preload and weight where bodies turn", percent(shares.geometric), "", "", "", "", "", "", ""});
-  if (std::abs(shares.in_foundations) >= worth_a_row || std::abs(shares.by_foundations) >= worth_a_row)
-    table.add({"foundations", percent(shares.in_foundations), "", "", "", "", "", "", percent(shares.by_foundations)});
-  if (std::abs(shares.system_damping) >= worth_a_row)
-    table.add({"damping of the whole system", "", "", "", "", "", "", "", percent(shares.system_damping)});
+  if (std::abs(shares.geometric) >= worth_an_element)
+    table.add({"preload and weight where bodies turn", rounded_percent(shares.geometric), "", "", "", "", "", "", ""});
+  if (std::abs(shares.in_foundations) >= worth_an_element || std::abs(shares.by_foundations) >= worth_an_element)
+    table.add({"foundations", rounded_percent(shares.in_foundations), "", "", "", "", "", "", rounded_percent(shares.by_foundations)});
+  if (std::abs(shares.system_damping) >= worth_an_element)
+    table.add({"damping of the whole system", "", "", "", "", "", "", "", rounded_percent(shares.system_damping)});
   return table.text();
 }
 

@@ -11,17 +11,16 @@
 
 #include "cli/map_text.h"
 #include "cli/text_table.h"
+#include "trivet/foundation/constants.h"
 
 namespace trivet::cli {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+using foundation::two_pi;
 constexpr double worth_a_row = 0.01;
 
-double hertz(double omega) { return omega / turn; }
-double rpm(double omega) { return omega * 60 / turn; }
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+double hertz(double omega) { return omega / two_pi; }
+double rpm(double omega) { return omega * 60 / two_pi; }
 std::string mode_of(const std::optional<int>& mode) { return mode ? std::to_string(*mode) : "–"; }
 
 /// ∞ where a number has no bound, NaN where there is none.

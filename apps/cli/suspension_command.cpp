@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/text_table.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/results/suspension_json.h"
@@ -18,8 +19,7 @@
 namespace trivet::cli {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+using foundation::two_pi;
 
 /// "(0.1, 0, -0.25)": round-off of a number far below the others or below `least` is 0.
 std::string triple(const Eigen::Vector3d& v, double least) {
@@ -53,7 +53,7 @@ std::string roll_text(const modal::BodySuspension& suspension) {
   for (const modal::RollAxes& axes : suspension.roll_axes) {
     const spatial::Screw& elastic = axes.elastic_roll_axis;
     table.add({modal::direction_words(axes.torque), triple(axes.torque_roll_axis, nanometre), triple(elastic.direction, nanometre),
-               triple(elastic.point, nanometre), fmt::format("{:.3g}°", axes.angle * 360 / turn < 1e-6 ? 0.0 : axes.angle * 360 / turn),
+               triple(elastic.point, nanometre), fmt::format("{:.3g}°", axes.angle * 360 / two_pi < 1e-6 ? 0.0 : axes.angle * 360 / two_pi),
                fmt::format("{:.4g}", axes.shortest_distance < nanometre ? 0.0 : axes.shortest_distance),
                fmt::format("{:.4g}", axes.distance_at_centre < nanometre ? 0.0 : axes.distance_at_centre),
                fmt::format("{:.5g} N m/rad", axes.torsional_stiffness)});
@@ -71,7 +71,7 @@ std::string decoupling_text(const modal::BodySuspension& suspension) {
   TextTable table(header);
   const auto percent = [](double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
   for (const modal::BodyMode& mode : suspension.modes) {
-    std::vector<std::string> row = {shown(mode.angular_frequency.value_or(nothing) / turn, 5)};
+    std::vector<std::string> row = {shown(mode.angular_frequency.value_or(nothing) / two_pi, 5)};
     for (const double share : mode.kinetic_energy_share) row.push_back(percent(share));
     if (heavy_elements) row.push_back(percent(mode.in_elements));
     row.emplace_back(model::coordinate_names[static_cast<std::size_t>(mode.purest)]);
@@ -83,10 +83,10 @@ std::string decoupling_text(const modal::BodySuspension& suspension) {
 
 std::string separation_text(const study::SuspensionAnswer& answer) {
   std::vector<std::string> header = {"mode", "f [Hz]", "next / this"};
-  for (const double excitation : answer.excitations) header.push_back(fmt::format("{:.4g} Hz / this", excitation / turn));
+  for (const double excitation : answer.excitations) header.push_back(fmt::format("{:.4g} Hz / this", excitation / two_pi));
   TextTable table(header);
   for (const modal::FrequencySeparation& row : answer.separation) {
-    std::vector<std::string> cells = {std::to_string(row.mode), shown(row.angular_frequency / turn, 5),
+    std::vector<std::string> cells = {std::to_string(row.mode), shown(row.angular_frequency / two_pi, 5),
                                       shown(row.ratio_to_next.value_or(nothing), 4)};
     for (const double ratio : row.excitation_ratio) cells.push_back(shown(ratio, 4));
     table.add(cells);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,5 +22,11 @@ class TextTable {
 
 /// Six significant digits, or a dash where there is no number.
 [[nodiscard]] std::string shown(double value, int digits = 6);
+
+/// A cell without a number.
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// "12.3 %"
+[[nodiscard]] inline std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 }  // namespace trivet::cli

@@ -7,6 +7,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "support/random_system.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/roots.h"
@@ -213,8 +214,8 @@ TEST(PeakSensitivities, ToAllDirectionsOfAnElementAreTogetherThatToItsStiffness)
       double whole = 0, sum = 0, size = 0;
       for (const response::Sensitivity& s : table.peaks[0].list) {
         const std::string& name = table.parameters[s.parameter].name;
-        if (name == "elements." + element.name + ".scale") whole = *s.height;
-        if (name.starts_with("elements." + element.name + ".stiffness.")) sum += *s.height, size = std::max(size, std::abs(*s.height));
+        if (name == "elements." + foundation::path_key(element.name) + ".scale") whole = *s.height;
+        if (name.starts_with("elements." + foundation::path_key(element.name) + ".stiffness_factor.")) sum += *s.height, size = std::max(size, std::abs(*s.height));
       }
       EXPECT_GT(size, 0);
       EXPECT_NEAR(sum, whole, round_off * std::max(size, 1.0)) << element.name;
@@ -227,7 +228,7 @@ TEST(ModelParameters, MoveAnElementAsItIs) {
   const model::System system = test::checked(test::RandomSystem(17).description(3, test::RandomDamping::none));
   int moved = 0;
   for (const response::Parameter& parameter : response::model_parameters(system)) {
-    if (parameter.name.find(".at.") == std::string::npos) continue;
+    if (parameter.name.find(".moved.") == std::string::npos) continue;
     const model::System other = response::changed(system, parameter, 0.2);
     for (std::size_t e = 0; e < system.elements().size(); ++e) {
       const model::Element &before = system.elements()[e], &after = other.elements()[e];
@@ -236,7 +237,7 @@ TEST(ModelParameters, MoveAnElementAsItIs) {
       const Eigen::Vector3d n =
           model::end_in_ground(other.bodies(), after.n).position - model::end_in_ground(system.bodies(), before.n).position;
       EXPECT_LE((k - n).norm(), round_off);
-      const bool own = parameter.name.starts_with("elements." + before.name + ".");
+      const bool own = parameter.name.starts_with("elements." + foundation::path_key(before.name) + ".");
       EXPECT_NEAR(k.norm(), own ? 0.2 : 0, round_off);
       moved += own;
     }

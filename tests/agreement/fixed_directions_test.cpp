@@ -203,7 +203,7 @@ TEST(FixedDirections, MoveWithTheElementAboveThem) {
   const project::Project project = test::project(test::machine_on_deck(along_z, base("floor", "rotation = [1e-3, 0, 2e-3]") + response));
   const model::System& system = project.base().system;
   for (const response::Parameter& parameter : response::model_parameters(system)) {
-    if (parameter.name != "elements.m2.at.x") continue;
+    if (parameter.name != "elements.m2.moved.x") continue;
     const model::System moved = response::changed(system, parameter, 0.1);
     const auto named = [&](const std::string& name) {
       return *std::find_if(moved.elements().begin(), moved.elements().end(), [&](const model::Element& e) { return e.name == name; });

@@ -67,6 +67,21 @@ def first_name(p):
     return next(iter(p["bodies"]))
 
 
+def written_out(p):
+    """The project with its types and rows written into every element: a slip is one in one of them."""
+    types = p.pop("element_types", {})
+    for row in p.pop("tables", {}).get("elements", {}).get("rows", []):
+        p.setdefault("elements", {})[row.pop("name")] = row
+    for element in p["elements"].values():
+        shared = types.get(element["type"])
+        if shared:
+            scale = shared.get("scale", 1) * element.get("scale", 1)
+            element.update(shared)
+            if scale != 1:
+                element["scale"] = scale
+    return p
+
+
 def elements(p, *types):
     return [e for e in p["elements"].values() if not types or e["type"] in types]
 

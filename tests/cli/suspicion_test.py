@@ -14,7 +14,7 @@ import tempfile
 import tomllib
 import unittest
 
-from slips import G, SLIPS, text, toml
+from slips import G, SLIPS, text, toml, written_out
 
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
@@ -76,7 +76,7 @@ class Slips(InTemporaryFolder):
     def test_are_named_by_their_kind_in_every_example(self):
         cases = []
         for example in EXAMPLES:
-            project = tomllib.loads(example.read_text())
+            project = written_out(tomllib.loads(example.read_text()))
             if not all("mass" in body for body in project["bodies"].values()):
                 continue
             for name, (kind, slip) in SLIPS.items():

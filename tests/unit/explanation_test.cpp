@@ -32,8 +32,8 @@ TEST(Explanation, OfOneMassHasTheKnownSlopes) {
     const char* parameter;
     double height, frequency;
   };
-  for (const Known& known : {Known{"elements.k1.scale", -1, 0.5}, Known{"elements.k1.stiffness.x", -1, 0.5},
-                             Known{"elements.k1.damping", -1, 0}, Known{"bodies.m1.mass", 0, -0.5}, Known{"elements.k1.at.x", 0, 0}}) {
+  for (const Known& known : {Known{"elements.k1.scale", -1, 0.5}, Known{"elements.k1.stiffness_factor.x", -1, 0.5},
+                             Known{"elements.k1.damping_factor", -1, 0}, Known{"bodies.m1.mass", 0, -0.5}, Known{"elements.k1.moved.x", 0, 0}}) {
     EXPECT_NEAR(*sensitivity(explanation, known.parameter).height, known.height, digits) << known.parameter;
     EXPECT_NEAR(*sensitivity(explanation, known.parameter).frequency, known.frequency, digits) << known.parameter;
   }
@@ -42,7 +42,7 @@ TEST(Explanation, OfOneMassHasTheKnownSlopes) {
 TEST(Explanation, SolvesTenPercentMoreAgain) {
   const study::ExplainedPeak peak = one_mass(0.1).peaks.at(0);
   ASSERT_TRUE(peak.trial.has_value());
-  EXPECT_EQ(peak.trial->parameter, "elements.k1.stiffness.x");
+  EXPECT_EQ(peak.trial->parameter, "elements.k1.stiffness_factor.x");
   EXPECT_THAT(*peak.trial->angular_frequency, RelativelyNear(30 * std::sqrt(1.1), digits));
   EXPECT_THAT(*peak.trial->amplitude, RelativelyNear(5 / 180.0 / 1.1, digits));
   EXPECT_THAT(*peak.trial->predicted_angular_frequency, RelativelyNear(30 * 1.05, digits));

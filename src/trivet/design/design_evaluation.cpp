@@ -13,8 +13,6 @@
 #include "trivet/modal/highest_frequency.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/roots/design_modes.h"
-#include "trivet/project/text/changes.h"
-#include "trivet/project/text/design_parameter.h"
 
 namespace trivet::design {
 namespace {
@@ -50,7 +48,7 @@ std::string amplitude_words(const std::string& name, double amplitude, const std
 }  // namespace
 
 DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::MapRequest& request, const EvaluationOptions& options)
-    : case_(variant), request_(request), options_(options), x_keys_(project::path_keys(request.x.parameter)), y_keys_(project::path_keys(request.y.parameter)) {
+    : case_(variant), request_(request), options_(options), x_(request.x), y_(request.y) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   for (const project::MapLimit& limit : request.limits) {
     const std::size_t channel = channel_of(limit.name, limit.quantity);
@@ -174,8 +172,7 @@ std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& s
 }
 
 foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
-  const std::vector<project::Node> changes = {project::change_of(x_keys_, point.x, request_.x.unit), project::change_of(y_keys_, point.y, request_.y.unit)};
-  return project::changed_system(case_, changes);
+  return project::changed_system(case_, {{x_, point.x}, {y_, point.y}});
 }
 
 bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& point) const {

@@ -10,6 +10,7 @@
 #include "trivet/design/design_family.h"
 #include "trivet/design/design_outcome.h"
 #include "trivet/numerics/batch/design_peaks.h"
+#include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
 
 namespace trivet::design {
@@ -54,7 +55,7 @@ class DesignEvaluation {
   const project::Case& case_;
   const project::MapRequest& request_;
   EvaluationOptions options_;
-  std::vector<std::string> x_keys_, y_keys_;
+  project::ModelNumber x_, y_;
   std::vector<Answer> answers_;
   std::vector<MapRule> rules_;
   RuleSet set_;

@@ -13,7 +13,7 @@
 namespace trivet::design {
 namespace {
 
-constexpr int most_nodes = 17;  // along one number
+constexpr int most_nodes_along_one = 17;  // along one number
 
 /// Packed lower triangles of A, B, K, then the load.
 Eigen::VectorXd packed(const PlainDesign& design) {
@@ -146,7 +146,7 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::functio
     exact.push_back(packed(*design));
     scale.push_back(scales(*design));
   }
-  for (const int count : {2, 3, 5, 9, most_nodes})
+  for (const int count : {2, 3, 5, 9, most_nodes_along_one})
     for (const bool logarithmic : {false, true}) {
       if (logarithmic && !(variable.from > 0)) continue;
       const Along along{logarithmic, logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count) : nodes_between(variable.from, variable.to, count)};
@@ -177,7 +177,7 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
     return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
-  const auto not_met_along = [](const std::string& name) { return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes, reproduced_within, name); };
+  const auto not_met_along = [](const std::string& name) { return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes_along_one, reproduced_within, name); };
   const auto declined = [&](const std::string& otherwise) -> FamilyOrNot { return {std::nullopt, reason.empty() ? otherwise : reason}; };
   if (!asked({x.from, y.from})) return declined("");
   const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);

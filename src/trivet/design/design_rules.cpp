@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/response/steady/frequency_response.h"
 
 namespace trivet::design {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 constexpr double tie = 1e-6;  // of margins: far above the round-off of peaks, far below what a design can tell
 
 }  // namespace

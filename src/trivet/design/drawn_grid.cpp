@@ -7,10 +7,10 @@
 namespace trivet::design {
 namespace {
 
-constexpr int most_nodes = 241;  // along an axis: about two pixels apart
+constexpr int most_drawn = 241;  // along an axis: about two pixels apart
 
 std::vector<int> drawn(int points) {
-  const int count = std::min(points, most_nodes);
+  const int count = std::min(points, most_drawn);
   std::vector<int> nodes;
   for (int k = 0; k < count; ++k) nodes.push_back(static_cast<int>(std::lround(static_cast<double>(k) * (points - 1) / (count - 1))));
   return nodes;

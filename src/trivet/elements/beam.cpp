@@ -13,7 +13,7 @@
 namespace trivet::elements {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double poisson(const Metal& metal) { return metal.young_modulus / (2 * metal.shear_modulus) - 1; }
 

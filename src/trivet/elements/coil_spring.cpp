@@ -8,7 +8,7 @@ namespace trivet::elements {
 namespace {
 
 /// St Venant's torsion constant of a rectangle; five terms of the series reach 1e-16.
-double rectangle_torsion(double long_side, double short_side) {
+double wire_torsion_constant(double long_side, double short_side) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;
   for (int k = 1; k < 40; k += 2) sum += std::tanh(k * pi * long_side / (2 * short_side)) / std::pow(k, 5);
@@ -40,7 +40,7 @@ WireSection wire_section(const CoilSpring& spring) {
   } else {
     const auto [b, h] = std::get<RectangularWire>(spring.wire);
     const double I1 = b * h * h * h / 12, I2 = h * b * b * b / 12;
-    section = {b * h, 10 * (1 + poisson) / (12 + 11 * poisson), rectangle_torsion(std::max(b, h), std::min(b, h)), {I1, I2, I1 + I2}};
+    section = {b * h, 10 * (1 + poisson) / (12 + 11 * poisson), wire_torsion_constant(std::max(b, h), std::min(b, h)), {I1, I2, I1 + I2}};
   }
   if (!std::isnan(spring.shear_factor)) section.shear_factor = spring.shear_factor;
   return section;

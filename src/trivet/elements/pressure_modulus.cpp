@@ -7,7 +7,7 @@
 namespace trivet::elements {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
 

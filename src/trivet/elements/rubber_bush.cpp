@@ -11,7 +11,7 @@
 namespace trivet::elements {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Radial stiffness of a plane bonded ring per G and length, exact for Poisson's ratio ν in plane strain.
 double plane_ring(double poisson, double radius_ratio) {

@@ -13,7 +13,7 @@
 namespace trivet::elements {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Edge layers of a thin layer, in thicknesses, from plane-strain and axisymmetric finite elements (docs/elements/rubber.md): the
 // pressure falls to zero as if the edge lay this far inside, and an edge normal to the shearing direction carries nothing over this width.

@@ -8,12 +8,13 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::elements {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+using foundation::two_pi;
 
 bool is_empty(const StiffnessTable& table) { return table.storage.size() == 0 && table.loss.size() == 0; }
 

@@ -31,13 +31,13 @@ std::string remedy(std::string_view cell, char separator) {
   return separator == ';' && cell.find(',') != std::string_view::npos ? "write decimal points" : "correct the number";
 }
 
-struct Rows {
+struct NumberRows {
   std::vector<std::vector<double>> values;
   std::vector<int> lines;
 };
 
-Rows read_rows(std::string_view text, FileProblems& problems) {
-  Rows rows;
+NumberRows read_number_rows(std::string_view text, FileProblems& problems) {
+  NumberRows rows;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   char separator = 0;
   for (Lines lines(text); !problems.enough() && lines.next();) {
@@ -76,7 +76,7 @@ Rows read_rows(std::string_view text, FileProblems& problems) {
 
 foundation::Expected<NamedMatrix> read_csv_matrix(std::string_view text, const std::string& source) {
   FileProblems problems(source);
-  const Rows rows = read_rows(text, problems);
+  const NumberRows rows = read_number_rows(text, problems);
   if (!problems.any()) {
     const auto columns = rows.values.empty() ? 0 : rows.values.front().size();
     check_size(static_cast<long long>(rows.values.size()), static_cast<long long>(columns), rows.lines.empty() ? 0 : rows.lines.back(),

@@ -10,13 +10,13 @@
 namespace trivet::exchange {
 namespace {
 
-struct Header {
+struct MarketHeader {
   bool coordinate = false;
   bool is_complex = false;
   Triangles triangles = Triangles::both;
 };
 
-std::optional<Header> read_header(Lines& lines, FileProblems& problems) {
+std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
   const std::string rule =
       "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general or symmetric";
   if (!lines.next()) {
@@ -34,7 +34,7 @@ std::optional<Header> read_header(Lines& lines, FileProblems& problems) {
                    "write the matrix again as real or complex, general or symmetric");
     return std::nullopt;
   }
-  return Header{is(2, {"coordinate"}), is(3, {"complex"}), is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
+  return MarketHeader{is(2, {"coordinate"}), is(3, {"complex"}), is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
 }
 
 /// The next line that is neither blank nor a comment.
@@ -44,7 +44,7 @@ bool next_data(Lines& lines) {
   return false;
 }
 
-void read_coordinates(Lines& lines, const Header& header, int order, long long count, std::vector<Entry>& entries, FileProblems& problems) {
+void read_coordinates(Lines& lines, const MarketHeader& header, int order, long long count, std::vector<Entry>& entries, FileProblems& problems) {
   const std::size_t wanted = header.is_complex ? 4 : 3;
   while (!problems.enough() && next_data(lines)) {
     const auto parts = words(lines.line());
@@ -77,7 +77,7 @@ void read_coordinates(Lines& lines, const Header& header, int order, long long c
 }
 
 /// Values column by column; of a symmetric matrix from the diagonal down.
-void read_array(Lines& lines, const Header& header, int order, std::vector<Entry>& entries, FileProblems& problems) {
+void read_array(Lines& lines, const MarketHeader& header, int order, std::vector<Entry>& entries, FileProblems& problems) {
   int row = 0, column = 0;
   const std::size_t wanted = header.is_complex ? 2 : 1;
   while (!problems.enough() && next_data(lines)) {

@@ -17,7 +17,7 @@ namespace {
 enum HeaderField { name_field, zero_field, form_field, type_field, output_field, polar_field, header_fields };
 constexpr std::size_t first_entry = 4, fields_of_entry = 4;
 
-struct Header {
+struct DmigHeader {
   Triangles triangles = Triangles::both;
   bool is_complex = false;
   bool polar = false;
@@ -53,7 +53,7 @@ std::optional<std::string> chosen_name(const std::vector<std::string>& names, co
   return std::nullopt;
 }
 
-std::optional<Header> read_header(const Card& card, FileProblems& problems) {
+std::optional<DmigHeader> read_header(const Card& card, FileProblems& problems) {
   const auto field = [&](std::size_t i) { return i < card.fields.size() ? whole_number(card.fields[i].text) : std::nullopt; };
   const int form = field(form_field).value_or(0), type = field(type_field).value_or(0), polar = field(polar_field).value_or(0);
   if (form != 1 && form != 6)
@@ -64,7 +64,7 @@ std::optional<Header> read_header(const Card& card, FileProblems& problems) {
                    "correct the header card");
   if (polar < 0 || polar > 1) problems.error(card.line, "POLAR", fmt::format("{}", polar), "it is 0 or 1", "correct the header card");
   if (problems.any()) return std::nullopt;
-  return Header{form == 6 ? Triangles::one : Triangles::both, type > 2, polar == 1};
+  return DmigHeader{form == 6 ? Triangles::one : Triangles::both, type > 2, polar == 1};
 }
 
 std::optional<Label> label(const Field& point, const Field& component, FileProblems& problems) {
@@ -77,7 +77,7 @@ std::optional<Label> label(const Field& point, const Field& component, FileProbl
   return std::nullopt;
 }
 
-void read_column(const Card& card, const Header& header, std::vector<LabelledEntry>& entries, FileProblems& problems) {
+void read_column(const Card& card, const DmigHeader& header, std::vector<LabelledEntry>& entries, FileProblems& problems) {
   const auto column = label(card.fields[1], card.fields[2], problems);
   if (!column) return;
   for (std::size_t at = first_entry; at + fields_of_entry <= card.fields.size() && !problems.enough(); at += fields_of_entry) {

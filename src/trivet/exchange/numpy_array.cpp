@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 
-struct Header {
+struct ArrayHeader {
   bool is_complex = false;
   bool by_columns = false;
   int order = 0;
@@ -30,8 +30,8 @@ std::string_view value_of(std::string_view header, std::string_view key) {
   return rest.starts_with(':') ? trimmed(rest.substr(1)) : std::string_view{};
 }
 
-std::optional<Header> read_header(std::string_view text, FileProblems& problems) {
-  Header header;
+std::optional<ArrayHeader> read_header(std::string_view text, FileProblems& problems) {
+  ArrayHeader header;
   const std::string_view type = value_of(text, "descr");
   header.is_complex = type.starts_with("'<c16'");
   if (!header.is_complex && !type.starts_with("'<f8'"))

@@ -10,11 +10,12 @@
 #include <set>
 
 #include "trivet/excitation/refusal.h"
+#include "trivet/foundation/constants.h"
 
 namespace trivet::excitation {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+using foundation::two_pi;
 constexpr int points_between_breakpoints = 32;         // a delay of the wrong size shows within a fraction of a period of e^{−iωτ}
 constexpr double accepted_negative_eigenvalue = 1e-9;  // of a matrix with unit diagonal
 

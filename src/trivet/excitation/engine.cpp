@@ -12,7 +12,7 @@
 namespace trivet::excitation {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double accepted_angle = 0.01 * pi / 180;  // crank angles are given in degrees with two digits
 
 std::vector<int> usual_firing_order(const EngineLayout& layout) {

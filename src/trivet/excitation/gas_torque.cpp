@@ -13,7 +13,7 @@ namespace trivet::excitation {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double largest_gap = 30 * pi / 180;  // a closing line over more than that is not the trace that was meant
 constexpr double accepted_overlap = 1e-9;      // [rad] a last point given at the end of the cycle, in rounded degrees
 

@@ -8,7 +8,7 @@
 namespace trivet::excitation {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One piece of a duration, and what follows for ever. A duration lost in the round-off of `start` is refused.
 Signal one_piece(Piece piece, double duration, double afterwards) {

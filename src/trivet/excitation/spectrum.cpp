@@ -8,12 +8,13 @@
 #include <numbers>
 
 #include "trivet/excitation/refusal.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+using foundation::two_pi;
 
 double density(const SpectrumPiece& p, double omega) {
   const double factor = p.factor == 0 ? 1 : std::pow(omega, p.factor);

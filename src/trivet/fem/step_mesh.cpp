@@ -17,7 +17,7 @@ namespace {
 
 using foundation::Problems;
 
-constexpr double millimetre = 1e-3;
+constexpr double one_millimetre = 1e-3;
 constexpr double most_elements = 1e6;      // some 4 million unknowns: more than a direct solver holds in a few gigabytes
 constexpr double volume_of_element = 0.118;  // regular tetrahedron, over its cubed edge
 
@@ -42,7 +42,7 @@ std::string numbers(const std::vector<StepFace>& faces) {
 
 /// Twelve elements around a full turn of any curved surface, or second-order elements turn over there. The size grows from the outer rims of the bonded faces of each plate (edges inside one plate are no rims).
 std::string script(const StepMesh& step, const StepMeshOptions& options) {
-  const double unit = millimetre * options.scale;
+  const double unit = one_millimetre * options.scale;
   const double size = options.size / unit, rim_size = (options.rim_size > 0 ? options.rim_size : options.size / 4) / unit,
                distance = (options.rim_distance > 0 ? options.rim_distance : 2 * options.size) / unit;
   return joining_script + fmt::format(R"(
@@ -160,7 +160,7 @@ foundation::Expected<StepMesh> mesh_step(const std::filesystem::path& file, cons
   if (!done) return tl::unexpected(done.error());
   const auto msh = read_msh(folder.path() / "mesh.msh");
   if (!msh) return tl::unexpected(msh.error());
-  step.mesh = mesh_of(*msh, step, millimetre * options.scale);
+  step.mesh = mesh_of(*msh, step, one_millimetre * options.scale);
   return step;
 }
 

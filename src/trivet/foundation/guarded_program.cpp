@@ -18,7 +18,7 @@
 namespace trivet::foundation {
 namespace {
 
-constexpr int poll_milliseconds = 10;  // where the kernel has no file descriptors of processes
+constexpr int group_poll_milliseconds = 10;  // where the kernel has no file descriptors of processes
 
 void require(bool success, const char* what) {
   if (!success) throw std::system_error(errno, std::generic_category(), what);
@@ -86,7 +86,7 @@ void wait_for_either(pid_t program, int lifeline) {
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, program, 0));
   for (;;) {
     std::array<pollfd, 2> ends{pollfd{lifeline, POLLIN, 0}, pollfd{handle, POLLIN, 0}};
-    poll(ends.data(), ends.size(), handle < 0 ? poll_milliseconds : -1);
+    poll(ends.data(), ends.size(), handle < 0 ? group_poll_milliseconds : -1);
     siginfo_t info{};
     if (ends[0].revents != 0) return;
     if (waitid(P_PID, static_cast<id_t>(program), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == program)

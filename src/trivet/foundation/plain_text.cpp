@@ -85,4 +85,15 @@ std::optional<std::string> unprintable(std::string_view text, bool one_line) {
   return std::nullopt;
 }
 
+std::string path_key(std::string_view name) {
+  const auto is_bare = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_bare)) return std::string(name);
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
 }  // namespace trivet::foundation

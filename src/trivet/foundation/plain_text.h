@@ -26,4 +26,7 @@ inline constexpr std::size_t longest_shown = 60;
 /// or a byte that is not UTF-8; nothing if the text is printable. Line breaks and tabs count only if `one_line`.
 [[nodiscard]] std::optional<std::string> unprintable(std::string_view text, bool one_line = true);
 
+/// A name as a part of a dotted path of a project file: in quotes unless it is of letters, digits, _ and - alone.
+[[nodiscard]] std::string path_key(std::string_view name);
+
 }  // namespace trivet::foundation

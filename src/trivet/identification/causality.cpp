@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/passive_sections.h"
 
@@ -14,7 +15,7 @@ namespace trivet::identification {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double two_pi = 6.283185307179586;
+using foundation::two_pi;
 
 /// Relaxation times per decade, and decades of them beyond the band: a single relaxation between two times is met to 1e-3.
 constexpr int times_per_decade = 12;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/constants.h"
 #include "trivet/identification/harmonic_fit.h"
 
 #include <Eigen/Cholesky>
@@ -11,7 +12,7 @@
 namespace trivet::identification {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+using foundation::two_pi;
 
 double remaining(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, double frequency, int order) {
   return harmonic_fit(harmonic_columns(time, frequency, order, 1), signal).noise(0);
@@ -91,16 +92,16 @@ std::optional<double> frequency_of(const Eigen::VectorXd& time, const Eigen::Vec
   const std::vector<double> crossings = upward_crossings(time, centred, 0.5 * size);
   double start = 0;
   if (crossings.size() >= 3) {
-    start = turn * static_cast<double>(crossings.size() - 1) / (crossings.back() - crossings.front());
+    start = two_pi * static_cast<double>(crossings.size() - 1) / (crossings.back() - crossings.front());
   } else {
     double best = std::numeric_limits<double>::infinity();
     for (double cycles = 0.6; cycles < 3.45; cycles += 0.1)
-      if (const double left = remaining(time, signal, turn * cycles / duration, order); left < best) {
+      if (const double left = remaining(time, signal, two_pi * cycles / duration, order); left < best) {
         best = left;
-        start = turn * cycles / duration;
+        start = two_pi * cycles / duration;
       }
   }
-  const double samples_per_cycle = static_cast<double>(time.size()) * turn / (start * duration);
+  const double samples_per_cycle = static_cast<double>(time.size()) * two_pi / (start * duration);
   return refined(time, signal, refined(time, signal, start, order, 1), order,
                  std::clamp(static_cast<int>(samples_per_cycle / 4), 1, harmonics));
 }

@@ -15,7 +15,7 @@
 namespace trivet::identification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int fewest_samples_per_cycle = 8;
 
 void check(const LoopOptions& options) {

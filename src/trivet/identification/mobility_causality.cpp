@@ -13,7 +13,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double explained_by_noise = 0.1, wrong_phase = 0.4;
 /// Half the width of a resonance over the distance of the rows: resolved; narrower than any row shows.
-constexpr double shown = 0.5, hidden = 0.05;
+constexpr double clearly_active = 0.5, within_noise = 0.05;
 
 /// Distance from the nearest sum of a mass, a spring, a dashpot and sections, rms over the rows.
 double distance(const std::vector<double>& fitted, const Eigen::VectorXcd& mobility, const std::vector<Section>& sections) {
@@ -45,10 +45,10 @@ MobilityVerdict mobility_causality(const std::vector<double>& omega, const Eigen
   for (const Eigen::Index i : chosen) fitted.push_back(present[static_cast<std::size_t>(i)]);
   const Eigen::VectorXcd judged = values(chosen);
   MobilityVerdict verdict;
-  verdict.relative_rms = distance(fitted, judged, sections_shown(fitted, shown));
+  verdict.relative_rms = distance(fitted, judged, sections_shown(fitted, clearly_active));
   verdict.passes = verdict.relative_rms <= explained_by_noise;
   if (verdict.passes) return verdict;
-  const double finer = distance(fitted, judged, sections_shown(fitted, hidden));
+  const double finer = distance(fitted, judged, sections_shown(fitted, within_noise));
   verdict.too_coarse = finer <= explained_by_noise;
   verdict.refused = std::min(verdict.relative_rms, finer) > wrong_phase;
   return verdict;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/modal/exact_roots.h"
 #include "trivet/numerics/linalg/system_roots.h"
 
@@ -14,7 +15,7 @@ namespace trivet::modal {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using foundation::epsilon;
 
 /// A double real root splits into a pair with |Im λ| ≈ √ε |λ|: within this it is critical, not oscillating.
 const double critical_split = 8 * std::sqrt(epsilon);

@@ -7,14 +7,15 @@
 #include <iterator>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::plausibility {
 namespace {
 
-constexpr double standard_gravity = 9.80665;
+using foundation::standard_gravity;
 /// Share of the largest stiffness or ω² below which a direction counts as not held.
-constexpr double unheld = 1e-9;
+constexpr double hardly_held = 1e-9;
 /// Share of the rotational stiffness about an end that is rounding of what its translations and arm make.
 constexpr double rounding = 1e-12;
 
@@ -32,7 +33,7 @@ bool is_typed(const model::Element& element) {
 Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& a) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(0.5 * (a + a.transpose())));
   const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  const Eigen::Vector3d inverse = solver.eigenvalues().unaryExpr([&](double x) { return std::abs(x) > unheld * largest
+  const Eigen::Vector3d inverse = solver.eigenvalues().unaryExpr([&](double x) { return std::abs(x) > hardly_held * largest
       ? 1 / x : 0.0; });
   return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
 }
@@ -103,11 +104,11 @@ std::vector<double> held_eigenvalues(const Eigen::MatrixXd& k, const Eigen::Matr
       Eigen::EigenvaluesOnly);
   std::vector<double> held;
   for (const double lambda : solver.eigenvalues())
-    if (lambda > unheld * solver.eigenvalues().maxCoeff()) held.push_back(lambda);
+    if (lambda > hardly_held * solver.eigenvalues().maxCoeff()) held.push_back(lambda);
   return held;
 }
 
-double hertz(double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); }
+double natural_hertz(double lambda) { return std::sqrt(lambda) / (2 * std::numbers::pi); }
 
 }  // namespace
 
@@ -188,22 +189,22 @@ Features features(const BodyPicture& picture, const Slip& undone) {
   double logarithms = 0;
   for (const double lambda : translations) logarithms += std::log(lambda);
   const double square = std::exp(logarithms / static_cast<double>(translations.size()));
-  found.frequency = hertz(square);
+  found.frequency = natural_hertz(square);
   found.sag = standard_gravity / square / (2 * radius);
   const double directions = static_cast<double>(translations.size());
   const double damping = typed_damping + stiffness_damping;
   if (damping > 0) found.damping_ratio = damping / (2 * directions * mass.mass * std::sqrt(square));
   found.lever = std::sqrt(k.bottomRightCorner<3, 3>().trace() / 2 / (held / directions)) / radius;
-  found.lowest = hertz(translations.front());
-  found.highest = hertz(translations.back());
+  found.lowest = natural_hertz(translations.front());
+  found.highest = natural_hertz(translations.back());
   if (!spatial::broken_bounds(mass).empty()) return found;
   spatial::Matrix6 m = spatial::Matrix6::Zero();
   m.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
   m.bottomRightCorner<3, 3>() = mass.inertia_about_centre;
   const std::vector<double> all = held_eigenvalues(k, m);
   if (!all.empty()) {
-    found.lowest = hertz(*std::min_element(all.begin(), all.end()));
-    found.highest = hertz(*std::max_element(all.begin(), all.end()));
+    found.lowest = natural_hertz(*std::min_element(all.begin(), all.end()));
+    found.highest = natural_hertz(*std::max_element(all.begin(), all.end()));
   }
   return found;
 }

@@ -20,7 +20,7 @@ constexpr double percent_loss = 0.6;
 constexpr double most_proportional = 1;
 /// Rayleigh damping: overdamped by one number and usual with both exchanged, or without any effect and usual when
 /// exchanged.
-constexpr double overdamped = 1, hardly_damped = 1e-5, usual_from = 5e-4, usual_to = 1;
+constexpr double overdamped = 1, hardly_damped = 1e-5, usual_ratio_from = 5e-4, usual_ratio_to = 1;
 
 void judge_elements(const model::System& system, Suspicions& found) {
   std::map<double, std::pair<std::size_t, int>> loss, proportional;  // value → first element, number of elements
@@ -100,7 +100,7 @@ void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<Bo
   const auto [least_exchanged, most_exchanged] = std::minmax({ratio(rayleigh.stiffness, rayleigh.mass, lowest),
       ratio(rayleigh.stiffness, rayleigh.mass, highest)});
   const bool odd = most > overdamped || (most > 0 && most < hardly_damped);
-  if (!odd || most_exchanged > usual_to || most_exchanged < usual_from) return;
+  if (!odd || most_exchanged > usual_ratio_to || most_exchanged < usual_ratio_from) return;
   found.push_back({"rayleigh", "damping.rayleigh", fmt::format("mass = {:.6g} 1/s, stiffness = {:.6g} s",
       rayleigh.mass, rayleigh.stiffness),
                    fmt::format("between {:.3g} and {:.3g} Hz they give damping ratios of {:.3g} … {:.3g}", lowest,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/response/machinery/load_sharing.h"
@@ -14,7 +15,7 @@
 namespace trivet::plausibility {
 namespace {
 
-constexpr double standard_gravity = 9.80665;
+using foundation::standard_gravity;
 /// Usual lengths of a gravity vector [m/s²], from a small moon to a centrifuge.
 constexpr double least_gravity = 0.3, most_gravity = 150;
 /// Share of its length that points along an axis from which gravity points along it.

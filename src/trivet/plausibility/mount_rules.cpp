@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/plausibility/unit_slips.h"
 
@@ -28,7 +29,7 @@ constexpr double least_radius = 5e-3;               ///< [m]
 constexpr double least_share_of_spread = 4e-3;      ///< of the distance of the mounts from the centre
 constexpr double least_share_of_load_radius = 0.08; ///< of the radius that bears the load at the pressure below
 constexpr double pressure = 5e5;                    ///< of rubber under static load [Pa]
-constexpr double standard_gravity = 9.80665;
+using foundation::standard_gravity;
 
 std::string family(const std::string& type) { return type.starts_with("catalogue:") ? "catalogue" : type; }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/solids_reader.h"
 
 namespace trivet::project {
@@ -14,7 +15,7 @@ namespace {
 /// Larger systems need sparse methods that this version does not have.
 constexpr std::size_t most_bodies = 200;
 /// Each is six answers.
-constexpr std::size_t most_points = 5000;
+constexpr std::size_t most_body_points = 5000;
 
 /// Fills mass, centre and inertia; returns whether an inertia was given.
 bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
@@ -52,8 +53,8 @@ void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
   const Node* table = reader.table("points");
   if (!table) return;
   TableReader points(*table, reader.path() + ".points", reader.problems());
-  if (table->keys.size() > most_points) {
-    reader.error("points", fmt::format("{} points", table->keys.size()), fmt::format("a body has at most {}", most_points), "keep those that are asked for");
+  if (table->keys.size() > most_body_points) {
+    reader.error("points", fmt::format("{} points", table->keys.size()), fmt::format("a body has at most {}", most_body_points), "keep those that are asked for");
     return;
   }
   for (const std::string& name : table->keys) {
@@ -62,7 +63,24 @@ void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
   }
 }
 
-model::Body read_body(const Node& node, const std::string& name, Mentioned& mentioned, foundation::Problems& problems) {
+void mention_guided(const model::Body& body, Mentioned& mentioned) {
+  for (std::size_t j = 0; j < 6; ++j)
+    if (!body.free[j]) mentioned.guided.push_back(body.name + "." + model::coordinate_names[j]);
+}
+
+void mention_parts(const model::Body& body, Mentioned& mentioned) {
+  for (const model::Point& point : body.points) mentioned.points.push_back(body.name + "." + point.name);
+  mention_guided(body, mentioned);
+}
+
+std::optional<model::Body> known_body(const KnownModel& known, const std::string& name, const Node& now) {
+  if (!known.unchanged("bodies", name, now)) return std::nullopt;
+  const auto& bodies = known.description.bodies;
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const model::Body& body) { return body.name == name; });
+  return found == bodies.end() ? std::nullopt : std::optional(*found);
+}
+
+model::Body read_body(const Node& node, const std::string& name, std::size_t index, Mentioned& mentioned, foundation::Problems& problems) {
   TableReader reader(node, "bodies." + name, problems);
   model::Body body;
   body.name = name;
@@ -84,15 +102,15 @@ model::Body read_body(const Node& node, const std::string& name, Mentioned& ment
   read_free(reader, body);
   if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia", "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
-  for (std::size_t j = 0; j < 6; ++j)
-    if (!body.free[j]) mentioned.guided.push_back(name + "." + model::coordinate_names[j]);
+  mention_guided(body, mentioned);
+  read_body_adjustments(reader, body, index, mentioned);
   reader.finish();
   return body;
 }
 
 }  // namespace
 
-void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned) {
+void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known) {
   const Node* table = root.table("bodies");
   mentioned.bodies_unknown = !table;
   if (!table) {
@@ -103,8 +121,12 @@ void read_bodies(TableReader& root, model::Description& description, Mentioned& 
     root.error("bodies", fmt::format("{} bodies", table->keys.size()), fmt::format("this version takes at most {}", most_bodies), "split the model");
   mentioned.bodies = table->keys;
   for (std::size_t i = 0; i < table->keys.size() && i < most_bodies; ++i) {
-    if (table->items[i].kind == Node::Kind::table) {
-      description.bodies.push_back(read_body(table->items[i], table->keys[i], mentioned, root.problems()));
+    const auto earlier = known ? known_body(*known, table->keys[i], table->items[i]) : std::nullopt;
+    if (earlier) {
+      mention_parts(*earlier, mentioned);
+      description.bodies.push_back(*earlier);
+    } else if (table->items[i].kind == Node::Kind::table) {
+      description.bodies.push_back(read_body(table->items[i], table->keys[i], description.bodies.size(), mentioned, root.problems()));
     } else {
       root.problems().error("bodies." + table->keys[i], words(table->items[i].kind), "a body is a table", "write [bodies.NAME] and its mass below").origin =
           table->items[i].origin;

@@ -20,7 +20,7 @@
 namespace trivet::project {
 namespace {
 
-constexpr const char* column_rule = "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper triangle)";
+constexpr const char* mobility_columns = "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper triangle)";
 /// Share of the largest mobility by which noise may make a row feed energy.
 constexpr double noisy = 0.02, rounded = 1e-9;
 
@@ -126,7 +126,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   std::vector<std::pair<int, int>> entries;
   for (const std::string& column : csv->columns) {
     const auto entry = entry_of(column);
-    if (!entry && column != "frequency_hz") reader.error("file", "column " + foundation::quoted(column), column_rule, "rename or remove it");
+    if (!entry && column != "frequency_hz") reader.error("file", "column " + foundation::quoted(column), mobility_columns, "rename or remove it");
     if (entry && !column.ends_with("_im")) entries.push_back(*entry);
   }
   MobilityTable table;
@@ -137,7 +137,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
     if (place(i) == std::ssize(table.directions) || place(j) == std::ssize(table.directions))
       reader.error("file", fmt::format("y_{}_{} without the diagonal", model::coordinate_names[static_cast<std::size_t>(i)], model::coordinate_names[static_cast<std::size_t>(j)]),
                    "a coupling joins two directions whose own mobilities are given", "add them");
-  if (entries.empty()) reader.error("file", "no mobility column", column_rule, "add at least one pair");
+  if (entries.empty()) reader.error("file", "no mobility column", mobility_columns, "add at least one pair");
   if (reader.errors() > before) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(table.directions.size());
   table.rows.assign(static_cast<std::size_t>(csv->values.rows()), Eigen::MatrixXcd::Zero(count, count));

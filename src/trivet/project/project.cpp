@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <set>
 #include <tuple>
 
@@ -15,13 +14,16 @@
 #include "trivet/project/elements/element_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/foundation_reader.h"
+#include "trivet/project/model_number.h"
 #include "trivet/project/questions.h"
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/changes.h"
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/text/model_path.h"
 #include "trivet/project/text/document.h"
+#include "trivet/project/text/element_types.h"
 #include "trivet/project/text/source_file.h"
+#include "trivet/project/text/thing_tables.h"
 #include "trivet/project/text/toml_text.h"
 #include "trivet/response/machinery/transmissibility.h"
 
@@ -63,7 +65,7 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
 
 std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
                               foundation::Problems& problems, const Questions& questions = {},
-                              const Case* base = nullptr);
+                              const Case* base = nullptr, const KnownModel* known = nullptr);
 
 /// The model of a document, without what is asked of it.
 Node without_questions(Node document) {
@@ -76,11 +78,11 @@ Node without_questions(Node document) {
 }
 
 /// The first error that changes bring beside those known.
-std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes, const foundation::Problems& known) {
+std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes, const foundation::Problems& known, const KnownModel* read) {
   foundation::Problems found;
   for (const Node& change : changes) apply_changes(model, change, "", found);
   std::string title;
-  static_cast<void>(read_case(model, "", title, found));
+  static_cast<void>(read_case(model, "", title, found, {}, nullptr, read));
   for (const foundation::Problem& problem : found.list()) {
     const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) { return p.subject == problem.subject && p.rule == problem.rule; });
     if (problem.severity == foundation::Severity::error && !old) return problem;
@@ -90,7 +92,7 @@ std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& 
 
 /// A number that no design of a map can take (a second law of damping, a unit of something else) is wrong as such: the model can be read with it nowhere
 /// in its range, nor at 1, nor together with the other number.
-void check_numbers_of_map(const Node& document, const MapRequest& map, foundation::Problems& problems) {
+void check_numbers_of_map(const Node& document, const MapRequest& map, const KnownModel* known, foundation::Problems& problems) {
   const Node model = without_questions(document);
   const auto changed = [](const MapAxis& axis, double value) { return change_of(path_keys(axis.parameter), value, axis.unit); };
   for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
@@ -108,7 +110,7 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, foundatio
     std::optional<foundation::Problem> first;
     bool possible = false;
     for (std::size_t d = 0; d < designs.size() && !possible; ++d) {
-      const auto problem = brought(model, designs[d], problems);
+      const auto problem = brought(model, designs[d], problems, known);
       possible = !problem;
       if (!first) first = problem;
     }
@@ -128,22 +130,26 @@ void check_force(const model::System& system, const std::string& force, foundati
 }
 
 /// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
-std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
-                              foundation::Problems& problems, const Questions& questions, const Case* base) {
+std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
+                              foundation::Problems& problems, const Questions& questions, const Case* base, const KnownModel* known) {
   foundation::Problems reading;
+  const std::optional<Node> completed = with_element_types(written, element_laws(), reading);
+  const Node& document = completed ? *completed : written;
   TableReader root(document, "", reading);
   model::Description description;
   Mentioned mentioned;
   if (!is_known_format(root)) return problems.add(reading), std::nullopt;
   title = root.text("title").value_or("");
   description.title = title;
-  read_bodies(root, description, mentioned);
-  read_elements(root, description, mentioned);
+  if (const Node* types = document.find("element_types"); types && types->kind == Node::Kind::table) mentioned.element_types = types->keys;
+  read_bodies(root, description, mentioned, known);
+  read_elements(root, description, mentioned, known);
   read_foundations(root, description, mentioned);
-  read_system_damping(root, description);
+  read_system_damping(root, description, mentioned);
   read_excitations(root, description, mentioned);
+  for (const auto& adjust : mentioned.adjustments) adjust(description);
   Analyses analyses = read_analyses(root, mentioned);
-  root.also_known({"cases", "accept"});
+  root.also_known({"cases", "accept", "element_types"});
   root.finish();
 
   const bool every_body_was_read = !mentioned.bodies_unknown && description.bodies.size() == mentioned.bodies.size();
@@ -158,14 +164,16 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
   all.add(physical);
   all = without_unwanted(all, questions, name, analyses);
   if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
-    check_numbers_of_map(document, *analyses.map, all);
+    const auto known_here = system ? std::optional(KnownModel{document, system->description()}) : std::nullopt;
+    check_numbers_of_map(written, *analyses.map, known_here ? &*known_here : nullptr, all);
     all = without_unwanted(all, questions, name, analyses);
   }
+  name_element_types(written, all);
   const bool good = !all.has_errors();
   all.sort_by_origin();
   problems.add(all);
   if (!good || !system) return std::nullopt;
-  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), document};
+  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), written, document};
 }
 
 /// Adds the suspicions of a case to its warnings, except those accepted.
@@ -287,14 +295,13 @@ const Case* Project::find(const std::string& name) const {
   return found == cases.end() ? nullptr : &*found;
 }
 
-foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
-  static std::mutex reading;  // the parser of units keeps its state in globals, and the files behind elements have one writer
-  const std::lock_guard lock(reading);
-  Node document = without_questions(variant.document);
+foundation::Expected<model::System> changed_system(const Case& variant, const Design& design) {
+  Node document = without_questions(variant.written);
   foundation::Problems problems;
-  for (const Node& change : changes) apply_changes(document, change, "", problems);
+  for (const auto& [number, value] : design) apply_changes(document, number.change(value), "", problems);
   std::string title;
-  auto changed = read_case(document, variant.name, title, problems);
+  const KnownModel known{variant.document, variant.system.description()};
+  auto changed = read_case(document, variant.name, title, problems, {}, nullptr, &known);
   if (changed && !problems.has_errors()) return std::move(changed->system);
   return tl::make_unexpected(std::move(problems));
 }
@@ -310,6 +317,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   std::string hashed = text;
   for (const std::string& setting : given) hashed += "\n" + setting;
   const Settings settings = read_settings(given, problems);
+  put_tables_in_place(document, problems);
   foundation::Problems of_settings;
   const Node as_written = document;
   for (const Node& change : settings.changes) apply_changes(document, change, "", of_settings);

@@ -19,7 +19,8 @@ struct Case {
   model::System system;
   Analyses analyses;
   foundation::Problems warnings;     ///< of reading and checking, with their places
-  Node document;                     ///< what it was read from, changes applied
+  Node written;                      ///< the file, changes applied
+  Node document;                     ///< the same, with what elements have from their types: what it was read from
 };
 
 /// A project file that passed every check, in all its cases.
@@ -32,10 +33,6 @@ struct Project {
   [[nodiscard]] const Case& base() const { return cases.front(); }
   [[nodiscard]] const Case* find(const std::string& name) const;
 };
-
-/// The model of a case with further changes laid over it, one after the other; it answers no questions of its own. All problems at
-/// once. From several threads one waits for the other.
-[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes);
 
 /// Reads and checks a project file with the given `--set` changes; all problems of all cases at once.
 [[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path, const std::vector<std::string>& settings = {});

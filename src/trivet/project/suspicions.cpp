@@ -12,7 +12,7 @@
 namespace trivet::project {
 namespace {
 
-constexpr std::string_view catalogue_prefix = "catalogue:";
+constexpr std::string_view catalogue_type = "catalogue:";
 
 const Node* find(const Node& document, const std::string& group, const std::string& name) {
   const Node* things = document.find(group);
@@ -38,7 +38,7 @@ void add_bodies(const Case& variant, plausibility::Stated& stated) {
 void add_ratings(const Case& variant, plausibility::Stated& stated) {
   const auto& elements = variant.system.elements();
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (!elements[e].type.starts_with(catalogue_prefix)) continue;
+    if (!elements[e].type.starts_with(catalogue_type)) continue;
     const Node* table = find(variant.document, "elements", elements[e].name);
     if (!table) continue;
     foundation::Problems ignored;
@@ -48,7 +48,7 @@ void add_ratings(const Case& variant, plausibility::Stated& stated) {
       if (const auto file = read_file_name(reader, "catalogue"))
         if (auto given = read_catalogue(*file)) catalogues.push_back(std::move(*given));
     catalogues.push_back(generic_catalogue());
-    const auto mount = mount_named(elements[e].type.substr(catalogue_prefix.size()), catalogues);
+    const auto mount = mount_named(elements[e].type.substr(catalogue_type.size()), catalogues);
     if (mount && mount->static_load && mount->static_load->y() > 0) stated.ratings.push_back({e,
         mount->static_load->y(), mount->name});
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
@@ -14,7 +15,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
+using foundation::two_pi;
+using foundation::rpm_per_rad_s;
 
 std::string remark(const response::RandomAnswer& answer) { return answer.vanishes ? "below round-off" : answer.reason; }
 
@@ -55,7 +57,7 @@ std::string random_table(const study::Answers& answers) {
   }
   const bool by_poles = random.response.method == response::RandomMethod::poles;
   return html_table(headings, rows) +
-         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / turn, random.response.to / turn,
+         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / two_pi, random.response.to / two_pi,
                           by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
                           random.response.remark.empty() ? "" : " " + random.response.remark));
 }
@@ -89,7 +91,7 @@ std::string run_up_tables(const study::Answers& answers) {
     if (std::isfinite(c.amplitude) && c.relative_height < worth_naming) continue;
     rows.push_back({{curve.name},
                     number_cell(c.order),
-                    number_cell(c.speed * per_minute, 5),
+                    number_cell(c.speed * rpm_per_rad_s, 5),
                     hertz_cell(c.angular_frequency),
                     quantity_cell(c.amplitude, curve.unit),
                     percent_cell(c.relative_height),
@@ -99,7 +101,7 @@ std::string run_up_tables(const study::Answers& answers) {
   for (const response::Interference& p : answers.orders->campbell.points)
     points.push_back({right(p.mode ? std::to_string(*p.mode) : "–"),
                       number_cell(p.order),
-                      number_cell(p.speed * per_minute, 5),
+                      number_cell(p.speed * rpm_per_rad_s, 5),
                       hertz_cell(p.angular_frequency),
                       p.modal_force_share ? percent_cell(*p.modal_force_share) : right("–"),
                       {p.excited ? "yes" : "no"}});
@@ -137,7 +139,7 @@ std::string transmissibility_table(const study::Answers& answers) {
     row.push_back(t.is_share(i) ? right("–") : percent_cell(response::isolation_efficiency(last)));
     rows.push_back(std::move(row));
   }
-  const std::string end = t.curves.angular_frequency.empty() ? "" : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / turn);
+  const std::string end = t.curves.angular_frequency.empty() ? "" : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / two_pi);
   return "<p>" + escaped(t.words) + "</p>\n" +
          html_table({{"answer"},
                      right("highest [dB]"),

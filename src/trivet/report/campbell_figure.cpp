@@ -5,19 +5,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/plot_panel.h"
 
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
+using foundation::two_pi;
+using foundation::rpm_per_rad_s;
 constexpr const char* halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"";
 
 /// As high as an order or a natural frequency reaches, whichever is lower.
 double top_hertz(const response::Campbell& campbell) {
-  const double orders = campbell.orders.back() * campbell.speed.to / turn;
-  const double natural = campbell.natural.empty() ? orders : campbell.natural.back().angular_frequency / turn;
+  const double orders = campbell.orders.back() * campbell.speed.to / two_pi;
+  const double natural = campbell.natural.empty() ? orders : campbell.natural.back().angular_frequency / two_pi;
   return std::min(1.03 * orders, 1.25 * natural);
 }
 
@@ -27,7 +29,7 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
   const double right = p.corner.x + p.width;
   double last = p.corner.y + p.height + line_height;
   for (const response::NaturalLine& line : campbell.natural) {
-    const double hertz = line.angular_frequency / turn;
+    const double hertz = line.angular_frequency / two_pi;
     if (hertz > p.y.to) break;
     const double y = p.at(p.x.from, hertz).y, at = std::min(y, last - line_height);
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
@@ -62,9 +64,9 @@ void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
 
 void draw_points(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell& campbell) {
   for (const response::Interference& point : campbell.points)
-    if (point.angular_frequency / turn <= p.y.to)
+    if (point.angular_frequency / two_pi <= p.y.to)
       canvas.circle(
-          p.at(point.speed * per_minute, point.angular_frequency / turn), 4,
+          p.at(point.speed * rpm_per_rad_s, point.angular_frequency / two_pi), 4,
           fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"", point.excited ? series_colour(1) : "white", series_colour(1)));
 }
 
@@ -87,7 +89,7 @@ std::vector<Figure> campbell_figures(const study::Answers& answers) {
   const PlotPanel panel{{78, 66},
                         700,
                         420,
-                        {campbell.speed.from * per_minute, campbell.speed.to * per_minute, false, "shaft speed [rpm]"},
+                        {campbell.speed.from * rpm_per_rad_s, campbell.speed.to * rpm_per_rad_s, false, "shaft speed [rpm]"},
                         {0, top_hertz(campbell), false, "frequency [Hz]"}};
   const std::string title = case_title("Campbell diagram", answers);
   SvgCanvas canvas(980, 564);

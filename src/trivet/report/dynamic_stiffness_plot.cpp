@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/plot_panel.h"
 #include "trivet/study/element_summary.h"
@@ -15,7 +16,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+using foundation::two_pi;
 
 struct Times {
   double shortest, longest;
@@ -59,7 +60,7 @@ Curves curves(const elements::Law& law, const response::Band& band) {
   for (const double omega : frequencies(law, band)) {
     try {
       const elements::Matrix12c d = elements::dynamic_stiffness(law, omega);
-      result.hertz.push_back(omega / turn);
+      result.hertz.push_back(omega / two_pi);
       for (int j = 0; j < 6; ++j) result.magnitude[static_cast<std::size_t>(j)].push_back(std::abs(d(6 + j, 6 + j)));
     } catch (const foundation::NotComputable&) {  // exactly at an undamped natural frequency
     }
@@ -83,7 +84,7 @@ Axis magnitude_axis(const Curves& c, std::size_t first) {
 void draw_own_frequencies(SvgCanvas& canvas, const PlotPanel& p, const elements::Law& law) {
   if (!law.inertia) return;
   for (const double nominal : law.inertia->angular_frequencies) {
-    const double hertz = std::sqrt(law.scale) * nominal / turn;
+    const double hertz = std::sqrt(law.scale) * nominal / two_pi;
     if (hertz < p.x.from || hertz > p.x.to) continue;
     const double x = p.at(hertz, p.y.from).x;
     canvas.line({x, p.corner.y}, {x, p.corner.y + p.height}, "stroke=\"#888\" stroke-width=\"0.8\" stroke-dasharray=\"3,3\"");

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
@@ -13,8 +14,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double invisible = 1e-4;  // of the highest of level and limit
+using foundation::two_pi;
+constexpr double invisible_limit = 1e-4;  // of the highest of level and limit
 
 /// Level of the answer in the measure of its line, from the margin.
 std::vector<double> levels(const study::LimitLineResult& answer, double factor) {
@@ -38,23 +39,23 @@ PanelRow limit_row(const study::LimitLineResult& answer) {
   PanelCurve limit{
       {answer.line.name.empty() ? "limit" : answer.line.name}, {}, {}, "stroke=\"#b00020\" stroke-width=\"2\" stroke-dasharray=\"10,4\""};
   for (std::size_t i = 0; i < answer.line.limit.size(); ++i) {
-    limit.x.push_back(answer.line.angular_frequency[i] / turn);
+    limit.x.push_back(answer.line.angular_frequency[i] / two_pi);
     limit.y.push_back(answer.line.limit[i] * unit.factor);
   }
   PanelCurve level{{answer.of}, {}, levels(answer, unit.factor), series_stroke(0)};
-  for (const double omega : comparison.angular_frequency) level.x.push_back(omega / turn);
+  for (const double omega : comparison.angular_frequency) level.x.push_back(omega / two_pi);
   if (std::isfinite(comparison.least_margin))
     level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
-  if (std::isfinite(comparison.least_margin)) level.key.push_back(fmt::format("at {:.4g} Hz", comparison.least_margin_at / turn));
+  if (std::isfinite(comparison.least_margin)) level.key.push_back(fmt::format("at {:.4g} Hz", comparison.least_margin_at / two_pi));
   if (comparison.least_margin > 0 && std::isfinite(comparison.least_margin)) {
     const double lowest = response::zero_to_peak_limit(answer.line, comparison.least_margin_at) * (answer.line.rms ? std::sqrt(0.5) : 1);
-    row.marks.push_back({comparison.least_margin_at / turn, unit.factor * lowest / comparison.least_margin, series_colour(0),
+    row.marks.push_back({comparison.least_margin_at / two_pi, unit.factor * lowest / comparison.least_margin, series_colour(0),
                          fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
   }
-  for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(band.from / turn, band.to / turn);
+  for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(band.from / two_pi, band.to / two_pi);
   row.curves = {std::move(limit), std::move(level)};
-  row.x = {std::max(comparison.compared.from / turn, 1e-4 * comparison.compared.to / turn), comparison.compared.to / turn, true, "f [Hz]"};
-  row.y = logarithmic_axis(row.curves, invisible,
+  row.x = {std::max(comparison.compared.from / two_pi, 1e-4 * comparison.compared.to / two_pi), comparison.compared.to / two_pi, true, "f [Hz]"};
+  row.y = logarithmic_axis(row.curves, invisible_limit,
                            fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), answer.line.rms ? "rms" : "amplitude", unit.unit));
   return row;
 }

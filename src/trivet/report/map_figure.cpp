@@ -20,18 +20,18 @@
 namespace trivet::report {
 namespace {
 
-// Okabe and Ito's colours mixed with white: neighbours in this order differ in lightness too.
-constexpr std::array<const char*, 7> colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab", "#dba6c6", "#f5ec8e", "#7aa9cf"};
+// Okabe and Ito's rule_colours mixed with white: neighbours in this order differ in lightness too.
+constexpr std::array<const char*, 7> rule_colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab", "#dba6c6", "#f5ec8e", "#7aa9cf"};
 constexpr const char* other_colour = "#d8d8d8";
 constexpr const char* unknown_colour = "#8f8f8f";
 
-/// Regions by their size get the colours; what comes after these is grey.
+/// Regions by their size get the rule_colours; what comes after these is grey.
 const char* colour_of(const MapRegion& region, std::size_t rank) {
   if (!region.known()) return unknown_colour;
-  return rank < colours.size() ? colours[rank] : other_colour;
+  return rank < rule_colours.size() ? rule_colours[rank] : other_colour;
 }
 
-/// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while colours follow the nearest design of their side.
+/// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while rule_colours follow the nearest design of their side.
 void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& heading) {
   const auto paint = [&](std::vector<design::MapLine> MapRegion::* side) {
     for (std::size_t rank = 0; rank < regions.size(); ++rank)
@@ -55,12 +55,12 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
     const MapRegion& region = regions[rank];
     const bool broken = !region.broken.empty(), kept = !region.kept.empty();
     if (!region.known()) break;
-    if (rank >= colours.size()) {
+    if (rank >= rule_colours.size()) {
       others.designs += region.designs;
       if (broken) others.broken = region.broken;
       if (kept) others.kept = region.kept;
     } else {
-      key.region(colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map) : map.rules[region.governing].words, share(region.designs));
+      key.region(rule_colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map) : map.rules[region.governing].words, share(region.designs));
     }
   }
   if (others.designs > 0) key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));

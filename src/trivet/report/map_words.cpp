@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/project/text/design_parameter.h"
 #include "trivet/results/axis_words.h"
 
 namespace trivet::report {
@@ -15,8 +14,6 @@ namespace {
 /// Too short for ticks that show whole numbers.
 bool is_narrow(const project::MapAxis& axis) { return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to)); }
 
-/// Numbers that no unit belongs to.
-bool is_pure(const std::string& key) { return key == "scale" || key == "stiffening" || key == "loss_factor"; }
 
 /// "A, B and 3 more"
 std::string listed(const std::vector<std::string>& names) {
@@ -34,9 +31,8 @@ bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
 }  // namespace
 
 std::string axis_label(const project::MapAxis& axis) {
-  const std::vector<std::string> keys = project::path_keys(axis.parameter);
   const std::string unit = results::axis_unit(axis), words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
-  if (unit.empty() && !keys.empty() && is_pure(keys.back())) return words;
+  if (results::is_pure_number(axis)) return words;
   return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }
 

@@ -4,14 +4,15 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_panel.h"
 
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double invisible = 1e-8;  // of the largest power
+using foundation::two_pi;
+constexpr double invisible_power = 1e-8;  // of the largest power
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Power one way, gaps where it flows the other way.
@@ -33,7 +34,7 @@ std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
   const double largest = power.into_ground.cwiseAbs().maxCoeff();
   std::vector<std::size_t> found;
   for (Eigen::Index m = 0; m < power.into_ground.rows(); ++m)
-    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible * largest) found.push_back(static_cast<std::size_t>(m));
+    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible_power * largest) found.push_back(static_cast<std::size_t>(m));
   return found;
 }
 
@@ -44,7 +45,7 @@ PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& 
   PanelCurve back = one_way(hertz, power.into_ground_in_total, -unit.factor, {"all mounts, out of the ground"},
                             "stroke=\"#000000\" stroke-width=\"2\" stroke-dasharray=\"1,4\"");
   if (std::any_of(back.y.begin(), back.y.end(), [](double y) { return y > 0; })) row.curves.push_back(std::move(back));
-  row.y = logarithmic_axis(row.curves, invisible, "mean power [" + unit.unit + "]");
+  row.y = logarithmic_axis(row.curves, invisible_power, "mean power [" + unit.unit + "]");
   return row;
 }
 
@@ -63,7 +64,7 @@ PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size
     row.y = airy_axis(low, high, "power, + into the ground [" + unit.unit + "]");
     row.levels = {0};
   } else {
-    row.y = logarithmic_axis(row.curves, invisible, "mean power [" + unit.unit + "]");
+    row.y = logarithmic_axis(row.curves, invisible_power, "mean power [" + unit.unit + "]");
   }
   return row;
 }
@@ -74,7 +75,7 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   if (!answers.power || answers.power->angular_frequency.size() < 3 || answers.power->mounts.empty() || !flows(*answers.power)) return {};
   const response::PowerFlow& power = *answers.power;
   std::vector<double> hertz;
-  for (const double omega : power.angular_frequency) hertz.push_back(omega / turn);
+  for (const double omega : power.angular_frequency) hertz.push_back(omega / two_pi);
   const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");
   const std::vector<std::size_t> mounts = mounts_with_power(power);
   std::vector<PanelRow> rows = {total_row(power, hertz, unit)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
@@ -11,8 +12,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double invisible = 1e-8;  // of the largest density
+using foundation::two_pi;
+constexpr double invisible_random = 1e-8;  // of the largest density
 
 std::string rms_words(const response::RandomAnswer& answer) {
   if (answer.vanishes) return "≈ 0";
@@ -29,16 +30,16 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
   const UnitPrefix unit = unit_prefix(10 * largest, si);  // (m/s²)²/Hz from 0.1 m/s² rms
   PanelRow row;
   std::vector<double> hertz;
-  for (const double omega : random.curves.angular_frequency) hertz.push_back(omega / turn);
+  for (const double omega : random.curves.angular_frequency) hertz.push_back(omega / two_pi);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::RandomAnswer& answer = answers[series[i].curve];
     PanelCurve curve{{series[i].label + ": " + rms_words(answer)}, hertz, {}, series_stroke(i)};
     if (!answer.vanishes)
-      for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(turn * unit.factor * unit.factor * density);
+      for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(two_pi * unit.factor * unit.factor * density);
     row.curves.push_back(std::move(curve));
   }
   row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-4 * hertz.back()), hertz.back(), true, "f [Hz]"};
-  row.y = logarithmic_axis(row.curves, invisible, fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
+  row.y = logarithmic_axis(row.curves, invisible_random, fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
   return row;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
@@ -12,7 +13,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double per_minute = 60 / (2 * std::numbers::pi);
+using foundation::two_pi;
+using foundation::rpm_per_rad_s;
 constexpr std::size_t most_orders = 5;
 constexpr double spiky = 30, invisible = 1e-4;
 
@@ -52,7 +54,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   const response::Overall& overall = run_up.overall[curve];
   const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), overall.unit);
   std::vector<double> rpm;
-  for (const double speed : run_up.speed) rpm.push_back(speed * per_minute);
+  for (const double speed : run_up.speed) rpm.push_back(speed * rpm_per_rad_s);
   PanelRow row;
   PanelCurve all{{name + ", all orders, rms"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
   for (const double rms : overall.rms) all.y.push_back(rms * unit.factor);
@@ -66,8 +68,8 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
     row.curves.push_back(std::move(one));
     for (const response::CriticalSpeed& critical : run_up.critical)
       if (critical.curve == curve && critical.order == order.order && critical.relative_height >= 0.2)
-        row.marks.push_back({critical.speed * per_minute, critical.amplitude * unit.factor, series_colour(style),
-                             critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * per_minute) : ""});
+        row.marks.push_back({critical.speed * rpm_per_rad_s, critical.amplitude * unit.factor, series_colour(style),
+                             critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * rpm_per_rad_s) : ""});
   }
   const std::size_t left_out = run_up.orders.size() - shown.size();
   if (left_out > 0) row.curves.back().key.push_back(fmt::format("({} weaker order{} not drawn)", left_out, left_out > 1 ? "s" : ""));

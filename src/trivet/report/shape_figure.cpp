@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/curve_groups.h"
@@ -14,7 +15,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+using foundation::two_pi;
 constexpr double drawn_excursion = 0.12;  // of the size of the model
 
 /// How ground coordinates come onto paper, in metres: right and up.
@@ -121,7 +122,7 @@ class Drawing {
   /// The ellipse on which a place goes round.
   void draw_path(const response::MovingPlace& place, double scale, const std::string& colour) {
     std::vector<PixelPoint> points;
-    for (int i = 0; i <= 48; ++i) points.push_back(at(response::displaced(place, turn * i / 48, scale)));
+    for (int i = 0; i <= 48; ++i) points.push_back(at(response::displaced(place, two_pi * i / 48, scale)));
     canvas_.polyline(points, fmt::format("stroke=\"{}\" stroke-width=\"0.8\"", colour));
   }
 
@@ -157,7 +158,7 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
   const Frame size = frame(shape);
   const Farthest most = farthest(shape);
   const double scale = most.excursion > 0 ? drawn_excursion * size.size / most.excursion : 0;
-  const std::string title = case_title(fmt::format("Operating deflection shape at {:.4g} Hz", shape.angular_frequency / turn), answers);
+  const std::string title = case_title(fmt::format("Operating deflection shape at {:.4g} Hz", shape.angular_frequency / two_pi), answers);
   SvgCanvas canvas(980, 740);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
@@ -178,11 +179,11 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
       {490, 708},
       fmt::format("Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
                   "points. Motion × {}.",
-                  std::fmod(most.phase * 360 / turn + 360, 360), most.name, most.excursion * unit.factor, unit.unit, three_digits(scale)),
+                  std::fmod(most.phase * 360 / two_pi + 360, 360), most.name, most.excursion * unit.factor, unit.unit, three_digits(scale)),
       "text-anchor=\"middle\"");
   canvas.text({490, 726}, "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.",
               "text-anchor=\"middle\" fill=\"#444\"");
-  return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / turn))), canvas.svg(title)};
+  return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / two_pi))), canvas.svg(title)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr double invisible = 1e-4;  // of the largest acceleration
+constexpr double invisible_shock = 1e-4;  // of the largest acceleration
 
 PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
   double largest = 0;
@@ -34,7 +34,7 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
   row.marks = {{top->angular_frequency / (2 * std::numbers::pi), top->maximax() * unit.factor,
                 series_colour(top->largest() >= -top->smallest() ? 0 : 1),
                 fmt::format("{:.4g} {}", top->maximax() * unit.factor, unit.unit)}};
-  row.y = logarithmic_axis(row.curves, invisible, fmt::format("absolute {} [{}]", quantity_name(answer.unit), unit.unit));
+  row.y = logarithmic_axis(row.curves, invisible_shock, fmt::format("absolute {} [{}]", quantity_name(answer.unit), unit.unit));
   return row;
 }
 

@@ -5,19 +5,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_panel.h"
 
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+using foundation::two_pi;
 constexpr double deepest = -80;  // dB
 
 std::string isolation_words(const response::Crossover& crossover) {
   if (!crossover.angular_frequency) return "does not isolate";
   return *crossover.angular_frequency == 0 ? "isolates everywhere"
-                                           : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / turn);
+                                           : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / two_pi);
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
   const study::TransmissibilityResult& answer = *answers.transmissibility;
   PanelRow row;
   std::vector<double> hertz;
-  for (const double omega : answer.curves.angular_frequency) hertz.push_back(omega / turn);
+  for (const double omega : answer.curves.angular_frequency) hertz.push_back(omega / two_pi);
   row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back()), hertz.back(), true, "f [Hz]"};
   double low = 0, high = 0;
   for (std::size_t i = 0; i < answer.curves.curves.size(); ++i) {
@@ -43,8 +44,8 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
     for (const response::Crossover& crossover : answer.crossovers) {
       if (crossover.name != c.name || answer.is_share(i)) continue;
       curve.key.push_back(isolation_words(crossover));
-      if (crossover.angular_frequency && *crossover.angular_frequency / turn > row.x.from && *crossover.angular_frequency / turn < row.x.to)
-        row.marks.push_back({*crossover.angular_frequency / turn, 0, series_colour(i), ""});
+      if (crossover.angular_frequency && *crossover.angular_frequency / two_pi > row.x.from && *crossover.angular_frequency / two_pi < row.x.to)
+        row.marks.push_back({*crossover.angular_frequency / two_pi, 0, series_colour(i), ""});
     }
     row.curves.push_back(std::move(curve));
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/plot_panel.h"
@@ -13,7 +14,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi, per_minute = 60 / turn;
+using foundation::two_pi;
+using foundation::rpm_per_rad_s;
 constexpr int spectra = 41;
 
 /// The curve with the highest rms among those of the first unit that moves at all.
@@ -55,7 +57,7 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
     canvas.text({right.x + 9, right.y + 4}, tick.label, "fill=\"#333\"");
   }
   const PixelPoint middle = s.at(s.hertz_to, (s.rpm_from + s.rpm_to) / 2, 0);
-  const double x_name = middle.x + 58, y_name = middle.y + 12, slope = std::atan2(s.back.y, s.back.x) * 360 / turn;
+  const double x_name = middle.x + 58, y_name = middle.y + 12, slope = std::atan2(s.back.y, s.back.x) * 360 / two_pi;
   canvas.text({x_name, y_name}, "shaft speed [rpm]",
               fmt::format("text-anchor=\"middle\" transform=\"rotate({:.1f} {:.2f} {:.2f})\"", slope, x_name, y_name));
   for (const Tick& tick : linear_ticks(0, s.amplitude_to, 4)) {
@@ -76,7 +78,7 @@ void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response:
                   double factor) {
   for (std::size_t i = lines.size(); i-- > 0;) {
     const response::WaterfallLine& line = lines[i];
-    const double rpm = line.speed * per_minute, hertz = line.angular_frequency / turn;
+    const double rpm = line.speed * rpm_per_rad_s, hertz = line.angular_frequency / two_pi;
     if (i + 1 == lines.size() || lines[i + 1].speed != line.speed)
       canvas.line(s.at(0, rpm, 0), s.at(s.hertz_to, rpm, 0), "stroke=\"#b8b8b8\" stroke-width=\"0.8\"");
     if (hertz > s.hertz_to || !std::isfinite(line.amplitude)) continue;
@@ -113,11 +115,11 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
     if (amplitude > 1e-3 * largest) orders.push_back(order);
   const UnitPrefix unit = unit_prefix(largest, run_up.overall[*curve].unit);
   Space space;
-  space.rpm_from = run_up.speed.front() * per_minute;
-  space.rpm_to = run_up.speed.back() * per_minute;
-  space.hertz_to = orders.front() * run_up.speed.back() / turn;  // all of the lowest order, and whatever is visible of the others
+  space.rpm_from = run_up.speed.front() * rpm_per_rad_s;
+  space.rpm_to = run_up.speed.back() * rpm_per_rad_s;
+  space.hertz_to = orders.front() * run_up.speed.back() / two_pi;  // all of the lowest order, and whatever is visible of the others
   for (const response::WaterfallLine& line : lines)
-    if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / turn);
+    if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / two_pi);
   space.amplitude_to = largest * unit.factor;
   std::vector<response::WaterfallLine> visible;
   std::copy_if(lines.begin(), lines.end(), std::back_inserter(visible),

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/text/model_path.h"
 
 namespace trivet::results {
 namespace {
@@ -39,6 +39,30 @@ constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"s
                                                                              {"xz", "product of inertia xz"},
                                                                              {"yz", "product of inertia yz"}}};
 
+/// A component of an array or of an adjustment: what it is part of, in words, and the unit of its bare numbers.
+struct ComponentOf {
+  const char *table, *words, *unit;
+};
+constexpr std::array<ComponentOf, 12> component_tables = {{{"at", "place", "m"},
+                                                           {"from_at", "place of the foot", "m"},
+                                                           {"position", "position", "m"},
+                                                           {"center_of_mass", "centre of mass", "m"},
+                                                           {"moved", "shift", "m"},
+                                                           {"center_moved", "shift of the centre of mass", "m"},
+                                                           {"translation", "stiffness", "N/m"},
+                                                           {"rotation", "rotational stiffness", "N m/rad"},
+                                                           {"force", "force", "N"},
+                                                           {"moment", "moment", "N m"},
+                                                           {"stiffness_factor", "stiffness factor", ""},
+                                                           {"inertia_about_center", "inertia factor", ""}}};
+
+const ComponentOf* component_table(const std::vector<std::string>& keys) {
+  if (keys.size() < 4) return nullptr;
+  const bool damps = keys[keys.size() - 3] == "damping";  // translation and rotation of a damping measure otherwise
+  const auto found = std::find_if(component_tables.begin(), component_tables.end(), [&](const ComponentOf& one) { return keys[keys.size() - 2] == one.table; });
+  return damps || found == component_tables.end() ? nullptr : found;
+}
+
 int digits_on(const project::MapAxis& axis) {
   constexpr int usual = 5, most = 17;
   const double steps = axis.points - 1;
@@ -51,6 +75,7 @@ int digits_on(const project::MapAxis& axis) {
 std::string axis_name(const project::MapAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
+  if (const ComponentOf* part = component_table(keys)) return fmt::format("{} {} of {}", part->words, keys.back(), keys[1]);
   std::string words = keys.back();
   std::replace(words.begin(), words.end(), '_', ' ');
   for (const auto& [key, meaning] : known_keys)
@@ -61,8 +86,16 @@ std::string axis_name(const project::MapAxis& axis) {
 std::string axis_unit(const project::MapAxis& axis) {
   if (!axis.unit.empty()) return axis.unit;
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
+  if (const ComponentOf* part = component_table(keys)) return part->unit;
   const auto found = std::find_if(units.begin(), units.end(), [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
   return found == units.end() ? "" : found->second;
+}
+
+bool is_pure_number(const project::MapAxis& axis) {
+  const std::vector<std::string> keys = project::path_keys(axis.parameter);
+  if (keys.empty() || !axis_unit(axis).empty()) return false;
+  static constexpr std::array<const char*, 6> pure = {"scale", "stiffening", "loss_factor", "damping_factor", "mass_about_center", "modal_factor"};
+  return component_table(keys) || std::find(pure.begin(), pure.end(), keys.back()) != pure.end();
 }
 
 std::string axis_value(double value, const project::MapAxis& axis) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
 #include <string>
 
 namespace trivet::results {
@@ -14,6 +18,14 @@ namespace trivet::results {
     quoted += c;
   }
   return quoted + "\"";
+}
+
+/// Shortest digits that read back the same; empty where there is no number.
+[[nodiscard]] inline std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+template <typename T>
+[[nodiscard]] std::string csv_number(const std::optional<T>& value) {
+  return value ? fmt::format("{}", *value) : "";
 }
 
 }  // namespace trivet::results

@@ -14,9 +14,9 @@
 namespace trivet::results {
 namespace {
 
-using Kind = design::DesignRule::Kind;
+using RuleKind = design::DesignRule::Kind;
 
-bool has(const study::DesignMap& map, Kind kind) {
+bool has(const study::DesignMap& map, RuleKind kind) {
   return std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
@@ -30,8 +30,8 @@ std::string band_words(const std::optional<response::Band>& band) {
 
 std::string asked_words(const study::DesignMap& map) {
   std::string text;
-  if (has(map, Kind::amplitude)) text = band_words(map.request.band);
-  if (has(map, Kind::no_peak))
+  if (has(map, RuleKind::amplitude)) text = band_words(map.request.band);
+  if (has(map, RuleKind::no_peak))
     text += fmt::format("{}resonance peaks wherever they lie, from {:g} % above the minimum beside them (rises below {:g} of a curve are none)", text.empty() ? "" : "; ",
                         100 * map.request.peak_tolerance, map.request.min_prominence);
   return text;
@@ -87,6 +87,6 @@ std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
   return order;
 }
 
-std::string unlimited_words(const study::DesignMap& map) { return has(map, Kind::amplitude) ? "nothing moves" : "no peak"; }
+std::string unlimited_words(const study::DesignMap& map) { return has(map, RuleKind::amplitude) ? "nothing moves" : "no peak"; }
 
 }  // namespace trivet::results

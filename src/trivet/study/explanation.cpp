@@ -9,6 +9,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/response/steady/element_directions.h"
 #include "trivet/study/explanation_words.h"
 
@@ -87,12 +88,12 @@ std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, 
   const model::Element& element = variant.system.elements()[e];
   Eigen::Index direction = 0;
   peak.shares.elements[e].by_direction.maxCoeff(&direction);
-  const std::string path = "elements." + element.name + ".";
+  const std::string path = "elements." + foundation::path_key(element.name) + ".";
   const std::string whole = fmt::format("the stiffness of \"{}\"", element.name);
   for (const Candidate& one :
-       {Candidate{path + fmt::format("stiffness.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
+       {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
                   fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)), element.name)},
-        Candidate{path + "scale", whole}, Candidate{path + "stiffness", whole}})
+        Candidate{path + "scale", whole}, Candidate{path + "stiffness_factor.all", whole}})
     for (const response::Parameter& parameter : parameters)
       if (parameter.name == one.parameter) return one;
   return std::nullopt;
@@ -118,9 +119,9 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
     found = Candidate{name, words};
   };
   for (std::size_t e = of.value_or(0); e < (of ? *of + 1 : elements.size()); ++e) {
-    const std::string path = "elements." + elements[e].name + ".";
+    const std::string path = "elements." + foundation::path_key(elements[e].name) + ".";
     for (int j = 0; j < 6; ++j)
-      consider(path + fmt::format("stiffness.{}", model::coordinate_names[static_cast<std::size_t>(j)]),
+      consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[static_cast<std::size_t>(j)]),
                fmt::format("the {} of \"{}\"", response::direction_words(elements[e], j), elements[e].name));
     consider(path + "scale", fmt::format("the stiffness of \"{}\"", elements[e].name));
   }
@@ -141,7 +142,7 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
   if (const auto best = strongest(variant, {}, peak, parameters)) {
     const double enough = idle * effect(best->parameter, peak, parameters);
     if (effect(chosen->parameter, peak, parameters) < enough) {
-      const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness");
+      const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness_factor.all");
       const auto& shares = peak.shares.elements[first];
       peak.notes.push_back(fmt::format("{} hardly changes this peak, though it has {:.3g} % of the strain energy", chosen->words,
                                        100 * (whole ? shares.stored : shares.by_direction.maxCoeff())));

@@ -9,7 +9,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/highest_frequency.h"
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/model_number.h"
 #include "trivet/response/steady/visible_amplitudes.h"
 
 namespace trivet::study {
@@ -48,12 +48,12 @@ bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <
 Influence influence(const project::Case& variant, const project::MapRequest& request, const std::vector<design::MapRule>& rules) {
   const std::vector<std::string> names = answers_of(rules);
   const double top = modal::highest_natural_frequency(variant.system, assembly::assemble(variant.system));
+  const project::ModelNumber x(request.x), y(request.y);
   std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
   Amplitudes largest = Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
   for (std::size_t i = 0; i < shares.size(); ++i)
     for (std::size_t j = 0; j < shares.size(); ++j) try {
-        const std::vector<project::Node> changes = {project::change_of(project::path_keys(request.x.parameter), request.x.at(shares[i]), request.x.unit), project::change_of(project::path_keys(request.y.parameter), request.y.at(shares[j]), request.y.unit)};
-        const auto system = project::changed_system(variant, changes);
+        const auto system = project::changed_system(variant, {{x, request.x.at(shares[i])}, {y, request.y.at(shares[j])}});
         if (!system) return {};
         designs[i][j] = amplitudes(*system, request, names, top);
         largest = largest.max(designs[i][j]);

@@ -7,19 +7,10 @@
 #include "trivet/design/design_evaluation.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/model_number.h"
 
 namespace trivet::study {
 namespace {
-
-/// The number on an axis; a scale that is not written is 1.
-std::optional<double> number_of(const project::Case& variant, const project::MapAxis& axis) {
-  const std::vector<std::string> keys = project::path_keys(axis.parameter);
-  const project::Node* node = project::behind(variant.document, keys);
-  if (!node && (keys.back() == "scale" || keys.back() == "stiffening")) return 1.0;
-  const auto written = node ? project::written_number(*node) : std::nullopt;
-  return written ? project::in_unit(*written, axis.unit) : std::nullopt;
-}
 
 /// Why some work cannot be done; empty if it was.
 std::string why_not(const std::function<void()>& work) {
@@ -57,7 +48,7 @@ std::vector<MapMark> map_marks(const project::Project& project, const project::M
   std::vector<const project::Case*> cases;
   for (const project::Case& c : project.cases) {
     const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
-    MapMark mark{c.name, number_of(c, request.x), number_of(c, request.y), false, {}, ""};
+    MapMark mark{c.name, project::ModelNumber(request.x).read(c), project::ModelNumber(request.y).read(c), false, {}, ""};
     if (request.cases ? !listed : !mark.placed()) continue;
     mark.has_own_rules = has_other_rules(c, request);
     all.push_back(std::move(mark));

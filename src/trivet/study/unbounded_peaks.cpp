@@ -10,7 +10,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/model_number.h"
 #include "trivet/response/steady/curve_ends.h"
 
 namespace trivet::study {
@@ -30,8 +30,7 @@ std::vector<std::string> unbounded(const model::System& system, const project::M
 /// The base model may have a symmetry that the designs have not. A middle without a model tells nothing.
 void keep_those_of_the_middle(const project::Case& variant, const project::MapRequest& request, std::vector<std::string>& names) {
   constexpr double middle = 0.47;  // of both axes; no design of symmetry
-  const auto system = project::changed_system(variant, {project::change_of(project::path_keys(request.x.parameter), request.x.at(middle), request.x.unit),
-                                               project::change_of(project::path_keys(request.y.parameter), request.y.at(middle), request.y.unit)});
+  const auto system = project::changed_system(variant, {{project::ModelNumber(request.x), request.x.at(middle)}, {project::ModelNumber(request.y), request.y.at(middle)}});
   if (!system) return;
   try {
     const std::vector<std::string> there = unbounded(*system, request);

@@ -17,7 +17,7 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr std::size_t piece = 512;
+constexpr std::size_t designs_per_piece = 512;
 
 void check(const Designs& designs, const DesignPeakOptions& options) {
   require_shapes(designs, "peaks of designs");
@@ -59,7 +59,7 @@ ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search
   return answer;
 }
 
-/// The designs of one piece on their way to an answer.
+/// The designs of one designs_per_piece on their way to an answer.
 class Piece {
  public:
   Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result) : designs_(designs), question_(question), result_(result) {}
@@ -163,7 +163,7 @@ DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& option
     result.peaks.setZero(count, channels);
     result.largest_rise.setZero(count, channels);
   }
-  foundation::for_each_piece(static_cast<std::size_t>(count), {piece, options.threads, options.progress, "peaks of designs"},
+  foundation::for_each_piece(static_cast<std::size_t>(count), {designs_per_piece, options.threads, options.progress, "peaks of designs"},
                              [&](std::size_t first, std::size_t last) {
                                Piece(designs, question, result).work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
                              });

@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
 #include "trivet/numerics/batch/maxima_from_roots.h"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::size_t designs_together = 64;
 constexpr std::size_t least_for_poles = 32;  // frequencies; the poles of a design cost as much as some sixty of them solved directly
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 
 /// One row of the result.
 void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, SweepMaxima& result,

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/quadratic_form.h"
@@ -16,7 +17,7 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using foundation::epsilon;
 
 /// Shapes y and values of S y = μ P y with P positive definite, by Cholesky of P.
 void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::VectorXd& mu, Eigen::MatrixXd& y) {

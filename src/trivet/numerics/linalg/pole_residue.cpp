@@ -8,13 +8,14 @@
 #include <limits>
 #include <vector>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 
 namespace trivet::numerics {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using foundation::epsilon;
 using Rows = std::vector<Eigen::Index>;
 
 /// x' = state · x + input, q = output · x.

@@ -8,12 +8,13 @@
 #include <limits>
 #include <vector>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::numerics {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using foundation::epsilon;
 using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
 using ExtendedMatrix = Eigen::Matrix<ExtendedComplex, Eigen::Dynamic, Eigen::Dynamic>;

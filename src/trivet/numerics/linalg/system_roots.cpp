@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -14,7 +15,7 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using foundation::epsilon;
 
 /// Extended-precision refinement costs n³ per root; beyond this size a double eigensolver has to do.
 constexpr Eigen::Index largest_refined = 60;

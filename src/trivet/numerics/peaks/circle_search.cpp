@@ -24,7 +24,7 @@ constexpr int betraying = 8;
 constexpr double pole_free = 1e-11;
 /// Round-off of a curve, as a share of what its terms could make of it: a few units times the condition of Z, and never so much that a
 /// pole could hide in it.
-double round_off(double condition) {
+double round_off_share(double condition) {
   constexpr double count = 16, most = 1e-6;
   return std::min(count * std::numeric_limits<double>::epsilon() * condition, most);
 }
@@ -55,7 +55,7 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
     possible = k == 0 ? at.possible : Eigen::VectorXd(possible.cwiseMax(at.possible));
     noise = k == 0 ? at.alike : Eigen::VectorXd(noise.cwiseMax(at.alike));
   }
-  noise *= round_off(condition);
+  noise *= round_off_share(condition);
   const Eigen::Index curves = values[0].size();
   Eigen::MatrixXcd series = Eigen::MatrixXcd::Zero(curves, samples);
   level.setZero(curves);
@@ -66,7 +66,7 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   doubt.setZero(curves);
   for (Eigen::Index c = 0; c < curves; ++c) {
     const double tail = series.row(c).tail(betraying).cwiseAbs().maxCoeff();
-    if (level(c) <= noise(c) || tail <= std::max(pole_free * level(c), round_off(condition) * possible(c))) continue;
+    if (level(c) <= noise(c) || tail <= std::max(pole_free * level(c), round_off_share(condition) * possible(c))) continue;
     if (tail > noise(c)) return {};
     doubt(c) = noise(c);
   }

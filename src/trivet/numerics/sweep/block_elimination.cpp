@@ -9,12 +9,12 @@
 #include <tuple>
 #include <utility>
 
+#include "trivet/numerics/linalg/index.h"
+
 namespace trivet::numerics {
 namespace {
 
 constexpr Eigen::Index body_coordinates = 6, planar_coordinates = 3, largest_block = largest_kernel_block;
-
-std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 /// Blocks of one size by order.
 std::vector<Eigen::Index> equal_blocks(Eigen::Index n, Eigen::Index size) {

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
+#include "trivet/numerics/linalg/index.h"
+
 namespace trivet::numerics {
 namespace {
-
-std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 /// Writes the plan of one elimination.
 class Planner {

@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/text/model_path.h"
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
@@ -28,28 +29,36 @@ bool has_stray_blank(const std::string& path) {
   return false;
 }
 
+/// Tables that a thing need not have to be adjusted.
+bool is_adjustment(const std::string& key) {
+  static constexpr std::array<const char*, 4> tables = {"stiffness_factor", "moved", "center_moved", "inertia_about_center"};
+  return std::find(tables.begin(), tables.end(), key) != tables.end();
+}
+
 /// The path must lead to a number of the model, or to a key that is not written because its default holds.
 void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
   if (path.find('[') != std::string::npos)
-    return static_cast<void>(reader.error("parameter", shown, "entries of an array have no path, and parts are named, not counted",
-                                          "name a number that stands alone: \"elements.mount.scale\" in place of its matrix, \"bodies.machine.mass\""));
+    return static_cast<void>(reader.error("parameter", shown, "parts are named, not counted",
+                                          "name a number: \"elements.mount.scale\", \"elements.mount.at.y\" of an array of three, \"bodies.machine.mass\""));
   if (has_stray_blank(path))
     return static_cast<void>(reader.error("parameter", shown, "a path has blanks in quoted names alone", R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
   const std::vector<std::string> keys = path_keys(path);
-  const std::vector<std::string> parts = {"bodies", "elements", "excitations", "damping", "foundations"};
+  const std::vector<std::string> parts = {"bodies", "elements", "element_types", "excitations", "damping", "foundations"};
   if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
     reader.error("parameter", shown, "a design changes one number of the model, named by its path as in --set", "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
     return;
   }
   const Node* node = root.node(keys.front());
   for (std::size_t i = 1; i < keys.size(); ++i) {
-    const Node* next = node && node->kind == Node::Kind::table ? node->find(keys[i]) : nullptr;
-    if (!next && node && node->kind == Node::Kind::table && i >= 2 && i + 1 == keys.size()) return;
+    const bool is_table = node && node->kind == Node::Kind::table;
+    const Node* next = node ? node_at(*node, {keys[i]}) : nullptr;
+    if (!next && is_table && i >= 2 && (i + 1 == keys.size() || is_adjustment(keys[i]) || is_zero_by_default(keys[i]))) return;
     if (!next) {
-      const std::string guess = node && node->kind == Node::Kind::table ? foundation::nearest_name(keys[i], node->keys) : "";
+      const std::string guess = is_table ? foundation::nearest_name(keys[i], node->keys) : "";
       reader.error("parameter", shown, fmt::format("the file has no \"{}\" there", foundation::shortened(keys[i])),
-                   guess.empty() ? "check the path" : "did you mean \"" + guess + "\"?");
+                   !guess.empty() ? "did you mean \"" + guess + "\"?"
+                   : node && component_of(*node, "x") ? "the components of an array of three numbers are x, y and z" : "check the path");
       return;
     }
     node = next;
@@ -57,7 +66,7 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
   const auto told = [&](const foundation::Problem& p) { return p.severity == foundation::Severity::error && p.subject == path; };
   if (!written_number(*node) && std::none_of(root.problems().list().begin(), root.problems().list().end(), told))
     reader.error("parameter", shown, fmt::format("{} stands there, not a number", node->kind == Node::Kind::text ? project::shown(*node) : words(node->kind)),
-                 "name one number; entries of an array have no path");
+                 "name one number; those of an array of three are .x, .y and .z");
 }
 
 std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string& key) {

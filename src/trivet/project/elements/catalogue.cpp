@@ -16,7 +16,7 @@ namespace trivet::project {
 namespace {
 
 constexpr std::size_t most_mounts = 10000;
-constexpr std::size_t longest_name = 100;
+constexpr std::size_t longest_mount_name = 100;
 /// Rounding of the numbers in a data sheet.
 constexpr double data_sheet_rounding = 0.05;
 
@@ -94,12 +94,12 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
                "split it");
   for (std::size_t i = 0; i < table->keys.size() && i < most_mounts; ++i) {
     const std::string& name = table->keys[i];
-    const bool good_name = !name.empty() && name.size() <= longest_name &&
+    const bool good_name = !name.empty() && name.size() <= longest_mount_name &&
                            std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (!good_name || table->items[i].kind != Node::Kind::table)
       root.problems()
           .error("mounts." + foundation::shortened(name), good_name ? words(table->items[i].kind) : "not a name",
-                 fmt::format("a mount is a table with a name of at most {} signs on one line", longest_name),
+                 fmt::format("a mount is a table with a name of at most {} signs on one line", longest_mount_name),
                  "write [mounts.\"NAME\"] and its data below")
           .origin = table->items[i].origin;
     else catalogue.mounts.push_back(read_mount(table->items[i], name, source, root.problems()));

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "trivet/elements/law.h"
+#include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/mentioned.h"
@@ -31,10 +32,9 @@ constexpr std::pair<const char*, LengthOf (*)(TableReader&, model::Element&)> si
 
 constexpr const char* catalogue_prefix = "catalogue:";
 
-std::vector<std::string> all_types() {
-  std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper", "imported", "measured", "table", "air_spring", "wire_rope"};
-  for (const auto& law : sized_laws) types.emplace_back(law.first);
-  types.emplace_back("catalogue:NAME");
+std::vector<std::string> all_types(const Mentioned& mentioned) {
+  std::vector<std::string> types = element_laws();
+  types.insert(types.end(), mentioned.element_types.begin(), mentioned.element_types.end());
   return types;
 }
 
@@ -58,6 +58,7 @@ class ElementReader {
     if (const auto foundation = reader_.text("foundation")) mentioned_.stands_on.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
     const bool known_law = sized || read_law();
     if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
+    if (known_law) read_element_adjustments(reader_, element_, reader_.errors() == before, mentioned_);
     if (known_law) reader_.finish();
     else report_tables_inside(node_);  // which other keys belong here depends on the type
     return placed && reader_.errors() == before ? std::optional(element_) : std::nullopt;
@@ -67,7 +68,7 @@ class ElementReader {
   /// A table that no law has is most likely the rest of a name with a dot: [elements.front.left].
   void report_tables_inside(const Node& node) {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
-      const bool ours = node.keys[i] == "damping" || node.keys[i].ends_with("orientation");
+      const bool ours = node.keys[i] == "damping" || node.keys[i] == "stiffness_factor" || node.keys[i] == "moved" || node.keys[i].ends_with("orientation");
       if (node.items[i].kind == Node::Kind::table && !ours && !outside_feature(reader_.path(), node.keys[i]))
         reader_.error(node.keys[i], "unknown key", "no element has a table of this name", "a name with a dot stands in quotes, and names here have none: write [elements.\"front left\"]");
     }
@@ -148,7 +149,7 @@ class ElementReader {
       if (const auto outside = outside_type(element_.type))
         reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
       else if (reader_.has("type"))
-        static_cast<void>(reader_.choice("type", all_types()));
+        static_cast<void>(reader_.choice("type", all_types(mentioned_)));
       return false;
     }
     return true;
@@ -203,16 +204,33 @@ class ElementReader {
   LengthOf length_;   ///< of a law that knows it
 };
 
+/// An element of an earlier description, unless a foundation stands under it: these are counted anew.
+const model::Element* known_element(const KnownModel& known, const std::string& name, const Node& now, const model::Description& description) {
+  if (now.find("foundation") || !known.unchanged("elements", name, now)) return nullptr;
+  const auto& elements = known.description.elements;
+  const auto found = std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
+  if (found == elements.end()) return nullptr;
+  const auto same_place = [&](const model::End& end) {
+    if (!end.body) return true;
+    if (*end.body >= description.bodies.size()) return false;
+    const model::Body &before = known.description.bodies[*end.body], &body = description.bodies[*end.body];
+    return before.name == body.name && before.pose.position == body.pose.position && before.pose.rotation == body.pose.rotation;
+  };
+  return same_place(found->n) && same_place(found->k) ? &*found : nullptr;
+}
+
 }  // namespace
 
-void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned) {
+void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known) {
   const Node* table = root.table("elements");
   if (!table) return;
   mentioned.elements = table->keys;
   if (table->keys.size() > most_elements)
     root.error("elements", fmt::format("{} elements", table->keys.size()), fmt::format("this version takes at most {}", most_elements), "split the model");
   for (std::size_t i = 0; i < table->keys.size() && i < most_elements; ++i) {
-    if (table->items[i].kind != Node::Kind::table) {
+    if (const model::Element* earlier = known ? known_element(*known, table->keys[i], table->items[i], description) : nullptr) {
+      description.elements.push_back(*earlier);
+    } else if (table->items[i].kind != Node::Kind::table) {
       root.problems().error("elements." + table->keys[i], words(table->items[i].kind), "an element is a table", "write [elements.NAME] and its type below").origin =
           table->items[i].origin;
     } else if (auto element = ElementReader(table->items[i], table->keys[i], description, mentioned, root.problems()).read()) {
@@ -221,7 +239,14 @@ void read_elements(TableReader& root, model::Description& description, Mentioned
   }
 }
 
-void read_system_damping(TableReader& root, model::Description& description) {
+std::vector<std::string> element_laws() {
+  std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper", "imported", "measured", "table", "air_spring", "wire_rope"};
+  for (const auto& law : sized_laws) types.emplace_back(law.first);
+  types.emplace_back("catalogue:NAME");
+  return types;
+}
+
+void read_system_damping(TableReader& root, model::Description& description, Mentioned& mentioned) {
   const Node* table = root.table("damping");
   if (!table) return;
   TableReader reader(*table, "damping", root.problems());
@@ -240,6 +265,7 @@ void read_system_damping(TableReader& root, model::Description& description) {
       description.damping = model::ModalDamping{{*ratio}};
     }
   }
+  read_damping_adjustment(reader, mentioned);
   reader.finish();
 }
 

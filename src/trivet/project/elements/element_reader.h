@@ -6,9 +6,13 @@
 namespace trivet::project {
 
 /// `elements` of the file; adds to the description and reports its problems.
-void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned);
+/// @param known  read earlier; elements that are the same there, between the same bodies, are taken from it
+void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known = nullptr);
+
+/// Built-in types of elements; "catalogue:NAME" stands for all mounts of catalogues.
+[[nodiscard]] std::vector<std::string> element_laws();
 
 /// `damping` of the whole system.
-void read_system_damping(TableReader& root, model::Description& description);
+void read_system_damping(TableReader& root, model::Description& description, Mentioned& mentioned);
 
 }  // namespace trivet::project

@@ -7,6 +7,7 @@
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/excitation/sweep.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/excitations/excitation_parts.h"
 #include "trivet/project/text/pairs_reader.h"
@@ -14,7 +15,7 @@
 namespace trivet::project {
 namespace {
 
-constexpr double standard_gravity = 9.80665;
+using foundation::standard_gravity;
 
 /// Numbers of one pulse: a missing one that has no default is a problem.
 struct PulseReader {
@@ -85,7 +86,7 @@ std::optional<excitation::Signal> read_pulse(TableReader& history, const Pulse& 
   return signal;
 }
 
-std::optional<excitation::Signal> from_rows(TableReader& reader, const std::string& key, const Eigen::MatrixXd& rows, double scale, bool hold) {
+std::optional<excitation::Signal> signal_from_rows(TableReader& reader, const std::string& key, const Eigen::MatrixXd& rows, double scale, bool hold) {
   excitation::Samples samples;
   samples.times.assign(rows.col(0).begin(), rows.col(0).end());
   for (const double value : rows.col(1)) samples.values.push_back(scale * value);
@@ -111,7 +112,7 @@ std::optional<excitation::Signal> read_samples(TableReader& history, Quantity me
   }
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
   const auto rows = history.has("rows") ? read_pairs(history, "rows") : read_pairs_of_file(history, "time", "value", most_rows_over_time);
-  return rows ? from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale, hold) : std::nullopt;
+  return rows ? signal_from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale, hold) : std::nullopt;
 }
 
 }  // namespace

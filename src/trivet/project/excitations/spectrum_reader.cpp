@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "trivet/excitation/road.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/project/excitations/excitation_parts.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/band_reader.h"
@@ -13,7 +14,7 @@
 namespace trivet::project {
 namespace {
 
-constexpr double standard_gravity = 9.80665;
+using foundation::standard_gravity;
 
 /// Bare densities are in SI per hertz; accelerations may be told in g.
 double density_unit(TableReader& psd, const model::Action& action) {
@@ -23,7 +24,7 @@ double density_unit(TableReader& psd, const model::Action& action) {
   return standard_gravity * standard_gravity;
 }
 
-std::optional<excitation::Spectrum> from_rows(TableReader& reader, const std::string& key, const Eigen::MatrixXd& rows, double unit, bool linear) {
+std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, const std::string& key, const Eigen::MatrixXd& rows, double unit, bool linear) {
   excitation::SpectrumTable table;
   table.frequencies_hz.assign(rows.col(0).begin(), rows.col(0).end());
   for (const double density : rows.col(1)) table.densities_per_hz.push_back(unit * density);
@@ -77,7 +78,7 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
   }
   if (node->kind == Node::Kind::array) {
     const auto rows = read_pairs(reader, key);
-    return rows ? from_rows(reader, key, *rows, 1, false) : std::nullopt;
+    return rows ? spectrum_from_rows(reader, key, *rows, 1, false) : std::nullopt;
   }
   const Node* table = reader.table(key);
   if (!table) return std::nullopt;
@@ -91,7 +92,7 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
     const bool linear = psd.choice("interpolation", {"logarithmic", "linear"}) == "linear";
     const double unit = density_unit(psd, action);
     const auto rows = psd.has("rows") ? read_pairs(psd, "rows") : read_pairs_of_file(psd, "frequency_hz", "psd");
-    if (rows) spectrum = from_rows(psd, psd.has("rows") ? "rows" : "file", *rows, unit, linear);
+    if (rows) spectrum = spectrum_from_rows(psd, psd.has("rows") ? "rows" : "file", *rows, unit, linear);
   }
   psd.finish();
   return spectrum;

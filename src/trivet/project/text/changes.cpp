@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/text/changes.h"
 
+#include <fmt/format.h>
 
+#include "trivet/project/text/model_path.h"
 #include "trivet/project/text/toml_text.h"
 
 namespace trivet::project {
@@ -10,13 +12,32 @@ namespace {
 /// Tables whose keys exclude each other: in braces, a new one takes the place of the old.
 bool is_one_thing(const std::string& key) { return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation"; }
 
-bool holds_named_things(const std::string& path) { return path == "bodies" || path == "elements" || path == "excitations"; }
+bool holds_named_things(const std::string& path) { return path == "bodies" || path == "elements" || path == "element_types" || path == "excitations"; }
 
 void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key, foundation::Problems& problems) {
   const std::string guess = foundation::nearest_name(key, base.keys);
   problems.error(path + "." + key, "no such thing in the model", "a change can only alter what the model has",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
       .origin = change.origin;
+}
+
+/// at.y = … of at = [x, y, z].
+void change_components(Node& array, const Node& changes, const std::string& path, foundation::Problems& problems) {
+  for (std::size_t i = 0; i < changes.keys.size(); ++i) {
+    const Node& change = changes.items[i];
+    const std::string here = path + "." + changes.keys[i];
+    const auto component = component_of(array, changes.keys[i]);
+    if (component && change.kind != Node::Kind::table) {
+      array.items[*component] = change;
+    } else if (component) {
+      problems.error(here, "a longer path", "a component of an array is one number", "end the path at " + here).origin = change.origin;
+    } else {
+      const bool is_vector = component_of(array, "x").has_value();
+      problems.error(here, is_vector ? "no such component" : fmt::format("an array of {}", array.items.size()),
+                     is_vector ? "its components are x, y and z" : "only arrays of three numbers have components: x, y and z",
+                     is_vector ? "name one of them" : "replace the array as a whole, or name a number that stands alone").origin = change.origin;
+    }
+  }
 }
 
 }  // namespace
@@ -32,13 +53,24 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
     }
     Node* old = base.find(key);
     if (!old) {
-      if (holds_named_things(path)) refuse_new_name(base, change, path, key, problems);
-      else {
+      if (holds_named_things(path)) {
+        refuse_new_name(base, change, path, key, problems);
+      } else if (is_zero_by_default(key) && change.kind == Node::Kind::table) {
+        Node zero = change;
+        zero.kind = Node::Kind::array;
+        zero.keys.clear();
+        zero.items.assign(3, Node{.kind = Node::Kind::real, .origin = change.origin});
+        change_components(zero, change, here, problems);
+        base.keys.push_back(key);
+        base.items.push_back(std::move(zero));
+      } else {
         base.keys.push_back(key);
         base.items.push_back(change);
       }
     } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table && !(change.written_inline && is_one_thing(key))) {
       apply_changes(*old, change, here, problems);
+    } else if (old->kind == Node::Kind::array && change.kind == Node::Kind::table) {
+      change_components(*old, change, here, problems);
     } else {
       *old = change;
     }
@@ -63,7 +95,7 @@ foundation::Expected<Node> parse_setting(const std::string& setting) {
     const foundation::Expected<Node> as_text = parse_toml(setting.substr(0, equals + 1) + quoted + "\"", source);
     if (as_text) return as_text;
     for (auto& problem : plain.error().list())
-      problem.remedy = "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front left\".scale=2), an array is replaced whole";
+      problem.remedy = "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front left\".scale=2), and a number of an array of three as at.x, at.y, at.z";
   }
   return plain;
 }

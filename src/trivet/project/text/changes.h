@@ -8,7 +8,7 @@
 
 namespace trivet::project {
 
-/// Lays `changes` over `base`, key by key. Arrays and single values replace what was there, and so do damping,
+/// Lays `changes` over `base`, key by key. Single values and whole arrays replace what was there, a component (at.y) one number of an array of three, and so do damping,
 /// inertia and orientation when written in braces.
 /// Things with names (bodies, elements, excitations, …) must exist already: a new one is a problem. `path` is where in the project the two stand.
 void apply_changes(Node& base, const Node& changes, const std::string& path, foundation::Problems& problems);

@@ -19,14 +19,14 @@
 namespace trivet::project {
 namespace {
 
-constexpr std::string_view rule = "a table is a header row and rows of numbers as long as it";
+constexpr std::string_view table_rule = "a table is a header row and rows of numbers as long as it";
 constexpr std::string_view name_column = "name";
 /// Problems of one kind that are listed; a file with the wrong separator would fill the screen.
 constexpr int most_listed = 20;
 /// Numbers of one table: 160 MB of them.
 constexpr std::size_t most_cells = 20'000'000;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   return first == std::string_view::npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
@@ -46,7 +46,7 @@ std::optional<std::vector<std::string>> cells(std::string_view line, char separa
       ++at;
     }
     const std::size_t end = std::min(line.find(separator, at), line.size());
-    cell += trimmed(line.substr(at, end - at));
+    cell += without_blanks(line.substr(at, end - at));
     result.push_back(std::move(cell));
     at = end + 1;
   }
@@ -72,10 +72,15 @@ std::string rule_of_cell(std::string_view cell) {
   return "a cell is a finite number with a decimal point, or empty where nothing was measured";
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string names_listed(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + foundation::shortened(name);
   return text;
+}
+
+/// Separator of a header: the first of tab, semicolon, comma that it holds.
+char separator_of(std::string_view header) {
+  return header.find('\t') != std::string_view::npos ? '\t' : header.find(';') != std::string_view::npos ? ';' : ',';
 }
 
 class Reader {
@@ -87,7 +92,7 @@ class Reader {
     int line = 0;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = std::min(text.find('\n', at), text.size());
-      const std::string_view content = trimmed(text.substr(at, end - at));
+      const std::string_view content = without_blanks(text.substr(at, end - at));
       std::string_view written = text.substr(at, end - at);
       if (written.ends_with('\r')) written.remove_suffix(1);
       ++line;
@@ -98,7 +103,7 @@ class Reader {
       if (width_ == 0 || too_long_) break;
     }
     if (table_.lines.empty() && !problems_.has_errors())
-      problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(rule), "check the file");
+      problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(table_rule), "check the file");
     if (problems_.has_errors()) return tl::make_unexpected(std::move(problems_));
     const auto rows = static_cast<Eigen::Index>(table_.lines.size()), count = static_cast<Eigen::Index>(table_.columns.size());
     table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(values_.data(), rows, count);
@@ -111,9 +116,9 @@ class Reader {
   }
 
   void read_header(std::string_view line, int number_of_line) {
-    separator_ = line.find('\t') != std::string_view::npos ? '\t' : line.find(';') != std::string_view::npos ? ';' : ',';
+    separator_ = separator_of(line);
     const auto names = cells(line, separator_);
-    if (!names) return problem(number_of_line, "a quote is not closed", std::string(rule), "close it");
+    if (!names) return problem(number_of_line, "a quote is not closed", std::string(table_rule), "close it");
     if (std::all_of(names->begin(), names->end(), [](const std::string& name) { return number(name).has_value(); }))
       return problem(number_of_line, "the first row holds numbers", "the first row names the columns", "add a header row");
     if (names->size() > most_columns)
@@ -188,7 +193,10 @@ tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, 
 
 foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows) { return Reader(source, most_rows).read(text); }
 
-foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows) {
+namespace {
+
+/// The bytes of a table.
+foundation::Expected<std::string> table_text(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return refused(path, error ? error.message() : "no such file", "check the path");
   if (!std::filesystem::is_regular_file(path, error)) return refused(path, "this is no file", "name the .csv file");
@@ -202,7 +210,67 @@ foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path,
   if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size) return refused(path, "reading failed", "check the disk");
   if (text.find('\0') != std::string::npos) return refused(path, "the file holds zero bytes",
                                                            "it is no text file, or in UTF-16: save it as UTF-8");
-  return csv_table(text, path.string(), most_rows);
+  return text;
+}
+
+}  // namespace
+
+foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows) {
+  const auto text = table_text(path);
+  if (!text) return tl::make_unexpected(text.error());
+  return csv_table(*text, path.string(), most_rows);
+}
+
+foundation::Expected<TextTable> read_text_table(const std::filesystem::path& path, std::size_t most_rows) {
+  const auto read = table_text(path);
+  if (!read) return tl::make_unexpected(read.error());
+  std::string_view text = *read;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  TextTable table;
+  foundation::Problems problems;
+  const auto problem = [&](int line, std::string finding, std::string broken_rule, std::string remedy) {
+    problems.error("", std::move(finding), std::move(broken_rule), std::move(remedy)).origin = {path.string(), line, 0};
+  };
+  char separator = ',';
+  int line = 0;
+  for (std::size_t at = 0; at < text.size() && problems.errors() < most_listed;) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view content = without_blanks(text.substr(at, end - at));
+    ++line;
+    at = end + 1;
+    if (content.empty() || content.front() == '#') continue;
+    if (table.columns.empty()) separator = separator_of(content);
+    auto row = cells(content, separator);
+    // A last empty cell may end in blanks that `content` lacks.
+    if (row && !table.columns.empty() && row->size() < table.columns.size() && (separator == '\t')) row->resize(table.columns.size());
+    for (std::size_t i = 0; row && i < row->size(); ++i)
+      if (const auto found = foundation::unprintable((*row)[i]))
+        problem(line, "a cell holds " + *found, "cells are printable UTF-8 on one line", "correct it, or save the file as UTF-8");
+    if (!row) {
+      problem(line, "a quote is not closed", std::string(table_rule), "close it");
+    } else if (table.columns.empty()) {
+      table.header_line = line;
+      table.columns = std::move(*row);
+      for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (table.columns[i].empty()) problem(line, fmt::format("column {} has no name", i + 1), "every column has a name", "name it");
+        else if (std::count(table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(i), table.columns[i]) > 0)
+          problem(line, "the column " + foundation::shortened(table.columns[i]) + " stands twice", "every column has a name of its own", "rename one");
+      }
+      if (table.columns.size() > most_columns) problem(line, fmt::format("{} columns", table.columns.size()), fmt::format("a table has at most {} columns", most_columns), "is this the right file?");
+    } else if (row->size() != table.columns.size()) {
+      problem(line, fmt::format("{} cells", row->size()), fmt::format("the header has {} columns", table.columns.size()), "complete the row; numbers have a decimal point, not a comma");
+    } else if (table.rows.size() == most_rows) {
+      problem(line, fmt::format("more than {} rows", most_rows), fmt::format("a table of this kind has at most {} rows", most_rows), "split the model");
+      break;
+    } else {
+      table.rows.push_back(std::move(*row));
+      table.lines.push_back(line);
+    }
+  }
+  if (table.rows.empty() && !problems.has_errors())
+    problem(line, table.columns.empty() ? "the table is empty" : "no row below the header", std::string(table_rule), "check the file");
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return table;
 }
 
 foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted) {
@@ -215,7 +283,7 @@ foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::
       continue;
     }
     const std::string guess = foundation::nearest_name(wanted[i], table.columns);
-    problems.error("", "no column " + wanted[i], "the columns are: " + listed(table.columns),
+    problems.error("", "no column " + wanted[i], "the columns are: " + names_listed(table.columns),
                    guess.empty() ? "add it or rename one" : "did you mean " + guess + "?").origin = {table.source, 0, 0};
   }
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));

@@ -39,6 +39,17 @@ struct CsvTable {
 /// The same from a file; refuses what cannot be read, is empty, binary or larger than `largest_csv_file`.
 [[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows = most_rows_over_time);
 
+/// A table of cells as they are written, outer blanks and quotes removed.
+struct TextTable {
+  int header_line = 0;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< as long as `columns`
+  std::vector<int> lines;                      ///< of each row in the file, from 1
+};
+
+/// The same kind of file with cells of any kind.
+[[nodiscard]] foundation::Expected<TextTable> read_text_table(const std::filesystem::path& path, std::size_t most_rows);
+
 /// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there are.
 [[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted);
 

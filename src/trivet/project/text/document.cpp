@@ -71,4 +71,9 @@ void locate(foundation::Problems& problems, const Node& root) {
     }
 }
 
+bool same_content(const Node& a, const Node& b) {
+  return a.kind == b.kind && a.number == b.number && a.boolean == b.boolean && a.text == b.text && a.keys == b.keys &&
+         std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), same_content);
+}
+
 }  // namespace trivet::project

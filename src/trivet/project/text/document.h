@@ -30,6 +30,9 @@ struct Node {
 /// A value for a message: numbers as such, texts in quotes, shortened; the kind of what is neither.
 [[nodiscard]] std::string shown(const Node& node);
 
+/// Do both say the same, wherever they stand?
+[[nodiscard]] bool same_content(const Node& a, const Node& b);
+
 /// The value written out, equal for equal values.
 [[nodiscard]] std::string canonical(const Node& node);
 

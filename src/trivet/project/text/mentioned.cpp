@@ -17,6 +17,15 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
+const Node* KnownModel::unchanged(const char* table, const std::string& name, const Node& now) const {
+  const Node* things = document.find(table);
+  const Node* before = things ? things->find(name) : nullptr;
+  if (!before || !same_content(*before, now)) return nullptr;
+  for (const char* adjusted : {"stiffness_factor", "damping_factor", "moved", "mass_about_center", "center_moved", "inertia_about_center"})
+    if (now.find(adjusted)) return nullptr;
+  return before;
+}
+
 std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description, const Mentioned& mentioned) {
   const auto name = reader.text(key);
   if (!name) return std::nullopt;

@@ -19,7 +19,7 @@ namespace {
 /// Deviation of a given rotation matrix from orthonormality that is taken for rounding of its digits.
 constexpr double orthonormal_within = 1e-9;
 
-std::string listed(const std::vector<std::string>& words) {
+std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
@@ -204,7 +204,7 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key, const
   if (!value) return std::nullopt;
   std::vector<std::string> sizes;
   for (const int size : allowed_sizes) sizes.push_back(fmt::format("{0}×{0}", size));
-  const std::string rule = "an array of rows, " + listed(sizes) + ", is wanted here";
+  const std::string rule = "an array of rows, " + joined(sizes) + ", is wanted here";
   const auto refuse = [&](const std::string& finding) {
     error(key, finding, rule, "check brackets, rows and columns");
     return std::nullopt;
@@ -275,7 +275,7 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
   const auto word = text(key);
   if (!word || std::find(words.begin(), words.end(), *word) != words.end()) return word;
   const std::string guess = foundation::nearest_name(*word, words);
-  error(key, foundation::quoted(*word), "one of " + listed(words) + " is wanted here",
+  error(key, foundation::quoted(*word), "one of " + joined(words) + " is wanted here",
         guess.empty() ? "choose one" : "did you mean \"" + guess + "\"?");
   return std::nullopt;
 }
@@ -292,7 +292,7 @@ void TableReader::finish() {
       continue;
     }
     error_at(table_.items[i], where, "unknown key",
-             known_.empty() ? "nothing may stand here" : "known here: " + listed(known_),
+             known_.empty() ? "nothing may stand here" : "known here: " + joined(known_),
              guess.empty() ? "remove it" : "did you mean \"" + guess + "\"?");
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/units.h"
 
@@ -6,8 +7,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <numbers>
+#include <shared_mutex>
 #include <stdexcept>
 #include <tuple>
 
@@ -20,7 +24,7 @@ struct FreeUnit {
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
 constexpr std::size_t longest_unit = 48;
-constexpr double standard_gravity = 9.80665;  // [m/s²]
+using foundation::standard_gravity;
 
 /// UDUNITS-2 with angle and energy as base dimensions and the words of rotating machinery added.
 class UnitSystem {
@@ -112,6 +116,38 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// From one unit into another, or why there is none.
+struct Conversion {
+  std::shared_ptr<const cv_converter> converter;
+  std::string reason;
+};
+
+Conversion new_conversion(const std::string& from, const std::string& to) {
+  const Unit unit(unit_system().parsed(from));
+  if (!unit) return {nullptr, "\"" + from + "\" is not a unit"};
+  const Unit target(unit_system().parsed(to));
+  if (!ut_are_convertible(unit.get(), target.get())) return {nullptr, "\"" + from + "\" does not measure what is wanted here"};
+  const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
+  const double one = cv_convert_double(converter.get(), 1), two = cv_convert_double(converter.get(), 2);
+  if (cv_convert_double(converter.get(), 0) != 0 || std::abs(two - 2 * one) > 1e-12 * std::abs(two))
+    return {nullptr, "\"" + from + "\" is no plain unit"};
+  return {converter, ""};
+}
+
+/// Each pair is looked up once: the library keeps its state in globals, and many designs are read at once.
+Conversion conversion(const std::string& from, const std::string& to) {
+  static std::shared_mutex access;
+  static std::map<std::pair<std::string, std::string>, Conversion> known;
+  {
+    const std::shared_lock reading(access);
+    if (const auto found = known.find({from, to}); found != known.end()) return found->second;
+  }
+  const std::unique_lock writing(access);
+  const auto [place, is_new] = known.try_emplace({from, to});
+  if (is_new) place->second = new_conversion(from, to);
+  return place->second;
+}
+
 }  // namespace
 
 const char* si_unit(Quantity quantity) {
@@ -159,16 +195,9 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
   if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
   if (unit_text == expected) return value;  // SI needs no database, whose reading takes longer than all the rest of a small question
-  const Unit unit(unit_system().parsed(std::string(unit_text)));
-  if (!unit) return tl::make_unexpected("\"" + std::string(unit_text) + "\" is not a unit");
-  const Unit target(unit_system().parsed(expected));
-  if (!ut_are_convertible(unit.get(), target.get()))
-    return tl::make_unexpected("\"" + std::string(unit_text) + "\" does not measure what is wanted here");
-  const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(unit.get(), target.get()), cv_free);
-  const double one = cv_convert_double(converter.get(), 1), two = cv_convert_double(converter.get(), 2);
-  if (cv_convert_double(converter.get(), 0) != 0 || std::abs(two - 2 * one) > 1e-12 * std::abs(two))
-    return tl::make_unexpected("\"" + std::string(unit_text) + "\" is no plain unit");
-  return cv_convert_double(converter.get(), value);
+  const Conversion found = conversion(std::string(unit_text), expected);
+  if (!found.converter) return tl::make_unexpected(found.reason);
+  return cv_convert_double(found.converter.get(), value);
 }
 
 }  // namespace trivet::project

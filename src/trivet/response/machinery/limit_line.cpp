@@ -7,13 +7,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/frequency_response.h"
 
 namespace trivet::response {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 
 /// One straight piece on logarithmic axes, limits zero-to-peak.
 struct Piece {

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::response {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 
 /// Ascending; speeds equal but for round-off once.
 void sort_apart(std::vector<double>& speed) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <variant>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/mounts.h"
 
@@ -18,7 +19,7 @@ namespace {
 using Complex = std::complex<double>;
 using Amplitude = model::Action::Amplitude;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 
 /// Components x … z or rx … rz of a unit length along the direction, in axes turned by `rotation` against the ground.
 spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rotation) {

@@ -62,7 +62,7 @@ void add_powers(const Laurent& p, int shift, Eigen::Index c, PoleExpansion& to) 
 }
 
 /// A right side by columns of one matrix that all loads share.
-struct Column {
+struct LoadColumn {
   std::size_t load;
   std::size_t group;  ///< of channels that are answered in the same coordinates
   int power;
@@ -129,7 +129,7 @@ void settle_poles_at_rest(Eigen::VectorXcd& poles) {
 
 PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                const std::vector<const assembly::Loading*>& loads) {
-  std::vector<Column> columns;
+  std::vector<LoadColumn> columns;
   std::vector<Eigen::VectorXcd> sides;
   std::vector<GroupedLoad> grouped;
   std::vector<std::vector<std::size_t>> group_of(loads.size(), std::vector<std::size_t>(channels.size(), 0));  // load, channel
@@ -167,7 +167,7 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
     const Projection shapes = projected(channel.free, form.shapes);
     const Projection drifting = projected(channel.free, form.free_motion), statics = projected(channel.free, form.static_part);
     for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
-      const Column& column = columns[static_cast<std::size_t>(j)];
+      const LoadColumn& column = columns[static_cast<std::size_t>(j)];
       if (column.group != group_of[column.load][static_cast<std::size_t>(c)]) continue;
       PoleExpansion& to = part(result.parts, column.load, column.delay, count, result.poles.size());
       const int power = channel.derivative + column.power;

@@ -12,7 +12,7 @@ namespace trivet::response {
 
 /// One number of a model that a design may change, and how. All smooth functions of `amount`, which is 0 for the model as it is.
 struct Parameter {
-  std::string name;    ///< in the words of the project file: "elements.front.scale", "elements.front.stiffness.z", "bodies.frame.mass"
+  std::string name;    ///< its path in the project file, for --set, cases and maps: "elements.front.scale", "elements.front.stiffness_factor.z"
   std::string change;  ///< what `size` means, for reading: "+1 %", "+1 mm"
   double size = 0;     ///< a change that is worth telling, in the unit of `amount`: 0.01 relative, or 1e-3 m
   double step = 0;     ///< of difference quotients, in the same unit
@@ -20,10 +20,9 @@ struct Parameter {
   std::optional<std::size_t> law;  ///< the element whose law it changes
 };
 
-/// Of every element: its stiffness as a whole (`scale`; of a preloaded one its deformation stiffness, the preload kept) and by direction
-/// (element_directions; not where mass or frequency dependence of its own goes with the stiffness), its damping, and its place: it is moved
-/// as it is, both ends alike, along the axes of its body. Of every body: mass, centre of mass, and inertia about the centre of mass, each
-/// with the others kept. Of the system: its damping.
+/// Of every element: its stiffness as a whole (`scale`; of a preloaded one its deformation stiffness, the preload kept) and by direction,
+/// its damping, and its place. Of every body: mass, centre of mass, and inertia about the centre of mass, each with the others kept
+/// (adjustments.h). Of the system: its damping.
 [[nodiscard]] std::vector<Parameter> model_parameters(const model::System& system);
 
 /// The model with one parameter changed. @throws NotComputable if that is no model, with the reason

@@ -36,9 +36,9 @@ struct Asked {
 };
 
 /// Everything of a peak that does not change with the parameter.
-class Peak {
+class PeakOfModel {
  public:
-  Peak(const Asked& asked, const PeakPlace& place, const modal::Modes& modes, std::vector<std::string>& notes)
+  PeakOfModel(const Asked& asked, const PeakPlace& place, const modal::Modes& modes, std::vector<std::string>& notes)
       : place_(place), jets_(element_jets(asked.assembled, place.angular_frequency)), dynamics_(asked.at(place, jets_)) {
     if (place.unbounded_mode)
       take_mode(asked, modes, notes);
@@ -118,7 +118,7 @@ class Peak {
 };
 
 /// The same with the law of the parameter's element asked again.
-ElementJets changed_jets(const Asked& asked, const Peak& peak, const Parameter& parameter) {
+ElementJets changed_jets(const Asked& asked, const PeakOfModel& peak, const Parameter& parameter) {
   ElementJets jets = peak.jets();
   if (parameter.law && jets[*parameter.law])
     jets[*parameter.law] = element_jet(asked.assembled.elements[*parameter.law], peak.place().angular_frequency);
@@ -126,11 +126,11 @@ ElementJets changed_jets(const Asked& asked, const Peak& peak, const Parameter& 
 }
 
 /// (8(f(h) − f(−h)) − (f(2h) − f(−2h)))/12h of every peak's dynamics: exact for polynomials up to the fourth degree.
-std::vector<Dynamics> derivatives(const model::System& system, const Question& question, const std::vector<Peak>& peaks,
+std::vector<Dynamics> derivatives(const model::System& system, const Question& question, const std::vector<PeakOfModel>& peaks,
                                   const Parameter& parameter) {
   constexpr std::array<std::pair<double, double>, 4> nodes = {{{1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}}};
   std::vector<Dynamics> result;
-  for (const Peak& peak : peaks) {
+  for (const PeakOfModel& peak : peaks) {
     result.push_back(peak.dynamics());
     result.back().add(-1, peak.dynamics());
   }
@@ -156,7 +156,7 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
   const bool any_mode = std::any_of(places.begin(), places.end(), [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
   const modal::Modes modes = any_mode ? modal::modes(system, assembled) : modal::Modes{};
   const Asked asked(system, question);
-  std::vector<Peak> peaks;
+  std::vector<PeakOfModel> peaks;
   for (std::size_t i = 0; i < places.size(); ++i) peaks.emplace_back(asked, places[i], modes, table.peaks[i].notes);
   for (std::size_t p = 0; p < table.parameters.size(); ++p) {
     foundation::report_progress(progress, "sensitivities", static_cast<double>(p) / static_cast<double>(table.parameters.size()));

@@ -80,7 +80,7 @@ struct ElementEnergy {
 ElementEnergy energy(const model::System& system, std::size_t e, const assembly::ElementMap& map,
                      const std::optional<Jet<elements::Matrix12c>>& jet, const VectorXcd& q, const VectorXcd& ground, double omega) {
   ElementEnergy result;
-  ElementDirections directions = element_directions(system, system.elements()[e]);
+  ElementDirections directions = element_directions(system.bodies(), system.elements()[e]);
   Vector12c ends = Vector12c::Zero();
   for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[static_cast<std::size_t>(j)]);
   if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();

@@ -16,7 +16,7 @@ namespace trivet::response {
 namespace {
 
 using Extended = long double;
-using Complex = std::complex<Extended>;
+using ExtendedComplex = std::complex<Extended>;
 using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
 using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
@@ -99,25 +99,25 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     const elements::Matrices m = elements::matrices(element.law);
     const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n);
     const auto carried = [&](const Eigen::MatrixXd& local) -> Carrier { return t * local.cast<Extended>() * t.transpose(); };
-    stiffness += carried(m.stiffness).cast<Complex>() * Complex(1, m.loss_factor);
-    mass += carried(m.mass).cast<Complex>();
-    damping += carried(m.damping).cast<Complex>();
+    stiffness += carried(m.stiffness).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor);
+    mass += carried(m.mass).cast<ExtendedComplex>();
+    damping += carried(m.damping).cast<ExtendedComplex>();
     element_damping += carried(m.damping).cast<double>();
     if (ends.can_move(e)) driven.push_back({e, m});
   }
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
     const model::Foundation& foundation = system.description().foundations[f];
     const Eigen::Index row = layout.foundation_row(f), size = foundation.mass.rows();
-    stiffness.block(row, row, size, size) += foundation.stiffness.cast<Complex>();
-    damping.block(row, row, size, size) += foundation.damping.cast<Complex>();
-    mass.block(row, row, size, size) += foundation.mass.cast<Complex>();
+    stiffness.block(row, row, size, size) += foundation.stiffness.cast<ExtendedComplex>();
+    damping.block(row, row, size, size) += foundation.damping.cast<ExtendedComplex>();
+    mass.block(row, row, size, size) += foundation.mass.cast<ExtendedComplex>();
     element_damping.block(row, row, size, size) += foundation.damping;
   }
   // What the system as a whole adds to the damping (Rayleigh, modal ratios) has no second derivation here.
   ExtendedMatrix driven_damping;
   if (!std::holds_alternative<std::monostate>(system.description().damping)) {
-    damping += (constant.B - element_damping).cast<Complex>();
-    driven_damping = system_damping_on_ground(assembled, n).cast<Complex>();
+    damping += (constant.B - element_damping).cast<ExtendedComplex>();
+    driven_damping = system_damping_on_ground(assembled, n).cast<ExtendedComplex>();
   }
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Matrix6 a = spatial::mass_matrix(system.bodies()[b].mass);
@@ -125,9 +125,9 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
       for (int j = 0; j < 6; ++j)
         if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
   }
-  stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<Complex>();
+  stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<ExtendedComplex>();
   const Eigen::MatrixXcd fast = steady_solution(assembled, loading, angular_frequency).response;
-  const ExtendedMatrix scale = d.cast<Complex>().asDiagonal();
+  const ExtendedMatrix scale = d.cast<ExtendedComplex>().asDiagonal();
 
   DeepCheck check;
   double worst_ratio = -1;
@@ -135,36 +135,36 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     const auto column = static_cast<Eigen::Index>(i);
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
-    ExtendedMatrix z = stiffness + Complex(0, w) * damping - w * w * mass;
-    ExtendedMatrix terms = stiffness.cwiseAbs().cast<Complex>() + w * damping.cwiseAbs().cast<Complex>() +
-                           w * w * mass.cwiseAbs().cast<Complex>();
-    ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<Complex>();
-    ExtendedVector load_terms = h.cwiseAbs().cast<Complex>();
+    ExtendedMatrix z = stiffness + ExtendedComplex(0, w) * damping - w * w * mass;
+    ExtendedMatrix terms = stiffness.cwiseAbs().cast<ExtendedComplex>() + w * damping.cwiseAbs().cast<ExtendedComplex>() +
+                           w * w * mass.cwiseAbs().cast<ExtendedComplex>();
+    ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<ExtendedComplex>();
+    ExtendedVector load_terms = h.cwiseAbs().cast<ExtendedComplex>();
     const auto drive = [&](const ExtendedVector& load) {
       h -= load;
-      load_terms += load.cwiseAbs().cast<Complex>();
+      load_terms += load.cwiseAbs().cast<ExtendedComplex>();
     };
     for (const auto& [element, t] : dependent) {
-      const ExtendedMatrix exact = elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<Complex>();
-      const ExtendedMatrix carried = t.cast<Complex>() * exact * t.transpose().cast<Complex>();
+      const ExtendedMatrix exact = elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<ExtendedComplex>();
+      const ExtendedMatrix carried = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
       z += carried;
-      terms += carried.cwiseAbs().cast<Complex>();
-      drive(t.cast<Complex>() * (exact * ends.at(element, angular_frequency[i])));
+      terms += carried.cwiseAbs().cast<ExtendedComplex>();
+      drive(t.cast<ExtendedComplex>() * (exact * ends.at(element, angular_frequency[i])));
     }
     for (const auto& [element, m] : driven) {
       const Carrier t = carrier(layout, element, system.elements()[element], m.stiffness.rows() - 12, n);
-      const ExtendedMatrix dynamic = m.stiffness.leftCols(12).cast<Complex>() * Complex(1, m.loss_factor) + Complex(0, w) * m.damping.leftCols(12).cast<Complex>() -
-                                     w * w * m.mass.leftCols(12).cast<Complex>();
-      drive(t.cast<Complex>() * (dynamic * ends.at(element, angular_frequency[i])));
+      const ExtendedMatrix dynamic = m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) + ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
+                                     w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
+      drive(t.cast<ExtendedComplex>() * (dynamic * ends.at(element, angular_frequency[i])));
     }
     if (driven_damping.size() > 0 && !loading.motion.vanishes())
-      drive(Complex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<Complex>());
+      drive(ExtendedComplex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<ExtendedComplex>());
     h = (scale * h).eval();
     z = (scale * z * scale).eval();
     terms = (scale * terms * scale).eval();
     const numerics::RefinedSolver direct(z);
     const ExtendedVector q = direct.solve(h);
-    const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<Complex>() - q;
+    const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<ExtendedComplex>() - q;
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
     const Extended of_load = size > 0 ? (scale * load_terms).cwiseAbs().sum() / size : 0;

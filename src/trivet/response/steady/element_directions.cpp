@@ -11,8 +11,8 @@
 
 namespace trivet::response {
 
-ElementDirections element_directions(const model::System& system, const model::Element& element) {
-  const model::Span span = model::span(system.bodies(), element.n, element.k);
+ElementDirections element_directions(const std::vector<model::Body>& bodies, const model::Element& element) {
+  const model::Span span = model::span(bodies, element.n, element.k);
   const elements::Matrix12 stiffness = elements::stiffness(element.law);
   ElementDirections result;
   result.centre = elements::character(stiffness).elastic_centre;

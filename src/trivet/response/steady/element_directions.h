@@ -15,7 +15,7 @@ struct ElementDirections {
   Eigen::Matrix<double, 6, 12> deformation;          ///< from the displacements of the ends
   spatial::Matrix6 stiffness;                        ///< at rest, N held
 };
-[[nodiscard]] ElementDirections element_directions(const model::System& system, const model::Element& element);
+[[nodiscard]] ElementDirections element_directions(const std::vector<model::Body>& bodies, const model::Element& element);
 
 /// The 12×12 that a 6×6 in these directions adds.
 [[nodiscard]] elements::Matrix12 between_ends(const ElementDirections& directions, const spatial::Matrix6& stiffness);

@@ -16,7 +16,7 @@ constexpr double amplitude_tolerance = 7e-4;
 constexpr std::array parts = {0.25, 0.5, 0.75};  // of an interval: where a curve with a turn in it leaves its line
 constexpr double phase_step = std::numbers::pi / 9;
 constexpr double invisible = 1e-6;  // of a curve's largest amplitude: its shape there shows in no picture
-constexpr double round_off_share = 1e-10;  // of the largest curve of its unit: there a model follows no curve, only round-off
+constexpr double model_round_off = 1e-10;  // of the largest curve of its unit: there a model follows no curve, only round-off
 constexpr double least_step = 1e-9;
 
 void keep_inside(std::vector<double>& grid, const Band& band) {
@@ -49,7 +49,7 @@ Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
   const Eigen::VectorXd heights = top;
   for (std::size_t c = 0; c < peaks.curves.size(); ++c)
     for (std::size_t other = 0; other < peaks.curves.size(); ++other)
-      if (peaks.curves[other].unit == peaks.curves[c].unit && heights(static_cast<Eigen::Index>(c)) < round_off_share * heights(static_cast<Eigen::Index>(other)))
+      if (peaks.curves[other].unit == peaks.curves[c].unit && heights(static_cast<Eigen::Index>(c)) < model_round_off * heights(static_cast<Eigen::Index>(other)))
         top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
   for (const Peak& peak : peaks.list)
     if (std::isinf(peak.amplitude)) top(static_cast<Eigen::Index>(peak.curve)) = 0;

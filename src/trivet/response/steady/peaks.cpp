@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/assembly/answer_coordinates.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/numerics/peaks/circle_search.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_count.h"
@@ -16,7 +17,7 @@ namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 
 bool defined_at_rest(const assembly::Assembled& assembled) {
   return std::all_of(assembled.elements.begin(), assembled.elements.end(), [](const assembly::ElementMap& map) { return map.defined_from == 0; });

@@ -10,7 +10,7 @@ namespace trivet::response {
 namespace {
 
 using Extended = long double;
-using Complex = std::complex<Extended>;
+using ExtendedComplex = std::complex<Extended>;
 using Matrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// What the coordinates of a foundation cannot move: I − S (SᵀS)⁻¹ Sᵀ.
@@ -37,23 +37,23 @@ PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<st
 /// Six components in ground axes; `element`: whose ground end is at this place.
 PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, std::size_t element, Extended omega) const {
   Motion sum = Motion::Zero();
-  const Complex s(0, omega);
+  const ExtendedComplex s(0, omega);
   for (const model::Excitation* excitation : moving_) {
     const model::Action& action = excitation->action;
     const bool as_one = action.elements.empty() && !action.wave;
     if (!action.elements.empty() && std::find(action.elements.begin(), action.elements.end(), element) == action.elements.end()) continue;
-    Motion motion = action.amplitude.cast<Complex>();
+    Motion motion = action.amplitude.cast<ExtendedComplex>();
     Extended later = action.delay;
     if (as_one) {  // u + θ × (r − at)
       using Vector3 = Eigen::Matrix<Extended, 3, 1>;
       const Vector3 arm = (place - action.at).cast<Extended>(), real = motion.tail<3>().real(), imaginary = motion.tail<3>().imag();
       // Part by part: Eigen's product of complex vectors is the conjugate one.
-      motion.head<3>() += real.cross(arm).cast<Complex>() + Complex(0, 1) * imaginary.cross(arm).cast<Complex>();
+      motion.head<3>() += real.cross(arm).cast<ExtendedComplex>() + ExtendedComplex(0, 1) * imaginary.cross(arm).cast<ExtendedComplex>();
     } else if (action.wave) {
       later += action.wave->direction.dot(place) / action.wave->speed;
     }
     const int power = std::get<model::Harmonic>(excitation->course).power_of_frequency;
-    Complex factor = std::exp(-s * later) * std::pow(omega, Extended(power));
+    ExtendedComplex factor = std::exp(-s * later) * std::pow(omega, Extended(power));
     for (int i = 0; i < action.derivative; ++i) factor /= s;
     sum += factor * motion;
   }
@@ -74,9 +74,9 @@ PrescribedEnds::Vector PrescribedEnds::at(std::size_t index, double angular_freq
     if (end->on_ground()) motion = ground_at(end->at, index, angular_frequency);
     if (end->foundation && impedance_of_[end->foundation->foundation] >= 0) {
       const auto joint = static_cast<std::size_t>(impedance_of_[end->foundation->foundation]);
-      motion = beyond(end->foundation->shape).cast<Complex>() * ground_at(description_.elements[joint].n.at, joint, angular_frequency);
+      motion = beyond(end->foundation->shape).cast<ExtendedComplex>() * ground_at(description_.elements[joint].n.at, joint, angular_frequency);
     }
-    const Eigen::Matrix<Complex, 3, 3> local = end->axes.transpose().cast<Complex>();
+    const Eigen::Matrix<ExtendedComplex, 3, 3> local = end->axes.transpose().cast<ExtendedComplex>();
     ends.segment<3>(first) = local * motion.head<3>();
     ends.segment<3>(first + 3) = local * motion.tail<3>();
     first += 6;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "trivet/excitation/refusal.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -16,7 +17,7 @@
 namespace trivet::response {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+using foundation::two_pi;
 
 /// Modes with ω > 0 and their shapes over all free coordinates.
 struct ShakenModes {

@@ -9,7 +9,7 @@
 namespace trivet::response {
 namespace {
 
-using Extended = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using ExtendedInput = Eigen::Matrix<long double, Eigen::Dynamic, 5>;
 using ExtendedRates = Eigen::Matrix<long double, 5, 5>;
 
@@ -37,14 +37,14 @@ ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double l
   int finest = 0;
   while (std::ldexp(turn, -finest) > 0.5) ++finest;
   if (finest > most_levels) throw foundation::NotComputable("the fastest mode turns more than 2^60 times within one step");
-  const Extended scaled = F_ * std::ldexp(static_cast<long double>(step), -finest);
-  const Extended one = Extended::Identity(F.rows(), F.cols());
-  Extended phi = one;
+  const ExtendedMatrix scaled = F_ * std::ldexp(static_cast<long double>(step), -finest);
+  const ExtendedMatrix one = ExtendedMatrix::Identity(F.rows(), F.cols());
+  ExtendedMatrix phi = one;
   for (int k = series_terms; k > 0; --k) phi = (one + scaled * phi / static_cast<long double>(k)).eval();
   exact_.push_back(phi);
   for (int level = 0; level < finest; ++level) exact_.push_back(exact_.back() * exact_.back());
   std::reverse(exact_.begin(), exact_.end());
-  for (const Extended& each : exact_) state_.push_back(each.cast<double>());
+  for (const ExtendedMatrix& each : exact_) state_.push_back(each.cast<double>());
 }
 
 std::vector<InputMatrix> ExponentialStep::input(const InputMatrix& G, double kappa) const {

@@ -10,7 +10,7 @@ namespace {
 /// A polygon of fewer lines is a designed pulse, not a measurement.
 constexpr std::size_t fewest_samples = 4;
 /// Jumps below this share of the largest value are round-off of joints.
-constexpr double round_off = 1e-9;
+constexpr double jump_round_off = 1e-9;
 
 double usual_step(const std::vector<excitation::Piece>& pieces) {
   std::vector<double> steps;
@@ -49,7 +49,7 @@ InputCourse::InputCourse(const excitation::Signal& signal, double delay) : piece
     const Eigen::Array3d jump = jump_into(i).tail<3>().array().abs();
     unsigned char bits = 0;
     for (int m = 0; m < 3; ++m)
-      if (jump(m) > round_off * largest(m)) bits |= static_cast<unsigned char>(1u << m), smoothness_ = std::min(smoothness_, m);
+      if (jump(m) > jump_round_off * largest(m)) bits |= static_cast<unsigned char>(1u << m), smoothness_ = std::min(smoothness_, m);
     jumps_.push_back(bits);
   }
 }
@@ -80,6 +80,13 @@ InputVector InputCourse::jump_into(Place place) const {
     jump.tail<3>() -= Eigen::Vector3d(before.value, before.rate, before.curvature);
   }
   return jump;
+}
+
+double largest_kappa(const std::vector<InputCourse>& courses) {
+  double largest = 0;
+  for (const InputCourse& course : courses)
+    for (const double kappa : course.kappas()) largest = std::max(largest, kappa);
+  return largest;
 }
 
 }  // namespace trivet::response

@@ -56,4 +56,7 @@ class InputCourse {
   double sampling_step_ = 0;
 };
 
+/// The largest rate at which any of these decays, 1/s; 0 without one.
+[[nodiscard]] double largest_kappa(const std::vector<InputCourse>& courses);
+
 }  // namespace trivet::response

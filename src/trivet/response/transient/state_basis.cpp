@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -15,7 +16,7 @@
 namespace trivet::response {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using foundation::epsilon;
 
 std::vector<Eigen::Index> massless_rows(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& massive) {
   std::vector<Eigen::Index> rows;

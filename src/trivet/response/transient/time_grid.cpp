@@ -11,12 +11,13 @@
 #include <numbers>
 #include <set>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::response {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+using foundation::two_pi;
 constexpr double points_per_period = 20;        ///< by choice: a curve through them looks smooth
 constexpr double fewest_points_per_period = 10;
 constexpr double fewest_samples_per_period = 10;  ///< straight lines between them still hold 97 % of the motion
@@ -43,13 +44,6 @@ double slowest(const std::vector<ExcitedMode>& modes) {
   for (const ExcitedMode& mode : modes)
     if (mode.energy_share >= noticeable_share && (omega == 0 || mode.angular_frequency < omega)) omega = mode.angular_frequency;
   return omega;
-}
-
-double largest_kappa(const std::vector<InputCourse>& courses) {
-  double largest = 0;
-  for (const InputCourse& course : courses)
-    for (const double kappa : course.kappas()) largest = std::max(largest, kappa);
-  return largest;
 }
 
 double chosen_end(double from, const std::vector<ExcitedMode>& modes, const std::vector<InputCourse>& courses) {

@@ -5,13 +5,14 @@
 
 #include <limits>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/transient/transient_rows.h"
 
 namespace trivet::response {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using foundation::infinity;
 /// Bit m where answers jump with the mth derivative of u (and with what follows from it where κ > 0).
 int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool state_jumps) {
   int held = state_jumps ? 3 : 0;

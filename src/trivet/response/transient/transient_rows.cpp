@@ -9,7 +9,7 @@ namespace trivet::response {
 namespace {
 
 /// Below this share of the largest coefficient of its kind a coefficient is what round-off left.
-constexpr double round_off = 1e-12;
+constexpr double sum_round_off = 1e-12;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
     std::string list;
     int found = 0;
     for (Eigen::Index i = 0; i < rows.on_input.rows() && scale > 0; ++i) {
-      if (!(rows.on_input.row(i).segment(from, count).cwiseAbs().maxCoeff() > round_off * scale)) continue;
+      if (!(rows.on_input.row(i).segment(from, count).cwiseAbs().maxCoeff() > sum_round_off * scale)) continue;
       if (++found <= 3) list += (list.empty() ? "" : ", ") + channels[static_cast<std::size_t>(i)].name;
     }
     if (found == 0) continue;

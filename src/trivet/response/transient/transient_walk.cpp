@@ -6,16 +6,6 @@
 #include <limits>
 
 namespace trivet::response {
-namespace {
-
-double largest_kappa(const std::vector<InputCourse>& courses) {
-  double largest = 0;
-  for (const InputCourse& course : courses)
-    for (const double kappa : course.kappas()) largest = std::max(largest, kappa);
-  return largest;
-}
-
-}  // namespace
 
 TransientWalk::TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution)
     : space_(space), courses_(courses), resolution_(resolution), exponential_(space.F(), step, largest_kappa(courses)), gamma_(courses.size()),

@@ -9,11 +9,18 @@
 
 namespace trivet::project {
 
-/// A dotted path of the project file, in its keys: elements."front left".scale → elements, front left, scale. Empty if it is none.
+/// A dotted path of the project file, in its keys: elements."front left".at.y → elements, front left, at, y. Empty if it
+/// is none. Numbers of an array of three are its components x, y and z.
 [[nodiscard]] std::vector<std::string> path_keys(const std::string& path);
 
-/// What stands behind a path, if anything does.
-[[nodiscard]] const Node* behind(const Node& document, const std::vector<std::string>& keys);
+/// The item of an array of three numbers that a component names: 0 for "x". None of other arrays and words.
+[[nodiscard]] std::optional<std::size_t> component_of(const Node& array, const std::string& word);
+
+/// Arrays of three that are 0 where a file leaves them out: their components need no array to be changed.
+[[nodiscard]] bool is_zero_by_default(const std::string& key);
+
+/// The value that a path leads to, if there is one.
+[[nodiscard]] const Node* node_at(const Node& document, const std::vector<std::string>& keys);
 
 /// The change "path = value", the value a number in `unit` as the file would have it.
 [[nodiscard]] Node change_of(const std::vector<std::string>& keys, double value, const std::string& unit);

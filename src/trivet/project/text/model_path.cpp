@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/design_parameter.h"
+#include "trivet/project/text/model_path.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "trivet/project/text/changes.h"
@@ -29,11 +30,22 @@ std::vector<std::string> path_keys(const std::string& path) {
   return node->kind == Node::Kind::integer ? keys : std::vector<std::string>();
 }
 
-const Node* behind(const Node& document, const std::vector<std::string>& keys) {
+std::optional<std::size_t> component_of(const Node& array, const std::string& word) {
+  const bool is_vector = array.kind == Node::Kind::array && array.items.size() == 3 &&
+                         std::none_of(array.items.begin(), array.items.end(), [](const Node& item) { return item.kind == Node::Kind::array || item.kind == Node::Kind::table; });
+  if (!is_vector || word.size() != 1 || word[0] < 'x' || word[0] > 'z') return std::nullopt;
+  return static_cast<std::size_t>(word[0] - 'x');
+}
+
+bool is_zero_by_default(const std::string& key) { return key == "position" || key == "center_of_mass"; }
+
+const Node* node_at(const Node& document, const std::vector<std::string>& keys) {
   const Node* node = &document;
-  for (const std::string& key : keys)
-    if (!node || node->kind != Node::Kind::table) return nullptr;
-    else node = node->find(key);
+  for (const std::string& key : keys) {
+    if (!node) return nullptr;
+    if (const auto component = component_of(*node, key)) node = &node->items[*component];
+    else node = node->kind == Node::Kind::table ? node->find(key) : nullptr;
+  }
   return node;
 }
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/project/text/mentioned.h"
+
+/// Keys that change a thing as it was described, with all else kept (docs/project-file.md, "Adjustments").
+namespace trivet::project {
+
+/// `stiffness_factor`, `damping_factor` and `moved` of an element that has been read otherwise.
+/// @param complete  it was read without an error, so that what it lacks is not there
+void read_element_adjustments(TableReader& reader, const model::Element& element, bool complete, Mentioned& mentioned);
+
+/// `mass_about_center`, `center_moved` and `inertia_about_center` of a body. @param index  of the body in the description
+void read_body_adjustments(TableReader& reader, const model::Body& body, std::size_t index, Mentioned& mentioned);
+
+/// `modal_factor` of the damping of the system.
+void read_damping_adjustment(TableReader& reader, Mentioned& mentioned);
+
+}  // namespace trivet::project

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/element_types.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "trivet/foundation/plain_text.h"
+
+namespace trivet::project {
+namespace {
+
+/// Keys of the element itself: where it is, how it is turned, on what it stands, and what its author says of it alone.
+constexpr std::array<const char*, 12> of_element = {"type", "on", "at", "from", "from_at", "axis", "orientation", "from_orientation", "foundation", "scale", "accept", "moved"};
+
+bool is_of_element(const std::string& key) { return std::find(of_element.begin(), of_element.end(), key) != of_element.end(); }
+
+std::string place(const foundation::Origin& origin) { return origin.line > 0 ? fmt::format("{}:{}", origin.source, origin.line) : origin.source; }
+
+void set(Node& table, const std::string& key, Node value) {
+  if (Node* old = table.find(key)) {
+    *old = std::move(value);
+    return;
+  }
+  table.keys.push_back(key);
+  table.items.push_back(std::move(value));
+}
+
+/// The types of a file. What is wrong with one of them is reported once; its elements are read on.
+class Types {
+ public:
+  Types(const Node& table, const std::vector<std::string>& laws, foundation::Problems& problems) : table_(table), problems_(problems) {
+    for (std::size_t i = 0; i < table.keys.size(); ++i) check(table.keys[i], table.items[i], laws);
+  }
+
+  [[nodiscard]] bool has(const std::string& name) const {
+    const Node* type = table_.find(name);
+    return type && type->kind == Node::Kind::table;
+  }
+
+  /// The element with what its type gives.
+  [[nodiscard]] Node merged(const Node& element, const std::string& path, const std::string& type) const {
+    const Node& shared = *table_.find(type);
+    Node result = element;
+    for (std::size_t i = 0; i < shared.keys.size(); ++i) {
+      const std::string& key = shared.keys[i];
+      if (key == "type") set(result, key, shared.items[i]);
+      else if (key == "scale") multiply_scale(result, shared.items[i]);
+      else if (is_of_element(key)) continue;  // a problem of the type
+      else if (const Node* own = element.find(key))
+        problems_.error(path + "." + key, shown(*own), fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type, place(shared.items[i].origin)),
+                        "remove it here, change the type, or give this element a type of its own").origin = own->origin;
+      else set(result, key, shared.items[i]);
+    }
+    return result;
+  }
+
+ private:
+  void check(const std::string& name, const Node& type, const std::vector<std::string>& laws) {
+    const std::string path = "element_types." + name;
+    if (type.kind != Node::Kind::table) {
+      problems_.error(path, words(type.kind), "an element type is a table", "write [element_types.NAME] and what its elements share below").origin = type.origin;
+      return;
+    }
+    if (std::find(laws.begin(), laws.end(), name) != laws.end() || name.starts_with("catalogue:"))
+      problems_.error(path, foundation::quoted(name), "a type of this name is built in", "choose another name").origin = type.origin;
+    const Node* law = type.find("type");
+    if (!law) problems_.error(path + ".type", "missing", "a type names the law of its elements", "type = \"bushing\", for instance").origin = type.origin;
+    else if (law->kind == Node::Kind::text && law->text != name && table_.find(law->text))
+      problems_.error(path + ".type", foundation::quoted(law->text), "a type names a law, not another type", "write its keys here").origin = law->origin;
+    for (std::size_t i = 0; i < type.keys.size(); ++i)
+      if (is_of_element(type.keys[i]) && type.keys[i] != "type" && type.keys[i] != "scale")
+        problems_.error(path + "." + type.keys[i], shown(type.items[i]), fmt::format("\"{}\" belongs to each element, not to its type", type.keys[i]), "write it in the elements").origin =
+            type.items[i].origin;
+  }
+
+  static void multiply_scale(Node& element, const Node& factor) {
+    Node* own = element.find("scale");
+    const auto is_number = [](const Node& node) { return node.kind == Node::Kind::integer || node.kind == Node::Kind::real; };
+    if (!own) return set(element, "scale", factor);
+    if (!is_number(*own) || !is_number(factor)) return;  // the reader says what is wrong with it
+    own->number *= factor.number;
+    own->kind = Node::Kind::real;
+  }
+
+  const Node& table_;
+  foundation::Problems& problems_;
+};
+
+/// Is this the place of something inside the node?
+bool holds(const Node& node, const foundation::Origin& origin) {
+  if (node.origin.line == origin.line && node.origin.column == origin.column && node.origin.source == origin.source) return true;
+  return std::any_of(node.items.begin(), node.items.end(), [&](const Node& item) { return holds(item, origin); });
+}
+
+}  // namespace
+
+std::optional<Node> with_element_types(const Node& document, const std::vector<std::string>& laws, foundation::Problems& problems) {
+  const Node* table = document.find("element_types");
+  if (!table) return std::nullopt;
+  if (table->kind != Node::Kind::table) {
+    problems.error("element_types", words(table->kind), "element types are tables", "write [element_types.NAME]").origin = table->origin;
+    return std::nullopt;
+  }
+  Node result = document;
+  const Types types(*table, laws, problems);
+  std::vector<std::string> unused = table->keys;
+  Node* elements = result.find("elements");
+  for (std::size_t i = 0; elements && elements->kind == Node::Kind::table && i < elements->items.size(); ++i) {
+    Node& element = elements->items[i];
+    const Node* type = element.kind == Node::Kind::table ? element.find("type") : nullptr;
+    if (!type || type->kind != Node::Kind::text || !types.has(type->text)) continue;
+    std::erase(unused, type->text);
+    element = types.merged(element, "elements." + elements->keys[i], std::string(type->text));
+  }
+  for (const std::string& name : unused)
+    problems.warning("element_types." + name, "no element is of this type", "a type acts only through its elements", "name it in an element, type = \"" + name + "\", or remove it").origin = table->find(name)->origin;
+  return result;
+}
+
+void name_element_types(const Node& document, foundation::Problems& problems) {
+  const Node* types = document.find("element_types");
+  if (!types || types->kind != Node::Kind::table) return;
+  for (foundation::Problem& problem : problems.list()) {
+    constexpr std::string_view elements = "elements.";
+    if (!problem.subject.starts_with(elements) || problem.origin.line == 0) continue;
+    const std::size_t end_of_name = problem.subject.find('.', elements.size());
+    if (end_of_name == std::string::npos) continue;
+    for (std::size_t i = 0; i < types->keys.size(); ++i)
+      if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(), [&](const Node& item) { return holds(item, problem.origin); }))
+        problem.subject = "element_types." + types->keys[i] + problem.subject.substr(end_of_name);
+  }
+}
+
+}  // namespace trivet::project

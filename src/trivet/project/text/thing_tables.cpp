@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/thing_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/csv_table.h"
+#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/model_path.h"
+#include "trivet/project/text/table_reader.h"
+
+namespace trivet::project {
+namespace {
+
+/// Rows of one table; a model has at most as many elements.
+constexpr std::size_t most_rows = 5000;
+
+Node text_node(std::string text, const foundation::Origin& origin) {
+  Node node;
+  node.kind = Node::Kind::text;
+  node.text = std::move(text);
+  node.origin = origin;
+  return node;
+}
+
+Node table_node(const foundation::Origin& origin) {
+  Node node;
+  node.origin = origin;
+  return node;
+}
+
+std::string place(const foundation::Origin& origin) { return fmt::format("{}:{}", origin.source, origin.line); }
+
+/// "at.x [mm]" → the keys at, x and the unit mm.
+struct Column {
+  std::vector<std::string> keys;
+  std::string unit;
+};
+
+std::optional<Column> column_of(const std::string& header) {
+  Column column;
+  std::string path = header;
+  if (const std::size_t open = header.find('['); open != std::string::npos) {
+    if (header.back() != ']') return std::nullopt;
+    column.unit = header.substr(open + 1, header.size() - open - 2);
+    path.erase(header.find_last_not_of(' ', open == 0 ? 0 : open - 1) + 1);
+  }
+  column.keys = path_keys(path);
+  return column.keys.empty() ? std::nullopt : std::optional(column);
+}
+
+/// A cell as a value of the project file: a number with the unit of its column, a truth, or a text.
+Node cell_node(const std::string& cell, const std::string& unit, const foundation::Origin& origin) {
+  double value = 0;
+  const char* const begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
+  const bool number = error == std::errc() && end == cell.data() + cell.size();
+  if (number && unit.empty()) {
+    Node node = text_node("", origin);
+    node.kind = Node::Kind::real;
+    node.number = value;
+    return node;
+  }
+  if (number) return text_node(cell + " " + unit, origin);
+  if (cell == "true" || cell == "false") {
+    Node node = text_node("", origin);
+    node.kind = Node::Kind::boolean;
+    node.boolean = cell == "true";
+    return node;
+  }
+  return text_node(cell, origin);
+}
+
+void put(Node& table, const std::vector<std::string>& keys, Node value) {
+  Node* node = &table;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    if (!node->find(keys[i])) {
+      node->keys.push_back(keys[i]);
+      node->items.push_back(table_node(value.origin));
+    }
+    node = node->find(keys[i]);
+  }
+  node->keys.push_back(keys.back());
+  node->items.push_back(std::move(value));
+}
+
+/// Columns at.x, at.y, at.z are one array, as the file writes it.
+class VectorsOfRow {
+ public:
+  VectorsOfRow(std::string path, foundation::Problems& problems) : path_(std::move(path)), problems_(problems) {}
+
+  void make_arrays(Node& table, const std::string& inside = "") const {
+    for (std::size_t i = 0; i < table.keys.size(); ++i) {
+      Node& item = table.items[i];
+      const std::string key = inside.empty() ? table.keys[i] : inside + "." + table.keys[i];
+      if (item.kind != Node::Kind::table || table.keys[i] == "moved" || table.keys[i] == "stiffness_factor" || table.keys[i] == "center_moved") continue;
+      const bool components = !item.keys.empty() && std::all_of(item.keys.begin(), item.keys.end(), [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
+      if (components) make_array(item, key);
+      else make_arrays(item, key);
+    }
+  }
+
+ private:
+  void make_array(Node& item, const std::string& key) const {
+    Node array = table_node(item.origin);
+    array.kind = Node::Kind::array;
+    for (const char* component : {"x", "y", "z"}) {
+      if (const Node* value = item.find(component)) array.items.push_back(*value);
+      else {
+        problems_.error(path_ + "." + key + "." + component, "missing", "a place or direction has three components", fmt::format("give {0}.x, {0}.y and {0}.z", key)).origin = item.origin;
+        array.items.push_back(cell_node("0", "", item.origin));  // reading goes on
+      }
+    }
+    item = std::move(array);
+  }
+
+  std::string path_;
+  foundation::Problems& problems_;
+};
+
+/// One kind of things: "elements", "bodies" or "points".
+class ThingTable {
+ public:
+  ThingTable(Node& document, std::string kind, foundation::Problems& problems) : document_(document), kind_(std::move(kind)), problems_(problems) {}
+
+  void read(const Node& table) {
+    const std::string path = "tables." + kind_;
+    TableReader reader(table, path, problems_);
+    if (reader.has("file") == reader.has("rows")) {
+      reader.error(reader.has("file") ? "rows" : "file", reader.has("file") ? "file and rows" : "neither file nor rows", "a table is in a file or in rows",
+                   reader.has("file") ? "keep one" : "file = \"" + kind_ + ".csv\", or rows = [{name = …, …}]");
+      static_cast<void>(reader.node("file")), static_cast<void>(reader.node("rows"));
+    } else if (reader.has("file")) {
+      if (const auto file = read_file_name(reader, "file")) read_file(reader, *file);
+    } else {
+      read_rows(reader, *reader.node("rows"));
+    }
+    reader.finish();
+  }
+
+ private:
+  void read_file(TableReader& reader, const std::filesystem::path& file) {
+    const auto cells = read_text_table(file, most_rows);
+    if (!cells) return reader.add_of_file("file", cells.error());
+    std::vector<std::optional<Column>> columns;
+    for (const std::string& header : cells->columns) {
+      columns.push_back(column_of(header));
+      if (!columns.back())
+        problems_.error("tables." + kind_, "column " + foundation::quoted(header), "a column is a key with its unit in brackets", "for instance name, type, on, at.x [mm], scale").origin = {file.string(), cells->header_line, 0};
+    }
+    for (std::size_t r = 0; r < cells->rows.size(); ++r) {
+      const foundation::Origin origin{file.string(), cells->lines[r], 0};
+      Node row = table_node(origin);
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        if (columns[c] && !cells->rows[r][c].empty()) put(row, columns[c]->keys, cell_node(cells->rows[r][c], columns[c]->unit, origin));
+      add(std::move(row));
+    }
+  }
+
+  void read_rows(TableReader& reader, const Node& rows) {
+    if (rows.kind != Node::Kind::array) {
+      reader.error("rows", words(rows.kind), "rows are a list of tables in braces", "rows = [{name = \"front\", type = \"mount\", on = \"machine\", at = [0, 0, 0]}, …]");
+      return;
+    }
+    if (rows.items.size() > most_rows) {
+      reader.error("rows", fmt::format("{} rows", rows.items.size()), fmt::format("a table has at most {}", most_rows), "split the model");
+      return;
+    }
+    for (const Node& row : rows.items) {
+      if (row.kind == Node::Kind::table) add(row);
+      else problems_.error("tables." + kind_ + ".rows", shown(row), "a row is a table in braces", "{name = \"front\", …}").origin = row.origin;
+    }
+  }
+
+  /// A row among the things of its kind, under its name.
+  void add(Node row) {
+    const Node* name = row.find("name");
+    const foundation::Origin origin = row.origin;
+    if (!name || (name->kind != Node::Kind::text && name->kind != Node::Kind::real && name->kind != Node::Kind::integer)) {
+      problems_.error("tables." + kind_, name ? shown(*name) : "a row without a name", "every row has a name", "add name = \"…\"").origin = origin;
+      return;
+    }
+    const std::string called = name->kind == Node::Kind::text ? name->text : fmt::format("{}", name->number);
+    remove(row, "name");
+    Node* things = holder(row, called);
+    if (!things) return;
+    const std::string path = kind_ == "points" ? "points." + called : kind_ + "." + called;
+    VectorsOfRow(path, problems_).make_arrays(row);
+    if (const Node* other = things->find(called)) {
+      problems_.error(path, fmt::format("a second one, in {}", place(origin)), fmt::format("the name is that of another one, in {}", place(other->origin)), "names are unique: rename one of them").origin = origin;
+      return;
+    }
+    if (kind_ == "points") {
+      const Node* at = row.find("at");
+      if (!at) problems_.error(path + ".at", "missing", "a point has a place", "give at.x, at.y and at.z").origin = origin;
+      for (const std::string& key : row.keys)
+        if (key != "at") problems_.error(path + "." + key, "unknown key", "a point has a name, the body that it is on, and its place: name, on, at", "remove it").origin = origin;
+      if (!at) return;
+      row = Node(*at);
+    }
+    things->keys.push_back(called);
+    things->items.push_back(std::move(row));
+  }
+
+  /// The table that the thing goes into; made where the file has none.
+  Node* holder(Node& row, const std::string& called) {
+    if (kind_ != "points") return made(document_, kind_, row.origin);
+    const Node* on = row.find("on");
+    const Node* bodies = document_.find("bodies");
+    Node* body = nullptr;
+    if (on && on->kind == Node::Kind::text && bodies && bodies->kind == Node::Kind::table) body = document_.find("bodies")->find(on->text);
+    if (!body || body->kind != Node::Kind::table) {
+      const std::string guess = on && bodies ? foundation::nearest_name(on->text, bodies->keys) : "";
+      problems_.error("points." + called + ".on", on ? shown(*on) : "missing", "a point is on a body", guess.empty() ? "name the body: on = \"BODY\"" : "did you mean \"" + guess + "\"?").origin = row.origin;
+      return nullptr;
+    }
+    remove(row, "on");
+    return made(*body, "points", row.origin);
+  }
+
+  Node* made(Node& parent, const std::string& key, const foundation::Origin& origin) {
+    if (Node* old = parent.find(key)) return old->kind == Node::Kind::table ? old : nullptr;
+    parent.keys.push_back(key);
+    parent.items.push_back(table_node(origin));
+    return &parent.items.back();
+  }
+
+  static void remove(Node& table, const std::string& key) {
+    const auto at = std::find(table.keys.begin(), table.keys.end(), key);
+    table.items.erase(table.items.begin() + (at - table.keys.begin()));
+    table.keys.erase(at);
+  }
+
+  Node& document_;
+  std::string kind_;
+  foundation::Problems& problems_;
+};
+
+}  // namespace
+
+void put_tables_in_place(Node& document, foundation::Problems& problems) {
+  const auto at = std::find(document.keys.begin(), document.keys.end(), "tables");
+  if (at == document.keys.end()) return;
+  const Node tables = std::move(document.items[static_cast<std::size_t>(at - document.keys.begin())]);
+  document.items.erase(document.items.begin() + (at - document.keys.begin()));
+  document.keys.erase(at);
+  if (tables.kind != Node::Kind::table) {
+    problems.error("tables", words(tables.kind), "tables are tables of things", "write [tables.elements]").origin = tables.origin;
+    return;
+  }
+  TableReader reader(tables, "tables", problems);
+  for (const char* kind : {"bodies", "points", "elements"})
+    if (const Node* table = reader.table(kind)) ThingTable(document, kind, problems).read(*table);
+  reader.finish();
+}
+
+}  // namespace trivet::project

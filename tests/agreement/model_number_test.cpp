@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `explain` changes is what the project file changes under the same name.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "support/projects.h"
+#include "trivet/assembly/assembled.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/model_number.h"
+#include "trivet/project/project.h"
+#include "trivet/response/sensitivity/model_parameters.h"
+
+namespace {
+
+using namespace trivet;
+
+constexpr double round_off = 1e-12;  // of the largest entry: factors are formed as 1 + 0.01 in one way and 1.01 in the other
+
+Eigen::MatrixXcd dynamic_stiffness(const model::System& system) {
+  constexpr double omega = 7;
+  return assembly::assemble(system).dynamic_stiffness(omega, omega);
+}
+
+/// The value of a file's number after the change that explain makes: relative to what is written, or added to it.
+double changed_value(double before, const response::Parameter& parameter) {
+  const bool added = parameter.change == "+1 mm" || parameter.change.find("√") != std::string::npos;
+  return added ? before + parameter.size : before * (1 + parameter.size);
+}
+
+std::vector<std::filesystem::path> examples() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(TRIVET_SOURCE_DIR) / "examples"))
+    if (entry.path().extension() == ".toml" && entry.path().string().find("rubber_mounts") == std::string::npos) found.push_back(entry.path());
+  return found;
+}
+
+TEST(ModelNumbers, AreThoseOfExplainByTheirPaths) {
+  int compared = 0;
+  for (const std::filesystem::path& file : examples()) {
+    const auto project = project::read_project(file);
+    if (!project) continue;  // catalogues
+    const project::Case& base = project->base();
+    for (const response::Parameter& parameter : response::model_parameters(base.system)) {
+      const project::ModelNumber number(parameter.name, "");
+      const std::optional<double> before = number.read(base);
+      ASSERT_TRUE(before) << file << ": " << parameter.name;
+      const auto by_file = project::changed_system(base, {{number, changed_value(*before, parameter)}});
+      ASSERT_TRUE(by_file) << file << ": " << parameter.name << ": " << foundation::message(by_file.error().list().front());
+      const Eigen::MatrixXcd expected = dynamic_stiffness(response::changed(base.system, parameter, parameter.size)), found = dynamic_stiffness(*by_file);
+      EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff()) << file << ": " << parameter.name;
+      const Eigen::MatrixXcd before_change = dynamic_stiffness(base.system);
+      EXPECT_EQ(found == before_change, expected == before_change) << file << ": " << parameter.name << " changes nothing";
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 300);
+}
+
+constexpr const char* machine = R"(
+trivet = 1
+[bodies.machine]
+mass = 100
+inertia = {about = "center_of_mass", xx = 8, yy = 9, zz = 10}
+[elements."front left"]
+type = "bushing"
+on = "machine"
+at = ["0.3 m", "200 mm", 0]
+translation = [1e5, 1e5, 2e5]
+[elements.rear]
+type = "bushing"
+on = "machine"
+at = [-0.3, -0.2, 0]
+translation = [1e5, 1e5, 2e5]
+[elements.side]
+type = "bushing"
+on = "machine"
+at = [0, 0.3, 0.1]
+translation = [1e5, 1e5, 2e5]
+)";
+
+TEST(ModelNumbers, OfAnArrayAreItsComponents) {
+  const auto project = project::project_from_text(machine, "machine.toml");
+  ASSERT_TRUE(project);
+  const project::ModelNumber y("elements.\"front left\".at.y", "mm"), z("elements.rear.translation.z", "kN/m");
+  EXPECT_DOUBLE_EQ(y.read(project->base()).value(), 200);
+  EXPECT_DOUBLE_EQ(z.read(project->base()).value(), 200);
+  const auto changed = project::changed_system(project->base(), {{y, 250}, {z, 300}});
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(changed->elements()[0].k.at, Eigen::Vector3d(0.3, 0.25, 0));
+  const auto whole = project::project_from_text(machine, "machine.toml", {"elements.\"front left\".at = [0.3, 0.25, 0]", "elements.rear.translation = [1e5, 1e5, 3e5]"});
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(dynamic_stiffness(whole->base().system), dynamic_stiffness(*changed));
+}
+
+TEST(ModelNumbers, LeaveWhatTheyDoNotTouchAsItWasRead) {
+  const auto project = project::project_from_text(machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01"});
+  ASSERT_TRUE(project);
+  for (const auto& [path, value] : {std::pair{"elements.rear.scale", 1.2}, {"bodies.machine.position.x", 0.1}, {"elements.side.stiffness_factor.z", 1.1}, {"bodies.machine.mass", 120.0}}) {
+    const auto quick = project::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
+    const auto anew = project::project_from_text(machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01", path + (" = " + std::to_string(value))});
+    ASSERT_TRUE(quick && anew) << path;
+    EXPECT_EQ(dynamic_stiffness(*quick), dynamic_stiffness(anew->base().system)) << path;
+  }
+}
+
+}  // namespace
