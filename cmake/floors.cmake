@@ -1,20 +1,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_floor(NAME [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
+# add_floor(NAME [OPTIMIZED] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
 # All .cpp files of the folder are its sources; all headers are public and installed, but for kernels (-inl.h) and those that its
 # CMakeLists.txt names private. The arrows between floors and between the rooms of a floor, and the private headers, are
 # written to floors.txt for the test that holds all #include lines to them.
 file(WRITE ${PROJECT_BINARY_DIR}/floors.txt "")
 set_property(GLOBAL PROPERTY TRIVET_FLOORS "")
 
+set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
+  # False alarm of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-psabi>)
+
+# One precompiled header for all floors but those that are OPTIMIZED (compiled with -O3): GCC keeps options of optimisation with it.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
+add_library(trivet_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+set_target_properties(trivet_precompiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_compile_features(trivet_precompiled PRIVATE cxx_std_20)
+target_compile_options(trivet_precompiled PRIVATE ${TRIVET_WARNINGS})
+target_link_libraries(trivet_precompiled PRIVATE Eigen3::Eigen fmt::fmt tl::expected)
+target_precompile_headers(trivet_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+
 function(add_floor name)
-  cmake_parse_arguments(FLOOR "" "" "USES" ${ARGN})
+  cmake_parse_arguments(FLOOR "OPTIMIZED" "" "USES" ${ARGN})
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
-  set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   target_compile_features(trivet_${name} PUBLIC cxx_std_20)
-  target_compile_options(trivet_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
-    # False alarm of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-psabi>)
+  target_compile_options(trivet_${name} PRIVATE ${TRIVET_WARNINGS})
+  if(FLOOR_OPTIMIZED)
+    target_compile_options(trivet_${name} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3>)
+    target_precompile_headers(trivet_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+  else()
+    target_precompile_headers(trivet_${name} REUSE_FROM trivet_precompiled)
+  endif()
+  target_link_libraries(trivet_${name} PRIVATE fmt::fmt)
   list(TRANSFORM FLOOR_USES PREPEND trivet_ OUTPUT_VARIABLE lower)
   target_link_libraries(trivet_${name} PUBLIC ${lower})
   string(REPLACE ";" " " uses "${FLOOR_USES}")

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What nearly every file reads, read once: only the standard library, Eigen's core and formatting. No file may rely on it
+// (tests/headers, tests/architecture); it is a matter of minutes alone.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tl/expected.hpp>
