@@ -10,6 +10,7 @@
 #include "trivet/project/project.h"
 #include "trivet/project/questions.h"
 #include "trivet/results/picture_file.h"
+#include "trivet/study/answers.h"
 
 namespace trivet::cli {
 
@@ -64,5 +65,8 @@ struct BadArgument : std::runtime_error {
 
 /// Those that a command on one case answers.
 [[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> wanted);
+
+/// Warnings and free motions, which belong to every answer.
+[[nodiscard]] std::string warnings_text(const study::Answers& answers);
 
 }  // namespace trivet::cli

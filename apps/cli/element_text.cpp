@@ -7,11 +7,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "cli/text_table.h"
+#include "trivet/results/text_table.h"
 #include "trivet/foundation/constants.h"
 
 namespace trivet::cli {
 namespace {
+
+using results::nothing;
+using results::percent;
+using results::shown;
+using results::TextTable;
 
 using foundation::two_pi;
 constexpr std::array<const char*, 6> loads = {"F_x [N]", "F_y [N]", "F_z [N]", "M_x [N m]", "M_y [N m]", "M_z [N m]"};

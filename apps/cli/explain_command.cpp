@@ -7,13 +7,18 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/text_table.h"
+#include "trivet/results/text_table.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/results/explanation_json.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::cli {
 namespace {
+
+using results::nothing;
+using results::percent;
+using results::shown;
+using results::TextTable;
 
 constexpr std::size_t most_levers = 12;
 constexpr double worth_an_element = 0.005;

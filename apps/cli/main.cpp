@@ -14,6 +14,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/version.h"
 #include "trivet/project/text/embedded_text.h"
+#include "trivet/study/asked_questions.h"
 
 namespace {
 
@@ -98,17 +99,10 @@ int main(int argc, char** argv) {
   check->add_flag("--deep", options.deep, "compare the solver with a second, independent one");
   check->add_flag("--json", options.json, "JSON");
   add_strict(check, options);
-  add_answer(app, "modes", "undamped natural frequencies and modes", options);
-  add_answer(app, "roots", "damped roots", options);
-  CLI::App* response = add_answer(app, "response", "amplitude- and phase-frequency characteristics", options);
+  for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions()) add_strict(add_answer(app, question.name, question.about, options), options);
+  CLI::App* response = app.get_subcommand("response");
   CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")->check(not_empty);
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
-  add_answer(app, "peaks", "exact resonance peaks", options);
-  add_answer(app, "static", "static displacements and forces", options);
-  add_answer(app, "random", "root mean squares under random excitations", options);
-  add_answer(app, "transient", "motion in time", options);
-  add_answer(app, "orders", "run-up: response over shaft speed, critical speeds", options);
-  add_answer(app, "transmissibility", "force or motion that the mounts let through", options);
   CLI::App* explain = add_answer(app, "explain", "why each resonance peak is there, and what would change it", options);
   explain->add_option("--of", options.of, "an answer whose peaks are explained (repeatable); those of the file's peaks by default")->allow_extra_args(false);
   explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")->capture_default_str()->check(at_least_one);
@@ -118,7 +112,7 @@ int main(int argc, char** argv) {
   CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
   map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150, or 100 for both")->check(not_empty);
   add_picture(*map, "map", options);
-  for (const char* judged : {"modes", "roots", "response", "peaks", "static", "random", "transient", "orders", "transmissibility", "map"}) add_strict(app.get_subcommand(judged), options);
+  add_strict(map, options);
   CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");

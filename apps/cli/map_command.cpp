@@ -7,7 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/map_text.h"
+#include "trivet/results/map_text.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/map_figure.h"
@@ -60,7 +60,7 @@ int map_command(const Options& options) {
     const results::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
     if (options.json) results::write_map_json(map, warnings, sink);
     else if (options.csv) results::write_map_csv(map, sink);
-    else write_output(map_text(map));
+    else write_output(results::map_text(map));
     if (picture) picture->publish(report::map_figure(map, project->title).svg);
     Strictness strictness;
     strictness.add(map);

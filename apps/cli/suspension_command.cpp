@@ -9,7 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/text_table.h"
+#include "trivet/results/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
@@ -18,6 +18,11 @@
 
 namespace trivet::cli {
 namespace {
+
+using results::nothing;
+using results::percent;
+using results::shown;
+using results::TextTable;
 
 using foundation::two_pi;
 

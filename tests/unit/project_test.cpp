@@ -3,7 +3,7 @@
 
 #include "support/projects.h"
 #include "trivet/project/text/embedded_text.h"
-#include "trivet/results/answers_json.h"
+#include "trivet/results/written_answers.h"
 
 namespace {
 
@@ -88,8 +88,8 @@ TEST(Project, TheStarterFileRuns) {
 TEST(Project, TheSameInputGivesTheSameBytes) {
   const auto a = test::project(project::starter_text), b = test::project(project::starter_text);
   const auto answers_a = study::answers(a.base(), a.base().analyses), answers_b = study::answers(b.base(), b.base().analyses);
-  EXPECT_EQ(results::response_json(answers_a), results::response_json(answers_b));
-  EXPECT_EQ(results::peaks_json(answers_a), results::peaks_json(answers_b));
+  EXPECT_EQ(results::answer_json("response", a.base(), answers_a), results::answer_json("response", b.base(), answers_b));
+  EXPECT_EQ(results::answer_json("peaks", a.base(), answers_a), results::answer_json("peaks", b.base(), answers_b));
 }
 
 TEST(Project, ElementsAreCarriedBetweenTurnedBodies) {

@@ -10,6 +10,9 @@
 /// The figures of each kind of answer; none where the case did not ask for it.
 namespace trivet::report {
 
+/// All figures of a case beside its harmonic characteristics, each kind numbered.
+[[nodiscard]] std::vector<Figure> answer_figures(const study::Answers& answers);
+
 /// Power spectral densities per hertz, one figure per body, point or element.
 [[nodiscard]] std::vector<Figure> random_figures(const study::Answers& answers);
 

@@ -42,16 +42,10 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json warnings(const foundation::Problems& problems);
 /// Where an end of an element sits: "on", "at", "in_ground", "axes_in_ground".
 [[nodiscard]] Json end(const project::Case& variant, const model::End& end);
-[[nodiscard]] Json modes(const project::Case& variant, const study::Answers& answers);
-[[nodiscard]] Json roots(const project::Case& variant, const study::Answers& answers);
 [[nodiscard]] Json response(const study::Answers& answers);
 /// What a page needs to draw the response: the model of the curves where there is one, instead of a long table.
 [[nodiscard]] Json drawn_response(const study::Answers& answers);
-[[nodiscard]] Json peaks(const study::Answers& answers);
-[[nodiscard]] Json statics(const study::Answers& answers);
 [[nodiscard]] Json limit_lines(const study::Answers& answers);
-/// Random, transient, orders … of those answers that there are, by their names.
-void add_further(const study::Answers& answers, Json& result);
 [[nodiscard]] Json design_map(const study::DesignMap& map);
 /// Of its cases the verdicts alone.
 [[nodiscard]] Json map_marks(const study::DesignMap& map);

@@ -7,29 +7,16 @@
 #include <cmath>
 #include <filesystem>
 
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/version.h"
-#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/results/answer_writer.h"
 #include "trivet/results/json_parts.h"
-#include "trivet/study/element_summary.h"
+#include "trivet/study/whole_study.h"
 
 namespace trivet::results {
 namespace {
 
 using json::Json;
-
-/// `lowest`: the scaled eigenvalue that tells whether it gives energy.
-void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, double lowest, bool symmetric,
-                      std::vector<CheckLine>& lines) {
-  if (v.highest_eigenvalue == 0) return;
-  lines.push_back({subject, quantity + " resists no rigid motion", fmt::format("{:.1e} of its scale", v.rigid_residual),
-                   v.rigid_residual <= elements::silent_residual});
-  if (symmetric) {
-    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
-    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest), lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
-  }
-}
 
 std::string damping_words(const elements::Damping& damping) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
@@ -113,58 +100,29 @@ Json model_json(const project::Case& variant) {
 
 enum class Reader { file, page };
 
+/// Answers that the page shows itself; tables and figures of the others are in its text.
+const std::vector<std::string> drawn_by_page = {"modes", "roots", "peaks", "static", "limit_lines"};
+
 Json case_json(const project::Case& variant, const study::Answers& answers, Reader reader) {
   Json checks = Json::array();
-  for (const CheckLine& line : check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
+  for (const study::CheckLine& line : study::check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
   Json limits = Json::array();
   for (const study::LimitAnswer& limit : answers.limits)
     limits.push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}, {"in_band", json::number(limit.in_band)},
                       {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
   Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
               {"free_motions", answers.free_motions}, {"not_computed", answers.failures}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
-  if (variant.analyses.modes) result["modes"] = json::modes(variant, answers);
-  if (variant.analyses.roots) result["roots"] = json::roots(variant, answers);
-  if (answers.response) {
-    result["band"] = {answers.response->band.from, answers.response->band.to};
-    result["response"] = reader == Reader::page ? json::drawn_response(answers) : json::response(answers);
+  for (const AnswerWriter* writer : answer_writers()) {
+    if (!writer->is_there(variant, answers)) continue;
+    const std::string name = writer->name;
+    if (name == "response") result["band"] = {answers.response->band.from, answers.response->band.to};
+    if (reader == Reader::file) result[name] = writer->json(variant, answers);
+    else if (name == "response") result[name] = json::drawn_response(answers);
+    else if (name == "map") result[name] = json::map_marks(*answers.map);
+    else if (std::find(drawn_by_page.begin(), drawn_by_page.end(), name) != drawn_by_page.end()) result[name] = writer->json(variant, answers);
   }
-  if (answers.peaks) result["peaks"] = json::peaks(answers);
-  if (answers.statics) result["static"] = json::statics(answers);
-  if (reader == Reader::file) {
-    json::add_further(answers, result);
-    return result;
-  }
-  if (!answers.limit_lines.empty()) result["limit_lines"] = json::limit_lines(answers);
-  if (answers.map) result["map"] = json::map_marks(*answers.map);
   return result;
 }
-
-}  // namespace
-
-std::vector<CheckLine> check_lines(const project::Case& variant) {
-  std::vector<CheckLine> lines;
-  for (const auto& body : variant.system.bodies()) {
-    const std::string subject = "body " + body.name;
-    lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
-    if (!body.has_inertia) continue;
-    const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
-    const Eigen::VectorXd a = numerics::symmetric_eigenvalues(spatial::mass_matrix(body.mass));
-    lines.push_back({subject, "principal central moments are those of a real body", fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
-                     spatial::broken_bounds(body.mass).empty()});
-    lines.push_back({subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
-  }
-  for (const auto& element : variant.system.elements()) {
-    const std::string subject = "element " + element.name;
-    const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
-    const elements::MatrixVerdict of_k = study::matrix_verdict(variant, element, k), of_b = study::matrix_verdict(variant, element, b);
-    // Turned as a whole, a preloaded element does work: N is held.
-    add_matrix_lines(subject, "stiffness", of_k, element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric, lines);
-    add_matrix_lines(subject, "damping", of_b, of_b.lowest_eigenvalue, element.symmetric, lines);
-  }
-  return lines;
-}
-
-namespace {
 
 std::string all_results(const project::Project& project, const std::vector<study::Answers>& answers, Reader reader) {
   Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
@@ -181,7 +139,7 @@ std::string results_json(const project::Project& project, const std::vector<stud
 std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers) { return all_results(project, answers, Reader::page); }
 
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
-                          const std::vector<CaseDeepCheck>& deep) {
+                          const std::vector<study::CaseCheck>& cases) {
   Json list = Json::array();
   const foundation::Problems first = foundation::listed(problems);
   for (const auto& p : first.list())
@@ -192,13 +150,16 @@ std::string problems_json(const foundation::Problems& problems, const std::vecto
               {"not_listed", problems.list().size() - first.list().size()},
               {"free_motions", free_motions},
               {"warnings", json::warnings(problems)}};
-  for (const auto& [name, check] : deep)
-    result["deep"].push_back({{"case", name},
+  for (const study::CaseCheck& one : cases) {
+    if (!one.deep) continue;
+    const response::DeepCheck& check = *one.deep;
+    result["deep"].push_back({{"case", one.case_name},
                               {"verdict", check.verdict()},
                               {"frequencies", check.frequencies},
                               {"worst_difference", json::number(check.worst_difference)},
                               {"allowed", json::number(check.allowed)},
                               {"at", check.at_angular_frequency}});
+  }
   return json::text(result, 1) + "\n";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/further_figures.h"
+#include "trivet/report/answer_figures.h"
 
 #include <gmock/gmock.h>
 
@@ -62,9 +62,9 @@ const report::Figure& figure(const std::vector<report::Figure>& figures, const s
   return *found;
 }
 
-TEST(FurtherFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
+TEST(AnswerFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
   std::vector<std::string> names;
-  for (const report::Figure& f : report::further_figures(everything())) {
+  for (const report::Figure& f : report::answer_figures(everything())) {
     EXPECT_EQ(xml_fault(f.svg), "") << f.file_name;
     EXPECT_THAT(f.svg, Not(HasSubstr("nan"))) << f.file_name;
     EXPECT_THAT(f.svg, Not(HasSubstr("inf"))) << f.file_name;
@@ -75,8 +75,8 @@ TEST(FurtherFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
 
-TEST(FurtherFigures, NameQuantityAndUnitOnTheirAxes) {
-  const auto all = report::further_figures(everything());
+TEST(AnswerFigures, NameQuantityAndUnitOnTheirAxes) {
+  const auto all = report::answer_figures(everything());
   const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
       {"random-01", {"f [Hz]", "displacement density [mm²/Hz]", "rotation density [mrad²/Hz]"}},
       {"random-03", {"force density [kN²/Hz]", "moment density [(kN m)²/Hz]"}},
@@ -93,8 +93,8 @@ TEST(FurtherFigures, NameQuantityAndUnitOnTheirAxes) {
     for (const std::string& label : labels) EXPECT_NE(figure(all, file).svg.find(">" + label), std::string::npos) << file << ": " << label;
 }
 
-TEST(FurtherFigures, DrawOneLinePerCurve) {
-  const auto all = report::further_figures(everything());
+TEST(AnswerFigures, DrawOneLinePerCurve) {
+  const auto all = report::answer_figures(everything());
   for (const char* six_curves : {"random-01", "random-03", "transient-01", "transient-02", "transient-03"})
     EXPECT_EQ(count(figure(all, six_curves).svg, "<polyline"), 6) << six_curves;
   EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"), 6 * (1 + 4));  // six coordinates: all orders, and each of the four
@@ -103,12 +103,12 @@ TEST(FurtherFigures, DrawOneLinePerCurve) {
   EXPECT_EQ(count(figure(all, "limit").svg, "<polyline"), 2);
 }
 
-TEST(FurtherFigures, WithoutAnswersThereAreNone) {
-  EXPECT_TRUE(report::further_figures({}).empty());
+TEST(AnswerFigures, WithoutAnswersThereAreNone) {
+  EXPECT_TRUE(report::answer_figures({}).empty());
   EXPECT_EQ(report::answer_sections({}), "");
 }
 
-TEST(FurtherFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
+TEST(AnswerFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
   study::Answers answers;
   answers.power = everything().power;
   answers.power->into_ground.setZero();
@@ -116,7 +116,7 @@ TEST(FurtherFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
   EXPECT_TRUE(report::power_figures(answers).empty());
 }
 
-TEST(FurtherFigures, GapsOfUndefinedValuesPartTheCurve) {
+TEST(AnswerFigures, GapsOfUndefinedValuesPartTheCurve) {
   study::Answers answers;
   answers.random = everything().random;
   auto& density = answers.random->curves.density.front();
@@ -127,7 +127,7 @@ TEST(FurtherFigures, GapsOfUndefinedValuesPartTheCurve) {
 TEST(AnswerSections, HoldTheFiguresAndTheKeyNumbers) {
   const std::string html = report::answer_sections(everything());
   EXPECT_EQ(xml_fault(html), "");
-  EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::further_figures(everything()).size()));
+  EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::answer_figures(everything()).size()));
   for (const char* title : {"Random response", "Motion in time", "Run-up", "Transmissibility", "Power into the ground",
                             "Shock response spectrum", "Limit lines", "Operating shapes"})
     EXPECT_THAT(html, HasSubstr("<h2>" + std::string(title) + "</h2>"));

@@ -5,9 +5,9 @@
 
 #include "trivet/study/design_map.h"
 
-namespace trivet::cli {
+namespace trivet::results {
 
 /// A map for reading: where designs keep the rules, what governs, the best, and every marked case.
 [[nodiscard]] std::string map_text(const study::DesignMap& map);
 
-}  // namespace trivet::cli
+}  // namespace trivet::results

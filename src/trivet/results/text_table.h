@@ -7,17 +7,20 @@
 #include <string>
 #include <vector>
 
-namespace trivet::cli {
+namespace trivet::results {
 
-/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left.
+/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left. One that is wider than a screen
+/// comes in parts below each other, each with the first column.
 class TextTable {
  public:
-  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+  /// @param together  columns after the first that are not parted: 2 for amplitude and phase
+  explicit TextTable(std::vector<std::string> header, std::size_t together = 1) : rows_{std::move(header)}, together_(together) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text() const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
+  std::size_t together_;
 };
 
 /// Six significant digits, or a dash where there is no number.
@@ -29,4 +32,4 @@ inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// "12.3 %"
 [[nodiscard]] inline std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
-}  // namespace trivet::cli
+}  // namespace trivet::results

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/further_figures.h"
+#include "trivet/report/answer_figures.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "trivet/report/answer_figures.h"
 
 namespace trivet::report {
 
@@ -17,7 +15,7 @@ double highest_finite(const Eigen::VectorXd& values) {
   return largest;
 }
 
-std::vector<Figure> further_figures(const study::Answers& answers) {
+std::vector<Figure> answer_figures(const study::Answers& answers) {
   std::vector<Figure> all;
   for (const auto& kind : {random_figures, transient_figures, run_up_figures, campbell_figures, waterfall_figures, transmissibility_figures,
                            power_figures, shock_figures, limit_figures, shape_figures, map_figures}) {

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/map_text.h"
+#include "trivet/results/map_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/text_table.h"
+#include "trivet/results/text_table.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/map_summary.h"
 #include "trivet/results/map_verdicts.h"
 #include "trivet/results/shown_apart.h"
 
-namespace trivet::cli {
+namespace trivet::results {
 namespace {
 
 std::string point_words(const study::DesignMap& map, const design::DesignPoint& p) {
   const project::MapAxis &x = map.request.x, &y = map.request.y;
-  return fmt::format("{} = {}, {} = {}", results::axis_name(x), results::axis_value(p.x, x), results::axis_name(y), results::axis_value(p.y, y));
+  return fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
 }
 
 std::string axis_words(const project::MapAxis& axis) {
-  const std::string name = results::axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")", unit = results::axis_unit(axis);
-  const auto [from, to] = results::shown_apart(axis.from, axis.to, 6);
+  const std::string name = axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")", unit = axis_unit(axis);
+  const auto [from, to] = shown_apart(axis.from, axis.to, 6);
   return fmt::format("{}{} {} … {}{}, {} points{}", name, path, from, to, unit.empty() ? "" : " " + unit, axis.points, axis.logarithmic ? ", logarithmic" : "");
 }
 
@@ -35,24 +35,24 @@ std::string coarse_words(const study::DesignMap& map) {
 std::string shares_text(const study::DesignMap& map) {
   TextTable table({"rule", "governs, broken", "governs, kept"});
   const auto percent = [&](std::size_t designs) { return fmt::format("{:.1f} %", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
-  const std::vector<std::size_t> governing = results::governing_rules(map);
+  const std::vector<std::size_t> governing = governing_rules(map);
   std::size_t limited = 0;
   for (const std::size_t r : governing) {
     table.add({map.rules[r].words, percent(map.shares[r].broken), percent(map.shares[r].kept)});
     limited += map.shares[r].kept;
   }
-  if (map.kept > limited) table.add({"no rule limits them: " + results::unlimited_words(map), "", percent(map.kept - limited)});
+  if (map.kept > limited) table.add({"no rule limits them: " + unlimited_words(map), "", percent(map.kept - limited)});
   const std::size_t silent = map.rules.size() - governing.size();
   return table.text() + (silent > 0 ? fmt::format("  {} of {} rules govern nowhere\n", silent, map.rules.size()) : "");
 }
 
 std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
-  const auto place = [&](const std::optional<double>& value, const project::MapAxis& axis) { return value ? results::axis_value(*value, axis) : std::string("not in the file"); };
+  const auto place = [&](const std::optional<double>& value, const project::MapAxis& axis) { return value ? axis_value(*value, axis) : std::string("not in the file"); };
   std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name, place(mark.x, map.request.x), place(mark.y, map.request.y),
                                  !mark.judged ? "NOT COMPUTED" : mark.judged->governing.kept() ? "keeps every rule" : "BREAKS the rules");
   if (!mark.of_this_model) text += ", a model of its own beside the two numbers";
   text += "\n";
-  for (const std::string& words : results::verdict_words(map, mark)) text += "      " + words + "\n";
+  for (const std::string& words : verdict_words(map, mark)) text += "      " + words + "\n";
   return text;
 }
 
@@ -60,9 +60,9 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
 
 std::string map_text(const study::DesignMap& map) {
   std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
-  text += "  " + results::asked_words(map) + "\n";
-  text += results::feasible_words(map) + coarse_words(map) + "\n";
-  if (map.best) text += results::best_words(map) + "\n";
+  text += "  " + asked_words(map) + "\n";
+  text += feasible_words(map) + coarse_words(map) + "\n";
+  if (map.best) text += best_words(map) + "\n";
   text += shares_text(map);
   for (const design::MissingReason& reason : map.report.missing)
     text += fmt::format("  {} design{} without an answer, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)),
@@ -72,4 +72,4 @@ std::string map_text(const study::DesignMap& map) {
   return text + "  " + map.report.words() + "\n";
 }
 
-}  // namespace trivet::cli
+}  // namespace trivet::results

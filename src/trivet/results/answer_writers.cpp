@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "trivet/foundation/message_list.h"
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/map_json.h"
+#include "trivet/results/map_text.h"
+#include "trivet/results/written_answers.h"
+
+namespace trivet::results {
+namespace json {
+
+Json warnings(const foundation::Problems& problems) {
+  Json result = Json::array();
+  foundation::Problems warnings;
+  for (const auto& problem : problems.list())
+    if (problem.severity == foundation::Severity::warning) warnings.add(problem);
+  const foundation::Problems first = foundation::listed(warnings);
+  for (const auto& problem : first.list()) result.push_back(foundation::message(problem));
+  if (const std::string rest = foundation::rest_of_list(warnings); !rest.empty()) result.push_back(rest);
+  return result;
+}
+
+Json curve(const response::Curve& c) {
+  Json values = Json::array();
+  for (Eigen::Index i = 0; i < c.value.size(); ++i) values.push_back(complex_number(c.value(i)));
+  return {{"name", c.name}, {"unit", c.unit}, {"complex", std::move(values)}};
+}
+
+}  // namespace json
+
+namespace {
+
+/// The command `map` writes a map by its own options; here it is one of the answers of a run.
+const AnswerWriter map_writer = {
+    .name = "map",
+    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.map.has_value(); },
+    .json = [](const project::Case&, const study::Answers& answers) { return json::design_map(*answers.map); },
+    .tables = {{"map.csv", [](const project::Case&, const study::Answers& answers) { return map_csv(*answers.map); }}},
+    .text = [](const project::Case&, const study::Answers& answers) { return map_text(*answers.map); },
+};
+
+}  // namespace
+
+const std::vector<const AnswerWriter*>& answer_writers() {
+  static const std::vector<const AnswerWriter*> list = {
+      &modes_writer, &roots_writer,  &response_writer, &peaks_writer,  &static_writer,         &random_writer,     &transient_writer,   &orders_writer,
+      &transmissibility_writer, &power_writer, &shapes_writer, &shock_spectrum_writer, &earthquake_writer, &limit_lines_writer, &map_writer, &load_sharing_writer,
+  };
+  return list;
+}
+
+namespace {
+
+const AnswerWriter& writer_of(const std::string& question) {
+  const auto& list = answer_writers();
+  return **std::find_if(list.begin(), list.end(), [&](const AnswerWriter* one) { return one->name == question; });
+}
+
+}  // namespace
+
+std::string answer_json(const std::string& question, const project::Case& variant, const study::Answers& answers) {
+  return json::text(writer_of(question).json(variant, answers), 1) + "\n";
+}
+
+std::string answer_csv(const std::string& question, const project::Case& variant, const study::Answers& answers) {
+  return writer_of(question).tables.front().csv(variant, answers);
+}
+
+std::string answer_text(const std::string& question, const project::Case& variant, const study::Answers& answers) {
+  return writer_of(question).text(variant, answers);
+}
+
+std::vector<AnswerFile> answer_files(const project::Case& variant, const study::Answers& answers) {
+  std::vector<AnswerFile> files;
+  for (const AnswerWriter* writer : answer_writers())
+    if (writer->is_there(variant, answers))
+      for (const CsvWriter& table : writer->tables) files.push_back({table.file, table.csv(variant, answers)});
+  return files;
+}
+
+std::string answers_summary(const project::Case& variant, const study::Answers& answers) {
+  std::string text;
+  for (const AnswerWriter* writer : answer_writers()) {
+    if (!writer->is_there(variant, answers)) continue;
+    const std::string one = (writer->summary ? writer->summary : writer->text)(variant, answers);
+    if (!one.empty()) text += one + "\n";
+  }
+  return text;
+}
+
+}  // namespace trivet::results

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/csv_field.h"
+#include "trivet/results/text_table.h"
+
+/// Answers of the response against lines of the user.
+namespace trivet::results {
+namespace json {
+
+Json limit_lines(const study::Answers& answers) {
+  Json result = Json::array();
+  for (const study::LimitLineResult& l : answers.limit_lines) {
+    Json exceeded = Json::array();
+    for (const response::Band& band : l.comparison.exceeded) exceeded.push_back({band.from, band.to});
+    result.push_back({{"name", l.line.name}, {"of", l.of}, {"unit", l.line.unit}, {"level", l.line.rms ? "rms" : "zero_to_peak"}, {"compared", {l.comparison.compared.from, l.comparison.compared.to}},
+                      {"least_margin", number(l.comparison.least_margin)}, {"least_margin_db", number(response::margin_level(l.comparison.least_margin))}, {"at", l.comparison.least_margin_at},
+                      {"exceeded", std::move(exceeded)}, {"kept", l.comparison.kept()}});
+  }
+  return result;
+}
+
+}  // namespace json
+
+std::string limit_lines_text(const study::Answers& answers) {
+  if (answers.limit_lines.empty()) return "";
+  TextTable table({"limit line", "answer", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
+  for (const study::LimitLineResult& l : answers.limit_lines) {
+    std::string bands;
+    for (const response::Band& band : l.comparison.exceeded) bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", hertz(band.from), hertz(band.to));
+    table.add({l.line.name, l.of, shown(response::margin_level(l.comparison.least_margin), 4), shown(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands, l.comparison.kept() ? "kept" : "EXCEEDED"});
+  }
+  return "Limit lines\n" + table.text();
+}
+
+namespace {
+
+/// One row per limit line; what is exceeded as "from … to" in hertz.
+std::string limit_lines_csv(const project::Case&, const study::Answers& answers) {
+  std::string text = "limit line,name,unit,level,least_margin,least_margin [dB],at [rad/s],exceeded [Hz],kept\n";
+  for (const study::LimitLineResult& l : answers.limit_lines) {
+    std::string bands;
+    for (const response::Band& band : l.comparison.exceeded) bands += (bands.empty() ? "" : "; ") + fmt::format("{} to {}", hertz(band.from), hertz(band.to));
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(l.line.name), csv_field(l.of), csv_field(l.line.unit), l.line.rms ? "rms" : "zero_to_peak", csv_number(l.comparison.least_margin),
+                        csv_number(response::margin_level(l.comparison.least_margin)), csv_number(l.comparison.least_margin_at), csv_field(bands), l.comparison.kept() ? "yes" : "no");
+  }
+  return text;
+}
+
+json::Json limit_lines_json(const project::Case&, const study::Answers& answers) { return json::limit_lines(answers); }
+
+std::string limit_lines_table(const project::Case&, const study::Answers& answers) { return limit_lines_text(answers); }
+
+}  // namespace
+
+const AnswerWriter limit_lines_writer = {
+    .name = "limit_lines",
+    .is_there = [](const project::Case&, const study::Answers& answers) { return !answers.limit_lines.empty(); },
+    .json = limit_lines_json,
+    .tables = {{"limit_lines.csv", limit_lines_csv}},
+    .text = limit_lines_table,
+};
+
+}  // namespace trivet::results

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/csv_field.h"
+#include "trivet/results/text_table.h"
+
+/// Undamped modes.
+namespace trivet::results {
+namespace json {
+namespace {
+
+Json body_names(const project::Case& variant) {
+  Json names = Json::array();
+  for (const auto& body : variant.system.bodies()) names.push_back(body.name);
+  return names;
+}
+
+Json element_names(const project::Case& variant) {
+  Json names = Json::array();
+  for (const auto& element : variant.system.elements()) names.push_back(element.name);
+  return names;
+}
+
+Json screws(const std::vector<spatial::Screw>& list_of_screws) {
+  Json result = Json::array();
+  for (const spatial::Screw& screw : list_of_screws) {
+    Json one{{"direction", list(screw.direction)}, {"point", nullptr}, {"pitch", nullptr}, {"rotation", screw.rotation}};
+    if (!screw.pure_translation) {
+      one["point"] = list(screw.point);
+      one["pitch"] = screw.pitch;
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+Json mode(const modal::Mode& m) {
+  return {{"number", m.number},
+          {"eigenvalue_squared", m.eigenvalue_squared},
+          {"angular_frequency", optional(m.angular_frequency)},
+          {"frequency_hz", m.angular_frequency ? Json(*m.angular_frequency / foundation::two_pi) : Json(nullptr)},
+          {"modal_mass", m.modal_mass},
+          {"repeated", m.repeated},
+          {"shape", list(m.shape)},
+          {"shape_at_center_of_mass", list(m.shape_at_centre)},
+          {"kinetic_energy_share", list(m.kinetic_energy_share)},
+          {"principal_kinetic_energy_share", list(m.principal_kinetic_energy_share)},
+          {"element_kinetic_energy_share", list(m.element_kinetic_energy_share)},
+          {"strain_energy_share", m.strain_energy_share ? list(*m.strain_energy_share) : Json(nullptr)},
+          {"screws", screws(m.screws)},
+          {"name", m.name}};
+}
+
+Json modes(const project::Case& variant, const study::Answers& answers) {
+  Json result{{"bodies", body_names(variant)}, {"elements", element_names(variant)}, {"modes", Json::array()}, {"free_motions", answers.free_motions}, {"warnings", warnings(answers.warnings)}};
+  for (const modal::Mode& m : answers.modes.list) result["modes"].push_back(mode(m));
+  return result;
+}
+
+}  // namespace
+}  // namespace json
+
+namespace {
+
+using foundation::two_pi;
+
+std::string modes_csv(const project::Case& variant, const study::Answers& answers) {
+  std::string text = "mode,eigenvalue_squared [rad2/s2],angular_frequency [rad/s],frequency [Hz],name";
+  for (const auto& body : variant.system.bodies())
+    for (const char* coordinate : model::coordinate_names) text += "," + csv_field(fmt::format("shape {}.{}", body.name, coordinate));
+  for (const auto& element : variant.system.elements()) text += "," + csv_field("strain energy share " + element.name);
+  text += "\n";
+  for (const modal::Mode& mode : answers.modes.list) {
+    text += fmt::format("{},{},{},{},{}", mode.number, csv_number(mode.eigenvalue_squared), csv_number(mode.angular_frequency),
+                        mode.angular_frequency ? csv_number(*mode.angular_frequency / two_pi) : "", csv_field(mode.name));
+    for (const double component : mode.shape) text += "," + csv_number(component);
+    for (std::size_t e = 0; e < variant.system.elements().size(); ++e)
+      text += "," + (mode.strain_energy_share ? csv_number((*mode.strain_energy_share)(static_cast<Eigen::Index>(e))) : std::string());
+    text += "\n";
+  }
+  return text;
+}
+
+std::string strain_words(const project::Case& variant, const modal::Mode& mode) {
+  if (!mode.strain_energy_share) return "–";
+  Eigen::Index largest = 0;
+  const double share = mode.strain_energy_share->maxCoeff(&largest);
+  return variant.system.elements()[static_cast<std::size_t>(largest)].name + " " + percent(share);
+}
+
+std::string modes_text(const project::Case& variant, const study::Answers& answers) {
+  TextTable table({"mode", "ω [rad/s]", "f [Hz]", "ω² [rad²/s²]", "most strain energy in", "motion"});
+  for (const modal::Mode& mode : answers.modes.list) {
+    const double omega = mode.angular_frequency.value_or(nothing);
+    table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / two_pi, 7), shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
+               mode.name + (mode.repeated ? " (repeated root: one of an orthonormal basis)" : "")});
+  }
+  return "Undamped modes\n" + table.text();
+}
+
+}  // namespace
+
+const AnswerWriter modes_writer = {
+    .name = "modes",
+    .is_there = [](const project::Case& variant, const study::Answers&) { return variant.analyses.modes; },
+    .json = json::modes,
+    .tables = {{"modes.csv", modes_csv}},
+    .text = modes_text,
+};
+
+}  // namespace trivet::results

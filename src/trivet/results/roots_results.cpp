@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/csv_field.h"
+#include "trivet/results/text_table.h"
+
+/// Damped roots.
+namespace trivet::results {
+namespace json {
+namespace {
+
+Json names_of_bodies(const project::Case& variant) {
+  Json names = Json::array();
+  for (const auto& body : variant.system.bodies()) names.push_back(body.name);
+  return names;
+}
+
+Json roots(const project::Case& variant, const study::Answers& answers) {
+  Json result{{"bodies", names_of_bodies(variant)}, {"roots", Json::array()}, {"warnings", warnings(answers.warnings)}};
+  for (const modal::Root& root : answers.roots.list) {
+    Json shape = Json::array();
+    for (Eigen::Index i = 0; i < root.shape.size(); ++i) shape.push_back(complex_number(root.shape(i)));
+    result["roots"].push_back({{"eigenvalue", complex_number(root.eigenvalue)},
+                               {"kind", modal::name(root.kind)},
+                               {"angular_frequency", optional(root.angular_frequency)},
+                               {"damped_angular_frequency", optional(root.damped_angular_frequency)},
+                               {"damping_ratio", optional(root.damping_ratio)},
+                               {"exact", root.exact},
+                               {"shape", std::move(shape)},
+                               {"nearest_mode", optional(root.nearest_mode)}});
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace json
+
+namespace {
+
+std::string roots_csv(const project::Case&, const study::Answers& answers) {
+  std::string text = "real [1/s],imaginary [rad/s],kind,angular_frequency [rad/s],damping_ratio,nearest_mode\n";
+  for (const modal::Root& root : answers.roots.list)
+    text += fmt::format("{},{},{},{},{},{}\n", csv_number(root.eigenvalue.real()), csv_number(root.eigenvalue.imag()), modal::name(root.kind),
+                        csv_number(root.angular_frequency), csv_number(root.damping_ratio), csv_number(root.nearest_mode));
+  return text;
+}
+
+std::string roots_text(const project::Case&, const study::Answers& answers) {
+  TextTable table({"Re λ [1/s]", "Im λ [rad/s]", "kind", "|λ| [rad/s]", "damping ratio", "nearest mode"});
+  for (const modal::Root& root : answers.roots.list)
+    table.add({shown(root.eigenvalue.real(), 8), shown(root.eigenvalue.imag(), 8), std::string(modal::name(root.kind)) + (root.exact ? "" : " (approximate)"), shown(root.angular_frequency.value_or(nothing), 8),
+               shown(root.damping_ratio.value_or(nothing)), root.nearest_mode ? std::to_string(*root.nearest_mode) : "–"});
+  return "Damped roots λ, motion ~ exp(λt)\n" + table.text();
+}
+
+}  // namespace
+
+const AnswerWriter roots_writer = {
+    .name = "roots",
+    .is_there = [](const project::Case& variant, const study::Answers&) { return variant.analyses.roots; },
+    .json = json::roots,
+    .tables = {{"roots.csv", roots_csv}},
+    .text = roots_text,
+};
+
+}  // namespace trivet::results

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/csv_field.h"
+#include "trivet/results/text_table.h"
+
+/// Shock response spectra.
+namespace trivet::results {
+namespace json {
+namespace {
+
+Json shock_spectrum(const project::Case&, const study::Answers& answers) {
+  Json result{{"spectra", Json::array()}, {"warnings", warnings(answers.warnings)}};
+  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra) {
+    Json rows = Json::array();
+    for (const excitation::ShockResponse& r : spectrum.spectrum)
+      rows.push_back({{"angular_frequency", r.angular_frequency}, {"largest", r.largest()}, {"smallest", r.smallest()}, {"maximax", r.maximax()}, {"primary", r.primary()}, {"residual", r.residual()},
+                      {"relative_displacement", r.relative_displacement}, {"pseudo_velocity", r.pseudo_velocity()}});
+    result["spectra"].push_back({{"excitation", spectrum.excitation}, {"unit", spectrum.unit}, {"damping_ratio", spectrum.damping_ratio}, {"rows", std::move(rows)}});
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace json
+
+namespace {
+
+using foundation::two_pi;
+
+std::string shock_spectrum_csv(const project::Case&, const study::Answers& answers) {
+  std::string text = "excitation,natural frequency [Hz],largest [m/s²],smallest [m/s²],maximax [m/s²],pseudo velocity [m/s],relative displacement [m]\n";
+  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra)
+    for (const excitation::ShockResponse& r : spectrum.spectrum)
+      text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(spectrum.excitation), r.angular_frequency / two_pi, r.largest(), r.smallest(), r.maximax(), r.pseudo_velocity(), r.relative_displacement);
+  return text;
+}
+
+std::string shock_spectrum_text(const project::Case&, const study::Answers& answers) {
+  constexpr std::size_t most_rows = 24;
+  std::string text;
+  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra) {
+    TextTable table({"natural frequency [Hz]", "largest [m/s²]", "smallest [m/s²]", "pseudo velocity [m/s]", "relative displacement [m]"});
+    const std::size_t step = (spectrum.spectrum.size() + most_rows - 1) / most_rows;
+    for (std::size_t i = 0; i < spectrum.spectrum.size(); i += step) {
+      const excitation::ShockResponse& r = spectrum.spectrum[i];
+      table.add({shown(hertz(r.angular_frequency), 5), shown(r.largest()), shown(r.smallest()), shown(r.pseudo_velocity()), shown(r.relative_displacement)});
+    }
+    text += fmt::format("Shock response spectrum of {}, damping ratio {:.4g} (absolute acceleration)\n", spectrum.excitation, spectrum.damping_ratio) + table.text();
+  }
+  return text;
+}
+
+}  // namespace
+
+const AnswerWriter shock_spectrum_writer = {
+    .name = "shock_spectrum",
+    .is_there = [](const project::Case&, const study::Answers& answers) { return !answers.shock_spectra.empty(); },
+    .json = json::shock_spectrum,
+    .tables = {{"shock_spectrum.csv", shock_spectrum_csv}},
+    .text = shock_spectrum_text,
+};
+
+}  // namespace trivet::results

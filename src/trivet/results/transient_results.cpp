@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/csv_field.h"
+#include "trivet/results/text_table.h"
+
+/// Motion in time.
+namespace trivet::results {
+namespace json {
+namespace {
+
+Json extreme(const response::Extreme& e) { return {{"value", number(e.value)}, {"time", number(e.time)}}; }
+
+Json place(const response::MovingPlace& p) {
+  Json motion = Json::array();
+  for (Eigen::Index j = 0; j < 6; ++j) motion.push_back(complex_number(p.motion(j)));
+  return {{"name", p.name}, {"position", list(p.position)}, {"motion", std::move(motion)}};
+}
+
+Json transient(const project::Case&, const study::Answers& answers) {
+  const response::TransientResponse& found = answers.transient->response;
+  Json result{{"time", list(found.time)}, {"results", Json::array()}, {"warnings", warnings(answers.warnings)}};
+  for (const response::TimeCurve& c : found.curves)
+    result["results"].push_back({{"name", c.name}, {"unit", c.unit}, {"largest", extreme(c.largest)}, {"smallest", extreme(c.smallest)}, {"rms", number(c.rms)}, {"value", list(c.values)}});
+  return result;
+}
+
+}  // namespace
+}  // namespace json
+
+namespace {
+
+std::string transient_csv(const project::Case&, const study::Answers& answers) {
+  const response::TransientResponse& found = answers.transient->response;
+  std::string text = "time [s]";
+  for (const response::TimeCurve& c : found.curves) text += "," + csv_field(fmt::format("{} [{}]", c.name, c.unit));
+  text += "\n";
+  for (Eigen::Index k = 0; k < found.time.size(); ++k) {
+    text += csv_number(found.time(k));
+    for (const response::TimeCurve& c : found.curves) text += "," + csv_number(c.values(k));
+    text += "\n";
+  }
+  return text;
+}
+
+std::string transient_text(const project::Case&, const study::Answers& answers) {
+  const response::TransientResponse& found = answers.transient->response;
+  TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
+  for (const response::TimeCurve& c : found.curves)
+    table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value), shown(c.smallest.time, 5), shown(c.rms), c.unit});
+  const Eigen::Index n = found.time.size();
+  return fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4), n) + table.text();
+}
+
+}  // namespace
+
+const AnswerWriter transient_writer = {
+    .name = "transient",
+    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.transient.has_value(); },
+    .json = json::transient,
+    .tables = {{"transient.csv", transient_csv}},
+    .text = transient_text,
+};
+
+}  // namespace trivet::results

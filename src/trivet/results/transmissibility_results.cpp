@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/results/answer_writer.h"
+#include "trivet/results/csv_field.h"
+#include "trivet/results/text_table.h"
+
+/// Force or motion that the mounts let through.
+namespace trivet::results {
+namespace json {
+namespace {
+
+Json transmissibility(const project::Case&, const study::Answers& answers) {
+  const study::TransmissibilityResult& t = *answers.transmissibility;
+  Json result{{"of", t.words}, {"angular_frequency", t.curves.angular_frequency}, {"results", Json::array()}, {"peaks", Json::array()}, {"warnings", warnings(answers.warnings)}};
+  for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
+    const response::Curve& c = t.curves.curves[i];
+    Json one = curve(c), level = Json::array(), efficiency = Json::array();
+    for (const auto& value : c.value) {
+      level.push_back(number(response::transmissibility_level(std::abs(value))));
+      efficiency.push_back(number(response::isolation_efficiency(std::abs(value))));
+    }
+    one["level_db"] = std::move(level);
+    one["isolation_efficiency"] = t.is_share(i) ? Json() : std::move(efficiency);
+    one["isolates_from"] = t.is_share(i) ? Json() : optional(t.crossovers[i].angular_frequency);
+    result["results"].push_back(std::move(one));
+  }
+  for (const response::Peak& peak : t.peaks.list)
+    result["peaks"].push_back({{"name", t.peaks.curves[peak.curve].name}, {"angular_frequency", peak.angular_frequency}, {"amplitude", number(peak.amplitude)}, {"nearest_mode", optional(peak.nearest_mode)}});
+  return result;
+}
+
+}  // namespace
+}  // namespace json
+
+namespace {
+
+std::string transmissibility_csv(const project::Case&, const study::Answers& answers) {
+  const study::TransmissibilityResult& t = *answers.transmissibility;
+  std::string text = "angular_frequency [rad/s]";
+  for (const response::Curve& c : t.curves.curves) text += "," + csv_field(c.name + " [1]") + "," + csv_field(c.name + " [dB]");
+  text += "\n";
+  for (std::size_t k = 0; k < t.curves.angular_frequency.size(); ++k) {
+    text += csv_number(t.curves.angular_frequency[k]);
+    for (const response::Curve& c : t.curves.curves) {
+      const double size = std::abs(c.value(static_cast<Eigen::Index>(k)));
+      text += fmt::format(",{},{}", csv_number(size), csv_number(response::transmissibility_level(size)));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string transmissibility_text(const project::Case&, const study::Answers& answers) {
+  const study::TransmissibilityResult& t = *answers.transmissibility;
+  TextTable table({"answer", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band", "efficiency there"});
+  for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
+    const response::CurveSummary& summary = t.peaks.curves[i];
+    const Eigen::VectorXcd& values = t.curves.curves[i].value;
+    const double last = std::abs(values(values.size() - 1));
+    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5), shown(response::transmissibility_level(summary.highest), 4),
+               t.crossovers[i].angular_frequency && !t.is_share(i) ? shown(hertz(*t.crossovers[i].angular_frequency), 5) : "–", shown(last, 4),
+               t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
+  }
+  const std::string shares = t.is_share(1) ? "  the force of a single mount is its share: isolation is that of the ground\n" : "";
+  return "Transmissibility: " + t.words + "\n" + table.text() + shares;
+}
+
+}  // namespace
+
+const AnswerWriter transmissibility_writer = {
+    .name = "transmissibility",
+    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.transmissibility.has_value(); },
+    .json = json::transmissibility,
+    .tables = {{"transmissibility.csv", transmissibility_csv}},
+    .text = transmissibility_text,
+};
+
+}  // namespace trivet::results

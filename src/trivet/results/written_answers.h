@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/answers.h"
+
+/// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; the table behind it is in
+/// answer_writers.cpp. Each of these needs the answer to be there.
+namespace trivet::results {
+
+[[nodiscard]] std::string answer_json(const std::string& question, const project::Case& variant, const study::Answers& answers);
+[[nodiscard]] std::string answer_csv(const std::string& question, const project::Case& variant, const study::Answers& answers);
+[[nodiscard]] std::string answer_text(const std::string& question, const project::Case& variant, const study::Answers& answers);
+
+struct AnswerFile {
+  std::string name;  ///< "random.csv"
+  std::string content;
+};
+/// All tables of a case for its result folder.
+[[nodiscard]] std::vector<AnswerFile> answer_files(const project::Case& variant, const study::Answers& answers);
+
+/// All answers of a case for the screen.
+[[nodiscard]] std::string answers_summary(const project::Case& variant, const study::Answers& answers);
+
+/// Which excitations act together in the response or the peaks, if there are several.
+[[nodiscard]] std::string excited_at_once(const project::Case& variant, const std::string& question);
+
+[[nodiscard]] std::string limits_text(const study::Answers& answers);
+[[nodiscard]] std::string limit_lines_text(const study::Answers& answers);
+
+}  // namespace trivet::results

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every question is a command of its own, and says there what `run` says of it."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+EXAMPLES = sorted((pathlib.Path(os.environ["TRIVET_SOURCE"]) / "examples").glob("*/*.toml"))
+QUESTIONS = ["modes", "roots", "response", "peaks", "static", "random", "transient", "orders", "transmissibility", "power", "shapes", "shock_spectrum", "earthquake", "limit_lines"]
+WIDEST = 150  # characters of a line on the screen
+TABLES = {"random": ["random", "densities"], "orders": ["orders", "critical_speeds"]}
+
+MACHINE = """trivet = 1
+[bodies.device]
+mass = 40
+inertia = {about = "center_of_mass", xx = 1, yy = 1.2, zz = 0.9}
+[element_types.mount]
+type = "bushing"
+translation = [2e4, 2e4, 3e4]
+damping = {proportional = 1e-3}
+[tables.elements]
+rows = [
+  {name = "a", type = "mount", on = "device", at = [0.2, 0.2, 0]},
+  {name = "b", type = "mount", on = "device", at = [0.2, -0.2, 0]},
+  {name = "c", type = "mount", on = "device", at = [-0.2, 0.2, 0]},
+  {name = "d", type = "mount", on = "device", at = [-0.2, -0.2, 0.01]},
+]
+[excitations.motor]
+type = "harmonic"
+on = "device"
+at = [0, 0, 0.1]
+force = [0, 3, 10]
+[excitations.drop]
+type = "time"
+base = true
+translation = [0, 0, 1]
+quantity = "acceleration"
+history = {half_sine = {amplitude = "10 g", duration = "11 ms"}}
+[limit_lines.severity]
+of = "device.z"
+rows = [[2, 1e-3], [40, 1e-3]]
+[analyses]
+response = {band = ["2 Hz", "40 Hz"]}
+power = {band = ["2 Hz", "40 Hz"]}
+shapes = {at = ["9 Hz"]}
+shock_spectrum = {band = ["5 Hz", "500 Hz"]}
+earthquake = {direction = "x", rows = [[0.02, 3], [0.1, 9], [0.5, 9], [2, 2]]}
+"""
+
+
+def trivet(*arguments, code=0):
+    run = subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True)
+    assert run.returncode == code, (arguments, run.returncode, run.stderr)
+    return run
+
+
+class Questions(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.machine = self.folder / "machine.toml"
+        self.machine.write_text(MACHINE)
+
+    def test_say_what_run_says(self):
+        met = set()
+        for project in [*EXAMPLES, self.machine]:
+            out = self.folder / project.parent.name / project.stem
+            if "[bodies" not in project.read_text():
+                continue
+            trivet("run", project, "-o", out)
+            base = json.loads((out / "results.json").read_text())["cases"][0]
+            tables = next(path for path in out.iterdir() if path.name.startswith("00-"))
+            for question in QUESTIONS:
+                if question not in base:
+                    continue
+                met.add(question)
+                alone = json.loads(trivet(question, project, "--json").stdout)
+                whole = base[question]
+                if isinstance(whole, dict):
+                    whole.pop("warnings"), alone.pop("warnings")  # those of the other questions are among them
+                self.assertEqual(alone, whole, f"{question} of {project}")
+                first = TABLES.get(question, [question])[0]
+                self.assertEqual(trivet(question, project, "--csv").stdout, (tables / f"{first}.csv").read_text(), f"{question} of {project}")
+        self.assertEqual(met, set(QUESTIONS))
+
+    def test_of_the_file_alone_say_what_is_missing(self):
+        bare = self.folder / "bare.toml"
+        bare.write_text(MACHINE[:MACHINE.index("[limit_lines")])
+        for question, words in (("orders", "speed"), ("transmissibility", "force"), ("shapes", "at ="), ("shock_spectrum", "band"), ("earthquake", "direction"), ("limit_lines", "[limit_lines.NAME]")):
+            said = trivet(question, bare, code=2).stderr
+            self.assertIn(question + ": say", said)
+            self.assertIn(words, said)
+        self.assertIn("Mean power into the ground", trivet("power", bare).stdout)
+
+    def test_fit_on_a_screen(self):
+        for question in QUESTIONS:
+            if question in ("random", "transient", "orders", "transmissibility", "static"):
+                continue
+            text = trivet(question, self.machine).stdout
+            for line in text.splitlines():
+                if line.startswith("  "):
+                    self.assertLessEqual(len(line), WIDEST + 100 * line.lstrip().startswith(("backward", "rows between", "searched")), line)
+        parts = trivet("response", self.machine).stdout.split("\n\n")
+        self.assertGreater(len(parts), 1)
+        self.assertTrue(all("ω [rad/s]" in part for part in parts))
+
+
+if __name__ == "__main__":
+    unittest.main()
