@@ -15,7 +15,7 @@
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/guides.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/study/further_answers.h"
+#include "trivet/study/case_context.h"
 
 namespace trivet::study {
 namespace {
@@ -146,7 +146,7 @@ class CaseStudy {
       attempt([&] {
         result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
       });
-    further_answers(analyses, attempt_question, result);
+    answer_questions(analyses, attempt_question, result);
     return result;
   }
 
@@ -154,7 +154,7 @@ class CaseStudy {
   [[nodiscard]] CaseContext context() const { return {system_, assembled_, modes_, roots_, progress_}; }
 
   template <typename Attempt>
-  void further_answers(const project::Analyses& analyses, const Attempt& attempt, Answers& result) const {
+  void answer_questions(const project::Analyses& analyses, const Attempt& attempt, Answers& result) const {
     const CaseContext c = context();
     if (analyses.load_sharing && result.statics) {
       try {

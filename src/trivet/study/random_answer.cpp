@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/case_context.h"
+
+namespace trivet::study {
+namespace {
+
+/// 0 … 5 for a motion along x … about z, none for a force.
+std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
+  if (!channel.unit.starts_with("m") && !channel.unit.starts_with("rad")) return std::nullopt;
+  const std::string component = channel.name.substr(channel.name.rfind('.') + 1);
+  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component) - model::coordinate_names.begin();
+  return static_cast<std::size_t>(at);
+}
+
+/// Of every body or point all of whose three translations were asked for, with the rotations that were; none if one of these has no number.
+std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& channels, const response::RandomResponse& response,
+                                                         const std::array<excitation::WeightedAxis, 6>& axes) {
+  struct Felt {
+    std::vector<double> accelerations, factors;
+    std::vector<std::string> axes;
+    std::size_t translations = 0;
+    bool complete = true;
+  };
+  std::map<std::string, Felt> groups;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const auto axis = axis_of(channels[i]);
+    const response::RandomAnswer& answer = response.answers[i];
+    if (!axis || axes[*axis].k == 0) continue;
+    Felt& felt = groups[channels[i].name.substr(0, channels[i].name.rfind('.'))];
+    felt.complete = felt.complete && (answer.weighted_rms || answer.vanishes);
+    felt.accelerations.push_back(answer.weighted_rms.value_or(0));
+    felt.factors.push_back(axes[*axis].k);
+    felt.axes.emplace_back(model::coordinate_names[*axis]);
+    felt.translations += *axis < 3;
+  }
+  std::vector<TotalValue> totals;
+  for (const auto& [name, felt] : groups)
+    if (felt.translations == 3 && felt.complete) totals.push_back({name, excitation::vibration_total_value(felt.accelerations, felt.factors), felt.axes});
+  return totals;
+}
+
+}  // namespace
+
+RandomResult random_answer(const CaseContext& c, const project::RandomRequest& request) {
+  const std::vector<assembly::Channel> channels = channels_of(c, request.wanted);
+  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.wanted.excitations);
+  if (loading.inputs.empty()) throw foundation::NotComputable("random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
+  response::RandomOptions options;
+  const auto axes = request.contact ? excitation::comfort_axes(*request.contact) : std::array<excitation::WeightedAxis, 6>{};
+  for (std::size_t i = 0; i < channels.size() && (request.weighting || request.contact); ++i)
+    if (const auto axis = axis_of(channels[i])) options.weighted.push_back({i, request.contact ? axes[*axis].weighting : *request.weighting});
+  RandomResult result;
+  result.quantity = request.wanted.quantity;
+  for (const response::RandomInput& input : loading.inputs) result.inputs.push_back(input.name);
+  result.response = response::random_response(c.assembled, channels, loading, options, c.progress);
+  if (request.contact) result.total_values = total_values(channels, result.response, axes);
+  result.curves = response::random_curves(c.assembled, channels, loading, {}, c.progress);
+  return result;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/case_context.h"
+
+namespace trivet::study {
+namespace {
+
+std::string direction_words(const response::Direction& direction) {
+  const Eigen::Vector3d axis = direction.axis.normalized();
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(axis(i)) > 1 - 1e-12) return std::string(direction.rotation ? "about " : "along ") + "xyz"[i];
+  return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", direction.rotation ? "about" : "along", axis.x(), axis.y(), axis.z());
+}
+
+}  // namespace
+
+TransmissibilityResult transmissibility_answer(const CaseContext& c, const project::TransmissibilityRequest& request) {
+  const bool force = !request.force.empty();
+  if (!force) require_rigid_ground(c, "transmissibility");
+  const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, request.force))
+                                                    : response::displacement_transmission(c.system, c.assembled, request.of, request.direction);
+  TransmissibilityResult result;
+  result.of_force = force;
+  result.words = force ? "force on the ground over \"" + request.force + "\"" : "motion over a motion of the ground " + direction_words(request.direction);
+  result.band = request.band ? *request.band : default_band(c);
+  if (!(result.band.from < result.band.to)) throw foundation::NotComputable("transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
+  result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots, {response::PeakOptions{}.min_prominence, result.band.to}, c.progress);
+  result.curves = response::frequency_response(c.assembled, transmission.channels, transmission.loading,
+                                               grid_over(c, transmission.channels, transmission.loading, result.peaks, result.band));
+  result.crossovers = response::crossovers(c.assembled, transmission, result.peaks);
+  return result;
+}
+
+}  // namespace trivet::study
