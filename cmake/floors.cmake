@@ -24,7 +24,7 @@ function(add_floor name)
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
-    UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    UNITY_BUILD ${TRIVET_BATCHES} UNITY_BUILD_BATCH_SIZE 8)
   target_compile_features(trivet_${name} PUBLIC cxx_std_20)
   target_compile_options(trivet_${name} PRIVATE ${TRIVET_WARNINGS})
   if(FLOOR_OPTIMIZED)
