@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <stdexcept>
 
@@ -79,6 +80,7 @@ project::Analyses wanted(const study::AskedQuestion& question, const project::Ca
   } catch (const foundation::InvalidInput& missing) {
     throw BadArgument(missing.what());
   }
+  assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` alone
   if (!options.at.empty()) {
     analyses.response->at = frequencies("--at", options.at);
     analyses.response->band.reset();

@@ -35,7 +35,10 @@ ModelNumber::ModelNumber(const std::string& path, std::string unit) : path_(path
 std::optional<double> ModelNumber::read(const Case& variant) const {
   const Node* node = node_at(variant.written, keys_);
   if (!node && keys_.back() != "scale") node = node_at(variant.document, keys_);  // from its type; scales multiply
-  if (!node) return default_of(keys_);
+  if (!node) {
+    const auto plain = default_of(keys_);
+    return plain ? in_unit({*plain, ""}, unit_) : std::nullopt;
+  }
   const auto written = written_number(*node);
   return written ? in_unit(*written, unit_) : std::nullopt;
 }

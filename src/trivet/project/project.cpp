@@ -162,13 +162,13 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   if (system && !reading.has_errors() && analyses.transmissibility && !analyses.transmissibility->force.empty()) check_force(*system, analyses.transmissibility->force, physical);
   locate(physical, document);
   all.add(physical);
+  name_element_types(written, all);
   all = without_unwanted(all, questions, name, analyses);
   if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
     const auto known_here = system ? std::optional(KnownModel{document, system->description()}) : std::nullopt;
     check_numbers_of_map(written, *analyses.map, known_here ? &*known_here : nullptr, all);
     all = without_unwanted(all, questions, name, analyses);
   }
-  name_element_types(written, all);
   const bool good = !all.has_errors();
   all.sort_by_origin();
   problems.add(all);

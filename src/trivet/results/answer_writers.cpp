@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/map_json.h"
@@ -54,7 +55,9 @@ namespace {
 
 const AnswerWriter& writer_of(const std::string& question) {
   const auto& list = answer_writers();
-  return **std::find_if(list.begin(), list.end(), [&](const AnswerWriter* one) { return one->name == question; });
+  const auto found = std::find_if(list.begin(), list.end(), [&](const AnswerWriter* one) { return one->name == question; });
+  if (found == list.end()) throw foundation::InvalidInput("no answer is called \"" + question + "\"");
+  return **found;
 }
 
 }  // namespace

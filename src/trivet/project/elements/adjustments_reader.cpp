@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/response/sensitivity/adjustments.h"
 
@@ -79,12 +80,12 @@ void read_body_adjustments(TableReader& reader, const model::Body& body, std::si
   if (!table) return;
   TableReader inside(*table, reader.path() + ".inertia_about_center", reader.problems());
   if (!body.has_inertia) inside.error("", "a body without inertia", "there is nothing to change", "give it an inertia, or remove this");
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) {
-      const std::string key = {"xyz"[i], "xyz"[j]};
-      const double share = i == j ? read_factor(inside, key) - 1 : inside.number(key, Quantity::pure).value_or(0);
-      if (share != 0) mentioned.adjustments.push_back([index, i, j, share](model::Description& d) { response::change_inertia(d, index, i, j, share); });
-    }
+  // Products first: their unit is that of the moments as described.
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}, {0, 0}, {1, 1}, {2, 2}}) {
+    const std::string key = {"xyz"[i], "xyz"[j]};
+    const double share = i == j ? read_factor(inside, key) - 1 : inside.number(key, Quantity::pure).value_or(0);
+    if (share != 0) mentioned.adjustments.push_back([index, i = i, j = j, share](model::Description& d) { response::change_inertia(d, index, i, j, share); });
+  }
   inside.finish();
 }
 

@@ -47,6 +47,10 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
     const std::string& key = changes.keys[i];
     const Node& change = changes.items[i];
     const std::string here = path.empty() ? key : path + "." + key;
+    if (path.empty() && key == "tables") {
+      problems.error(here, "cannot be changed", "its rows are elements, bodies and points like all others", "change them by name: elements.\"NAME\".at.x").origin = change.origin;
+      continue;
+    }
     if (path.empty() && (key == "cases" || key == "trivet")) {
       problems.error(here, "cannot be changed", "a change alters numbers of the model", "remove it").origin = change.origin;
       continue;

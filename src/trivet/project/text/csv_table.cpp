@@ -238,7 +238,12 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
     const std::string_view content = without_blanks(text.substr(at, end - at));
     ++line;
     at = end + 1;
-    if (content.empty() || content.front() == '#') continue;
+    if (content.empty()) continue;
+    if (content.front() == '#') {
+      const auto commented = table.columns.size() > 1 ? cells(content, separator) : std::nullopt;
+      if (commented && commented->size() == table.columns.size()) table.comments_like_rows.push_back(line);
+      continue;
+    }
     if (table.columns.empty()) separator = separator_of(content);
     auto row = cells(content, separator);
     // A last empty cell may end in blanks that `content` lacks.

@@ -45,6 +45,7 @@ struct TextTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< as long as `columns`
   std::vector<int> lines;                      ///< of each row in the file, from 1
+  std::vector<int> comments_like_rows;         ///< lines of comments with as many cells as the header: rows named "#1", perhaps
 };
 
 /// The same kind of file with cells of any kind.

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 namespace {
@@ -63,25 +64,39 @@ class Types {
       problems_.error(path, words(type.kind), "an element type is a table", "write [element_types.NAME] and what its elements share below").origin = type.origin;
       return;
     }
-    if (std::find(laws.begin(), laws.end(), name) != laws.end() || name.starts_with("catalogue:"))
+    const bool built_in = std::find(laws.begin(), laws.end(), name) != laws.end() || name.starts_with("catalogue:");
+    if (built_in)
       problems_.error(path, foundation::quoted(name), "a type of this name is built in", "choose another name").origin = type.origin;
     const Node* law = type.find("type");
     if (!law) problems_.error(path + ".type", "missing", "a type names the law of its elements", "type = \"bushing\", for instance").origin = type.origin;
-    else if (law->kind == Node::Kind::text && law->text != name && table_.find(law->text))
+    else if (law->kind == Node::Kind::text && (law->text != name || !built_in) && table_.find(law->text))
       problems_.error(path + ".type", foundation::quoted(law->text), "a type names a law, not another type", "write its keys here").origin = law->origin;
+    if (const Node* scale = type.find("scale"); scale && !(factor(*scale).value_or(0) > 0))
+      problems_.error(path + ".scale", shown(*scale), "a scale is a number > 0, or a text of one with a unit such as %", "scale = 1.5, for instance").origin = scale->origin;
     for (std::size_t i = 0; i < type.keys.size(); ++i)
       if (is_of_element(type.keys[i]) && type.keys[i] != "type" && type.keys[i] != "scale")
         problems_.error(path + "." + type.keys[i], shown(type.items[i]), fmt::format("\"{}\" belongs to each element, not to its type", type.keys[i]), "write it in the elements").origin =
             type.items[i].origin;
   }
 
-  static void multiply_scale(Node& element, const Node& factor) {
+  static std::optional<double> factor(const Node& scale) {
+    if (scale.kind == Node::Kind::integer || scale.kind == Node::Kind::real) return scale.number;
+    if (scale.kind != Node::Kind::text) return std::nullopt;
+    const auto value = to_si(scale.text, Quantity::pure);
+    return value ? std::optional(*value) : std::nullopt;
+  }
+
+  /// What is wrong with the type's is reported above, with the element's own by its reader.
+  static void multiply_scale(Node& element, const Node& of_type) {
+    const auto shared = factor(of_type);
+    if (!(shared.value_or(0) > 0)) return;
     Node* own = element.find("scale");
-    const auto is_number = [](const Node& node) { return node.kind == Node::Kind::integer || node.kind == Node::Kind::real; };
-    if (!own) return set(element, "scale", factor);
-    if (!is_number(*own) || !is_number(factor)) return;  // the reader says what is wrong with it
-    own->number *= factor.number;
+    if (!own) return set(element, "scale", of_type);
+    const auto mine = factor(*own);
+    if (!mine) return;
+    own->number = *mine * *shared;
     own->kind = Node::Kind::real;
+    own->text.clear();
   }
 
   const Node& table_;
@@ -114,6 +129,7 @@ std::optional<Node> with_element_types(const Node& document, const std::vector<s
     std::erase(unused, type->text);
     element = types.merged(element, "elements." + elements->keys[i], std::string(type->text));
   }
+  if (!elements || elements->keys.empty()) unused.clear();  // there is more to say than that
   for (const std::string& name : unused)
     problems.warning("element_types." + name, "no element is of this type", "a type acts only through its elements", "name it in an element, type = \"" + name + "\", or remove it").origin = table->find(name)->origin;
   return result;
@@ -128,8 +144,10 @@ void name_element_types(const Node& document, foundation::Problems& problems) {
     const std::size_t end_of_name = problem.subject.find('.', elements.size());
     if (end_of_name == std::string::npos) continue;
     for (std::size_t i = 0; i < types->keys.size(); ++i)
-      if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(), [&](const Node& item) { return holds(item, problem.origin); }))
+      if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(), [&](const Node& item) { return holds(item, problem.origin); })) {
         problem.subject = "element_types." + types->keys[i] + problem.subject.substr(end_of_name);
+        break;
+      }
   }
 }
 

@@ -81,7 +81,7 @@ std::optional<WrittenNumber> written_number(const Node& node) {
 
 std::optional<double> in_unit(const WrittenNumber& number, const std::string& unit) {
   if (number.unit == unit) return number.value;
-  for (int q = static_cast<int>(Quantity::length); q <= static_cast<int>(Quantity::mass_length); ++q) {
+  for (int q = static_cast<int>(Quantity::pure); q <= static_cast<int>(Quantity::mass_length); ++q) {
     const auto from = si_factor(number.unit, static_cast<Quantity>(q)), to = si_factor(unit, static_cast<Quantity>(q));
     if (from && to) return number.value * (*from / *to);
   }

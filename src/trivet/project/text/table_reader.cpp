@@ -177,7 +177,8 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind != Node::Kind::array) {
-    error(key, shown(*value), "an array of numbers is wanted here", "put the numbers in square brackets, with commas between them");
+    const bool component = value->kind == Node::Kind::table && std::all_of(value->keys.begin(), value->keys.end(), [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
+    error(key, component ? "components of an array that the file does not write" : shown(*value), "an array of numbers is wanted here", "put the numbers in square brackets, with commas between them");
     return std::nullopt;
   }
   std::vector<double> result;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "trivet/foundation/plain_text.h"
@@ -11,6 +12,7 @@
 #include "trivet/project/text/file_name.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/table_reader.h"
+#include "trivet/project/text/written_names.h"
 
 namespace trivet::project {
 namespace {
@@ -145,19 +147,43 @@ class ThingTable {
   void read_file(TableReader& reader, const std::filesystem::path& file) {
     const auto cells = read_text_table(file, most_rows);
     if (!cells) return reader.add_of_file("file", cells.error());
+    for (const int line : cells->comments_like_rows)
+      problems_.warning("tables." + kind_, "a comment line with as many cells as the header", "# begins a comment, and the row is not read", "put a name that begins with # in quotes, or write the comment without separators").origin = {file.string(), line, 0};
     std::vector<std::optional<Column>> columns;
     for (const std::string& header : cells->columns) {
       columns.push_back(column_of(header));
       if (!columns.back())
         problems_.error("tables." + kind_, "column " + foundation::quoted(header), "a column is a key with its unit in brackets", "for instance name, type, on, at.x [mm], scale").origin = {file.string(), cells->header_line, 0};
     }
+    if (collide(columns, {file.string(), cells->header_line, 0})) return;
     for (std::size_t r = 0; r < cells->rows.size(); ++r) {
       const foundation::Origin origin{file.string(), cells->lines[r], 0};
+      if (std::all_of(cells->rows[r].begin(), cells->rows[r].end(), [](const std::string& cell) { return cell.empty(); })) continue;
       Node row = table_node(origin);
       for (std::size_t c = 0; c < columns.size(); ++c)
-        if (columns[c] && !cells->rows[r][c].empty()) put(row, columns[c]->keys, cell_node(cells->rows[r][c], columns[c]->unit, origin));
+        if (columns[c] && !cells->rows[r][c].empty()) put(row, columns[c]->keys, is_text(*columns[c]) ? text_node(cells->rows[r][c], origin) : cell_node(cells->rows[r][c], columns[c]->unit, origin));
       add(std::move(row));
     }
+  }
+
+  /// Columns that write one key twice, or a key and a part of it.
+  bool collide(const std::vector<std::optional<Column>>& columns, const foundation::Origin& header) {
+    bool found = false;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        if (i == j || !columns[i] || !columns[j]) continue;
+        const auto &shorter = columns[i]->keys, &longer = columns[j]->keys;
+        if (shorter.size() > longer.size() || !std::equal(shorter.begin(), shorter.end(), longer.begin()) || (shorter.size() == longer.size() && i > j)) continue;
+        problems_.error("tables." + kind_, fmt::format("columns {} and {}", i + 1, j + 1), "both write " + shorter.front() + (shorter.size() > 1 ? "." + shorter.back() : ""), "keep one of them").origin = header;
+        found = true;
+      }
+    return found;
+  }
+
+  /// Names are texts, also those that look like numbers.
+  static bool is_text(const Column& column) {
+    static constexpr std::array<const char*, 5> names = {"name", "type", "on", "from", "foundation"};
+    return column.keys.size() == 1 && column.unit.empty() && std::find(names.begin(), names.end(), column.keys.front()) != names.end();
   }
 
   void read_rows(TableReader& reader, const Node& rows) {
@@ -180,11 +206,12 @@ class ThingTable {
     const Node* name = row.find("name");
     const foundation::Origin origin = row.origin;
     if (!name || (name->kind != Node::Kind::text && name->kind != Node::Kind::real && name->kind != Node::Kind::integer)) {
-      problems_.error("tables." + kind_, name ? shown(*name) : "a row without a name", "every row has a name", "add name = \"…\"").origin = origin;
+      problems_.error("tables." + kind_, name ? shown(*name) : "a row without a name", "every row has a name, under the key or column \"name\"", "add it; keys are written small").origin = origin;
       return;
     }
     const std::string called = name->kind == Node::Kind::text ? name->text : fmt::format("{}", name->number);
     remove(row, "name");
+    if (!is_good_name(called, row)) return;
     Node* things = holder(row, called);
     if (!things) return;
     const std::string path = kind_ == "points" ? "points." + called : kind_ + "." + called;
@@ -203,6 +230,23 @@ class ThingTable {
     }
     things->keys.push_back(called);
     things->items.push_back(std::move(row));
+  }
+
+  /// As for names in the file; the line is that of the row.
+  bool is_good_name(const std::string& called, const Node& row) {
+    const std::string path = kind_ + "." + foundation::shortened(called);
+    if (called.empty() || called.find('.') != std::string::npos) {
+      problems_.error(path, fmt::format("name {}", foundation::quoted(called)), "a name is not empty and has no dot", "choose another name").origin = row.origin;
+      return false;
+    }
+    Node things = table_node(row.origin), all = table_node(row.origin);
+    put(things, {called}, row);
+    put(all, {kind_}, std::move(things));
+    foundation::Problems found = check_names_and_texts(all);
+    for (foundation::Problem& problem : found.list())
+      if (problem.origin.line == 0) problem.origin = row.origin;
+    problems_.add(found);
+    return !found.has_errors();
   }
 
   /// The table that the thing goes into; made where the file has none.

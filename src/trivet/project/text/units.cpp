@@ -143,9 +143,8 @@ Conversion conversion(const std::string& from, const std::string& to) {
     if (const auto found = known.find({from, to}); found != known.end()) return found->second;
   }
   const std::unique_lock writing(access);
-  const auto [place, is_new] = known.try_emplace({from, to});
-  if (is_new) place->second = new_conversion(from, to);
-  return place->second;
+  if (const auto found = known.find({from, to}); found != known.end()) return found->second;
+  return known.emplace(std::pair(from, to), new_conversion(from, to)).first->second;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using model::Description;
 void add_deformation_stiffness(Description& description, std::size_t element, double gain) {
   model::Element& changed = description.elements[element];
   const ElementDirections directions = element_directions(description.bodies, changed);
-  changed.law.nominal_stiffness += gain * between_ends(directions, directions.stiffness);
+  changed.law.nominal_stiffness += gain * between_ends(directions, directions.stiffness) / changed.law.scale;
 }
 
 void scale_stiffness_by_direction(Description& description, std::size_t element, const spatial::Vector6& factors) {
