@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_floor(NAME [OPTIMIZED] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
+# add_floor(NAME [OPTIMIZED|OPTIMIZED_UNLESS_DEBUG] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
 # All .cpp files of the folder are its sources; all headers are public and installed, but for kernels (-inl.h) and those that its
 # CMakeLists.txt names private. The arrows between floors and between the rooms of a floor, and the private headers, are
 # written to floors.txt for the test that holds all #include lines to them.
@@ -20,15 +20,16 @@ target_link_libraries(trivet_precompiled PRIVATE Eigen3::Eigen fmt::fmt tl::expe
 target_precompile_headers(trivet_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
 
 function(add_floor name)
-  cmake_parse_arguments(FLOOR "OPTIMIZED" "" "USES" ${ARGN})
+  cmake_parse_arguments(FLOOR "OPTIMIZED;OPTIMIZED_UNLESS_DEBUG" "" "USES" ${ARGN})
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
     UNITY_BUILD ${TRIVET_BATCHES} UNITY_BUILD_BATCH_SIZE 8)
   target_compile_features(trivet_${name} PUBLIC cxx_std_20)
   target_compile_options(trivet_${name} PRIVATE ${TRIVET_WARNINGS})
-  if(FLOOR_OPTIMIZED)
-    target_compile_options(trivet_${name} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3>)
+  if(FLOOR_OPTIMIZED OR FLOOR_OPTIMIZED_UNLESS_DEBUG)
+    # Finite elements would take minutes with sanitizers otherwise; kernels in lanes would take as long to compile.
+    target_compile_options(trivet_${name} PRIVATE $<$<OR:$<BOOL:${FLOOR_OPTIMIZED}>,$<NOT:$<CONFIG:Debug>>>:-O3>)
     target_precompile_headers(trivet_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
   else()
     target_precompile_headers(trivet_${name} REUSE_FROM trivet_precompiled)
