@@ -24,6 +24,7 @@ import verdict  # noqa: E402
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
+SLOWER = int(os.environ.get("TRIVET_CAMPAIGN_SLOWER", "1"))   # with sanitizers
 SECONDS = {"check": 60, "run": 120, "peaks": 120}   # none takes a tenth of it on an idle machine
 RUN_EVERY = 10
 ODD_FILES, MACHINES = "odd file", "machine"
@@ -88,7 +89,7 @@ def tried(kind, number, cache, keep, memory):
         project, commands = scene(kind, number, folder)
         for command in commands:
             begin = time.monotonic()
-            found = verdict.faults(TRIVET, [command, str(project)], folder, cache, SECONDS[command], memory)
+            found = verdict.faults(TRIVET, [command, str(project)], folder, cache, SECONDS[command] * SLOWER, memory)
             results.append((kind, number, command, time.monotonic() - begin, found))
         if keep and any(r[4] for r in results):
             target = pathlib.Path(keep) / f"{kind} {number}".replace(" ", "_")
