@@ -7,7 +7,7 @@
 #include "cli/console.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/report/answer_figures.h"
+#include "trivet/report/answer_sections.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/figures.h"
 #include "trivet/report/report_page.h"

@@ -17,7 +17,12 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/response/sensitivity/model_parameters.h"
 #include "trivet/response/steady/deep_check.h"
+#include "trivet/response/machinery/power.h"
+#include "trivet/response/transient/earthquake.h"
 #include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/random_answer.h"
+#include "trivet/study/transient_answer.h"
+#include "trivet/study/transmissibility_answer.h"
 
 namespace {
 
@@ -57,16 +62,16 @@ std::vector<Numbers> all_numbers(const study::Answers& a) {
   const auto one = [](double value) -> Eigen::VectorXcd { return Eigen::VectorXcd::Constant(1, value); };
   if (a.response)
     for (const auto& curve : a.response->curves.curves) all.push_back({"response " + curve.name, curve.unit, curve.value});
-  if (a.transmissibility)
-    for (const auto& peak : a.transmissibility->peaks.list)
+  if (const auto* passed = a.find<study::TransmissibilityResult>("transmissibility"))
+    for (const auto& peak : passed->peaks.list)
       if (peak.angular_frequency < 400)  // the poles of a stiff deck are beyond
-        all.push_back({"transmissibility of " + a.transmissibility->peaks.curves[peak.curve].name, "1", one(peak.amplitude)});
-  if (a.random)
-    for (const auto& answer : a.random->response.answers) all.push_back({"random " + answer.name, answer.unit, one(answer.rms.value_or(-1))});
-  if (a.transient)
-    for (const auto& curve : a.transient->response.curves) all.push_back({"transient " + curve.name, curve.unit, curve.values.cast<Complex>()});
-  if (a.earthquake)
-    for (const auto& answer : a.earthquake->answers) all.push_back({"earthquake " + answer.name, answer.unit, one(answer.complete_quadratic)});
+        all.push_back({"transmissibility of " + passed->peaks.curves[peak.curve].name, "1", one(peak.amplitude)});
+  if (const auto* random = a.find<study::RandomResult>("random"))
+    for (const auto& answer : random->response.answers) all.push_back({"random " + answer.name, answer.unit, one(answer.rms.value_or(-1))});
+  if (const auto* in_time = a.find<study::TransientResult>("transient"))
+    for (const auto& curve : in_time->response.curves) all.push_back({"transient " + curve.name, curve.unit, curve.values.cast<Complex>()});
+  if (const auto* shaken = a.find<response::EarthquakeResponse>("earthquake"))
+    for (const auto& answer : shaken->answers) all.push_back({"earthquake " + answer.name, answer.unit, one(answer.complete_quadratic)});
   return all;
 }
 
@@ -190,7 +195,8 @@ TEST(FixedDirections, TakePartInTheBalanceOfPower) {
   for (const std::string& deck : {along_z, without_rotation}) {
     const std::string text = test::machine_on_deck(deck, "[damping]\nmodal = 0.02\n" + base("floor", "translation = [1e-3, 5e-4, 2e-4]\nrotation = [1e-4, 2e-4, 3e-4]") +
                                                          "[analyses]\npower = {band = [5, 300]}\n");
-    const response::PowerFlow flow = *answers(text).power;
+    const auto all = answers(text);
+    const response::PowerFlow& flow = *all.find<response::PowerFlow>("power");
     for (Eigen::Index i = 0; i < flow.by_ground.size(); ++i) {
       const double lost = flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
       EXPECT_GT(flow.by_ground(i), 0);

@@ -19,6 +19,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/random_question.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/results/project_json.h"
@@ -81,8 +82,8 @@ void ask_quick_questions(const project::Project& project) {
     if (project::coordinates(variant.system.description(), true) <= most_coordinates / 2)
       ask(variant, [](project::Analyses& a) { a.peaks.emplace(); });
     ask(variant, [&](project::Analyses& a) {
-      if (variant.analyses.random) a.random.emplace();
-      if (variant.analyses.earthquake) a.earthquake = variant.analyses.earthquake;
+      if (variant.analyses.questions.contains("random")) a.questions["random"] = std::make_shared<project::RandomQuestion>();
+      if (const auto asked = variant.analyses.questions.find("earthquake"); asked != variant.analyses.questions.end()) a.questions.insert(*asked);
     });
   }
 }

@@ -9,7 +9,14 @@
 #include "trivet/elements/law.h"
 #include "trivet/excitation/pulses.h"
 #include "trivet/modal/roots.h"
+#include "trivet/response/machinery/deflection_shape.h"
+#include "trivet/response/machinery/power.h"
 #include "trivet/study/answers.h"
+#include "trivet/study/orders_answer.h"
+#include "trivet/study/random_answer.h"
+#include "trivet/study/shock_spectrum_answer.h"
+#include "trivet/study/transient_answer.h"
+#include "trivet/study/transmissibility_answer.h"
 
 namespace trivet::test {
 
@@ -81,19 +88,19 @@ inline study::Answers answers_of_everything() {
   const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::displacement);
   const auto velocities = assembly::channels(system, assembled, {"machine.seat.z"}, assembly::Quantity::velocity);
   const response::RandomLoading random = response::random_loading(system, assembled);
-  a.random = study::RandomResult{
+  a.of_questions["random"] = study::RandomResult{
       response::random_response(assembled, channels, random), response::random_curves(assembled, channels, random), {"deck"}, {}};
 
   const excitation::Signal pulse = excitation::half_sine(50, 0.011, 0.01);
   response::TransientOptions time;
   time.to = 0.6;
   time.step = 2e-4;
-  a.transient = study::TransientResult{
+  a.of_questions["transient"] = study::TransientResult{
       response::transient_response(system, assembled, channels, {{"shock", pulse, assembly::loading(assembled, base)}}, time), {}};
 
   const auto by_order = response::order_loadings(system, assembled);
   const response::Band speed{turn * 5, turn * 50};
-  a.orders = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
+  a.of_questions["orders"] = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
                                  response::campbell(assembled, by_order, a.modes, a.roots, speed),
                                  {}};
 
@@ -101,16 +108,16 @@ inline study::Answers answers_of_everything() {
   const auto grid = response::logarithmic_grid(band, 801);
   const auto transmission = response::force_transmission(system, assembled, {0, {0.05, 0.02, 0.35}, {}});
   const auto transmitted_peaks = response::peaks(assembled, transmission.channels, transmission.loading, a.modes, a.roots);
-  a.transmissibility = study::TransmissibilityResult{
+  a.of_questions["transmissibility"] = study::TransmissibilityResult{
       "force on the ground over piston", response::frequency_response(assembled, transmission.channels, transmission.loading, grid),
       transmitted_peaks, response::crossovers(assembled, transmission, transmitted_peaks), band};
 
   const assembly::Loading harmonic = assembly::harmonic_loading(system, assembled, {"piston"});
-  a.power = response::power_flow(system, assembled, harmonic, grid);
-  a.shapes = {response::deflection_shape(system, assembled, harmonic, turn * 12)};
+  a.of_questions["power"] = response::power_flow(system, assembled, harmonic, grid);
+  a.of_questions["shapes"] = std::vector{response::deflection_shape(system, assembled, harmonic, turn * 12)};
   std::vector<double> natural;
   for (int i = 0; i <= 300; ++i) natural.push_back(turn * std::pow(10.0, 3.3 * i / 300));
-  a.shock_spectra = {{"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
+  a.of_questions["shock_spectrum"] = std::vector<study::ShockSpectrumResult>{{"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
   const response::LimitLine line{"class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};
   const auto velocity_peaks = response::peaks(assembled, velocities, harmonic, a.modes, a.roots);
   a.limit_lines = {{"machine.seat.z", line,

@@ -110,17 +110,19 @@ TEST(AnswerFigures, WithoutAnswersThereAreNone) {
 
 TEST(AnswerFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
   study::Answers answers;
-  answers.power = everything().power;
-  answers.power->into_ground.setZero();
-  answers.power->into_ground_in_total.setZero();
+  response::PowerFlow power = *everything().find<response::PowerFlow>("power");
+  power.into_ground.setZero();
+  power.into_ground_in_total.setZero();
+  answers.of_questions["power"] = power;
   EXPECT_TRUE(report::power_figures(answers).empty());
 }
 
 TEST(AnswerFigures, GapsOfUndefinedValuesPartTheCurve) {
   study::Answers answers;
-  answers.random = everything().random;
-  auto& density = answers.random->curves.density.front();
+  study::RandomResult random = *everything().find<study::RandomResult>("random");
+  auto& density = random.curves.density.front();
   density[density.size() / 4] = std::numeric_limits<double>::quiet_NaN();
+  answers.of_questions["random"] = random;
   EXPECT_EQ(count(report::random_figures(answers).front().svg, "<polyline"), 7);
 }
 

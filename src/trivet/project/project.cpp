@@ -9,6 +9,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/analyses_reader.h"
+#include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/body_reader.h"
 #include "trivet/project/elements/element_reader.h"
@@ -120,15 +121,6 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, const Kno
   }
 }
 
-/// A transmissibility needs a force along one direction.
-void check_force(const model::System& system, const std::string& force, foundation::Problems& problems) {
-  try {
-    static_cast<void>(response::applied_force(system, force));
-  } catch (const foundation::InvalidInput& reason) {
-    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(), "name a harmonic force along one direction");
-  }
-}
-
 /// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
                               foundation::Problems& problems, const Questions& questions, const Case* base, const KnownModel* known) {
@@ -159,7 +151,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   if (!system) name_slips(bodies, document, physical);
   if (system) physical.add(too_large(system->description(), analyses));
-  if (system && !reading.has_errors() && analyses.transmissibility && !analyses.transmissibility->force.empty()) check_force(*system, analyses.transmissibility->force, physical);
+  if (system && !reading.has_errors()) check_questions(*system, analyses, physical);
   locate(physical, document);
   all.add(physical);
   name_element_types(written, all);

@@ -7,12 +7,13 @@
 #include <utility>
 #include <variant>
 
+#include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/text/outside_features.h"
 
 namespace trivet::project {
 namespace {
 
-/// How each question is removed from the analyses.
+/// How questions that are fields of the analyses are removed.
 const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& removals() {
   static const std::vector<std::pair<std::string, std::function<void(Analyses&)>>> list = {
       {"modes", [](Analyses& a) { a.modes = false; }},
@@ -20,14 +21,6 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
       {"response", [](Analyses& a) { a.response.reset(); }},
       {"peaks", [](Analyses& a) { a.peaks.reset(); }},
       {"static", [](Analyses& a) { a.static_of.reset(), a.load_sharing = false; }},
-      {"random", [](Analyses& a) { a.random.reset(); }},
-      {"transient", [](Analyses& a) { a.transient.reset(); }},
-      {"orders", [](Analyses& a) { a.orders.reset(); }},
-      {"transmissibility", [](Analyses& a) { a.transmissibility.reset(); }},
-      {"power", [](Analyses& a) { a.power.reset(); }},
-      {"shapes", [](Analyses& a) { a.shapes.reset(); }},
-      {"shock_spectrum", [](Analyses& a) { a.shock_spectrum.reset(); }},
-      {"earthquake", [](Analyses& a) { a.earthquake.reset(); }},
       {"map", [](Analyses& a) { a.map.reset(); }},
       {"limits", [](Analyses& a) { a.limits.clear(); }},
       {"limit_lines", [](Analyses& a) { a.limit_lines.clear(); }},
@@ -53,7 +46,8 @@ bool is_wanted(const std::string& question, const Questions& questions, const st
   const std::vector<std::string>& wanted = *questions.wanted;
   if (std::find(wanted.begin(), wanted.end(), question) != wanted.end()) return true;
   const bool known =
-      std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; });
+      std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
+      std::any_of(question_readers().begin(), question_readers().end(), [&](const auto* one) { return one->name == question; });
   // A misspelt name may be any question, so that it matters to each of them.
   return !known && !is_outside_analysis(question) && !wanted.empty();
 }
@@ -75,20 +69,26 @@ class Asking {
     };
     of_wanted(a.response, harmonic);
     of_wanted(a.peaks, harmonic);
-    of_wanted(a.random, random);
-    of_wanted(a.transient, in_time);
-    of_wanted(a.orders, by_orders);
-    if (a.power) excitations(a.power->excitations, harmonic);
-    if (a.shapes) excitations(a.shapes->excitations, harmonic);
-    if (a.shock_spectrum) excitations(a.shock_spectrum->excitations, in_time);
+    for (const QuestionReader* reader : question_readers())
+      if (const Question* question = a.find<Question>(reader->name)) of_question(*question, reader->drive);
     if (a.static_of)
       for (const model::ConstantForce& force : variant_.system.description().constant_forces)
         asked_.excitations.insert(force.name);
-    if (a.transmissibility && !a.transmissibility->force.empty()) asked_.excitations.insert(a.transmissibility->force);
     if (a.map) excitations(a.map->excitations, harmonic);
   }
 
  private:
+  void of_question(const Question& question, Drive drive) {
+    const std::vector<std::string>& selected = question.wanted.excitations;
+    switch (drive) {
+      case Drive::none: asked_.excitations.insert(selected.begin(), selected.end()); break;
+      case Drive::harmonic: excitations(selected, harmonic); break;
+      case Drive::random: excitations(selected, random); break;
+      case Drive::time: excitations(selected, in_time); break;
+      case Drive::orders: excitations(selected, by_orders); break;
+    }
+  }
+
   static bool harmonic(const model::Course& course) { return std::holds_alternative<model::Harmonic>(course); }
   static bool random(const model::Course& course) { return std::holds_alternative<model::Random>(course); }
   static bool in_time(const model::Course& course) { return std::holds_alternative<model::History>(course); }
@@ -126,6 +126,7 @@ foundation::Problems without_unwanted(const foundation::Problems& found, const Q
     if (!broken.contains(question_of(problem.subject))) kept.add(problem);
   for (const auto& [name, remove] : removals())
     if (broken.contains(name)) remove(analyses);
+  std::erase_if(analyses.questions, [&](const auto& question) { return broken.contains(question.first); });
   return kept;
 }
 

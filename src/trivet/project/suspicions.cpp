@@ -5,6 +5,9 @@
 #include <string_view>
 
 #include "trivet/plausibility/inertia_slips.h"
+#include "trivet/project/analyses/orders_question.h"
+#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/analyses/transient_question.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
@@ -90,12 +93,12 @@ bool is_translation(const std::string& name) {
 
 void add_questions(const Case& variant, plausibility::Stated& stated) {
   const Analyses& asked = variant.analyses;
-  const auto add = [&](const char* subject, const std::optional<response::Band>& band) {
-    if (band) stated.windows.push_back({subject, band->from, band->to});
+  const auto add = [&](const std::string& question, const std::optional<response::Band>& band) {
+    if (band) stated.windows.push_back({"analyses." + question + ".band", band->from, band->to});
   };
-  if (asked.response) add("analyses.response.band", asked.response->band);
-  if (asked.transmissibility) add("analyses.transmissibility.band", asked.transmissibility->band);
-  if (asked.power) add("analyses.power.band", asked.power->band);
+  if (asked.response) add("response", asked.response->band);
+  for (const QuestionReader* reader : question_readers())
+    if (const auto* question = asked.find<BandQuestion>(reader->name)) add(reader->name, question->band);
   const assembly::Quantity quantity = asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
   for (const Limit& limit : asked.limits)
     if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)
@@ -103,13 +106,14 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
                                         quantity == assembly::Quantity::velocity});
   const Node* orders = find(variant.document, "analyses", "orders");
   const Node* speeds = orders ? orders->find("speed") : nullptr;
-  if (asked.orders && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
-    stated.speeds.push_back({"analyses.orders.speed", asked.orders->speed.to});
+  const auto* run_up = asked.find<OrdersQuestion>("orders");
+  if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
+    stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back({"excitations." + excitation.name + ".psd", random->spectrum.from(),
           random->spectrum.to(), true});
-  if (asked.transient) stated.transient = plausibility::TimeQuestion{asked.transient->to, asked.transient->wanted.excitations};
+  if (const auto* in_time = asked.find<TransientQuestion>("transient")) stated.transient = plausibility::TimeQuestion{in_time->to, in_time->wanted.excitations};
 }
 
 /// The impedance of a ground point has the name of the element above it; the file has that of the foundation.

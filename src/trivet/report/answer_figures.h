@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "trivet/report/figures.h"
+#include "trivet/response/transient/transient.h"
 #include "trivet/study/answers.h"
 
 /// The figures of each kind of answer; none where the case did not ask for it.
 namespace trivet::report {
-
-/// All figures of a case beside its harmonic characteristics, each kind numbered.
-[[nodiscard]] std::vector<Figure> answer_figures(const study::Answers& answers);
 
 /// Power spectral densities per hertz, one figure per body, point or element.
 [[nodiscard]] std::vector<Figure> random_figures(const study::Answers& answers);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/answer_sections.h"
 
+#include <fmt/format.h>
+
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/svg_canvas.h"
@@ -18,24 +20,56 @@ std::string section(const std::string& title, const std::string& tables, const s
   return html + "</section>\n";
 }
 
-std::vector<Figure> all_run_up_figures(const study::Answers& answers) {
-  std::vector<Figure> figures = campbell_figures(answers);
-  for (const auto& kind : {waterfall_figures, run_up_figures})
-    for (Figure& figure : kind(answers)) figures.push_back(std::move(figure));
-  return figures;
+/// What is shown of an answer, or of several that belong together.
+struct Shown {
+  const char* title;
+  std::string (*tables)(const study::Answers& answers);
+  std::vector<std::vector<Figure> (*)(const study::Answers& answers)> figures;
+};
+
+/// Tables and figures beside the harmonic characteristics, in the order of the page. A new one is a line here.
+const std::vector<Shown>& all_shown() {
+  static const std::vector<Shown> list = {
+      {"Map of designs", map_tables, {map_figures}},
+      {"Random response", random_table, {random_figures}},
+      {"Motion in time", transient_table, {transient_figures}},
+      {"Run-up", run_up_tables, {campbell_figures, waterfall_figures, run_up_figures}},
+      {"Transmissibility", transmissibility_table, {transmissibility_figures}},
+      {"Power into the ground", power_table, {power_figures}},
+      {"Shock response spectrum", shock_table, {shock_figures}},
+      {"Earthquake", earthquake_tables, {}},
+      {"Limit lines", limit_line_table, {limit_figures}},
+      {"Operating shapes", nullptr, {shape_figures}},
+      {"Load sharing", load_sharing_table, {}},
+  };
+  return list;
 }
 
 }  // namespace
 
+std::vector<Figure> answer_figures(const study::Answers& answers) {
+  std::vector<Figure> all;
+  for (const Shown& shown : all_shown())
+    for (const auto& kind : shown.figures) {
+      int number = 0;  // different names may share the letters that are safe in a file name
+      for (Figure& figure : kind(answers)) {
+        const std::size_t dash = figure.file_name.find('-');
+        if (dash != std::string::npos) figure.file_name.insert(dash, fmt::format("-{:02}", ++number));
+        all.push_back(std::move(figure));
+      }
+    }
+  return all;
+}
+
 std::string answer_sections(const study::Answers& answers) {
-  return section("Map of designs", map_tables(answers), map_figures(answers)) + section("Random response", random_table(answers), random_figures(answers)) +
-         section("Motion in time", transient_table(answers), transient_figures(answers)) +
-         section("Run-up", run_up_tables(answers), all_run_up_figures(answers)) +
-         section("Transmissibility", transmissibility_table(answers), transmissibility_figures(answers)) +
-         section("Power into the ground", power_table(answers), power_figures(answers)) +
-         section("Shock response spectrum", shock_table(answers), shock_figures(answers)) +
-         section("Earthquake", earthquake_tables(answers), {}) + section("Limit lines", limit_line_table(answers), limit_figures(answers)) +
-         section("Operating shapes", "", shape_figures(answers)) + section("Load sharing", load_sharing_table(answers), {});
+  std::string html;
+  for (const Shown& shown : all_shown()) {
+    std::vector<Figure> figures;
+    for (const auto& kind : shown.figures)
+      for (Figure& figure : kind(answers)) figures.push_back(std::move(figure));
+    html += section(shown.title, shown.tables ? shown.tables(answers) : "", figures);
+  }
+  return html;
 }
 
 }  // namespace trivet::report

@@ -11,6 +11,11 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
+#include "trivet/response/machinery/power.h"
+#include "trivet/study/orders_answer.h"
+#include "trivet/study/random_answer.h"
+#include "trivet/study/transient_answer.h"
+#include "trivet/study/transmissibility_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -31,8 +36,9 @@ std::string acceleration_unit(const std::string& unit) { return unit.starts_with
 }  // namespace
 
 std::string random_table(const study::Answers& answers) {
-  if (!answers.random) return "";
-  const study::RandomResult& random = *answers.random;
+  const auto* found = answers.find<study::RandomResult>("random");
+  if (!found) return "";
+  const study::RandomResult& random = *found;
   const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
   const bool has_remarks =
       std::any_of(random.response.answers.begin(), random.response.answers.end(), [](const auto& a) { return !remark(a).empty(); });
@@ -63,10 +69,11 @@ std::string random_table(const study::Answers& answers) {
 }
 
 std::string transient_table(const study::Answers& answers) {
-  if (!answers.transient) return "";
+  const auto* transient = answers.find<study::TransientResult>("transient");
+  if (!transient) return "";
   std::vector<std::vector<Cell>> rows;
-  for (const response::TimeCurve& c : answers.transient->response.curves) {
-    if (is_round_off(answers.transient->response, c)) {
+  for (const response::TimeCurve& c : transient->response.curves) {
+    if (is_round_off(transient->response, c)) {
       rows.push_back({{c.name}, right("≈ 0"), right("–"), right("≈ 0"), right("–"), right("≈ 0")});
       continue;
     }
@@ -82,9 +89,10 @@ std::string transient_table(const study::Answers& answers) {
 }
 
 std::string run_up_tables(const study::Answers& answers) {
-  if (!answers.orders) return "";
+  const auto* orders = answers.find<study::OrdersResult>("orders");
+  if (!orders) return "";
   constexpr double worth_naming = 0.01;
-  const response::RunUp& run_up = answers.orders->run_up;
+  const response::RunUp& run_up = orders->run_up;
   std::vector<std::vector<Cell>> rows;
   for (const response::CriticalSpeed& c : run_up.critical) {
     const response::Overall& curve = run_up.overall[c.curve];
@@ -98,7 +106,7 @@ std::string run_up_tables(const study::Answers& answers) {
                     right(c.nearest_mode ? std::to_string(*c.nearest_mode) : "–")});
   }
   std::vector<std::vector<Cell>> points;
-  for (const response::Interference& p : answers.orders->campbell.points)
+  for (const response::Interference& p : orders->campbell.points)
     points.push_back({right(p.mode ? std::to_string(*p.mode) : "–"),
                       number_cell(p.order),
                       number_cell(p.speed * rpm_per_rad_s, 5),
@@ -120,8 +128,9 @@ std::string run_up_tables(const study::Answers& answers) {
 }
 
 std::string transmissibility_table(const study::Answers& answers) {
-  if (!answers.transmissibility) return "";
-  const study::TransmissibilityResult& t = *answers.transmissibility;
+  const auto* found = answers.find<study::TransmissibilityResult>("transmissibility");
+  if (!found) return "";
+  const study::TransmissibilityResult& t = *found;
   std::vector<std::vector<Cell>> rows;
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::Curve& c = t.curves.curves[i];
@@ -151,8 +160,9 @@ std::string transmissibility_table(const study::Answers& answers) {
 }
 
 std::string power_table(const study::Answers& answers) {
-  if (!answers.power || answers.power->angular_frequency.empty() || answers.power->mounts.empty()) return "";
-  const response::PowerFlow& p = *answers.power;
+  const auto* found = answers.find<response::PowerFlow>("power");
+  if (!found || found->angular_frequency.empty() || found->mounts.empty()) return "";
+  const response::PowerFlow& p = *found;
   const auto row = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
     const double most = power.maxCoeff(&at), total = p.into_ground_in_total(at), fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);

@@ -8,6 +8,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/plot_panel.h"
+#include "trivet/study/orders_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -84,8 +85,9 @@ void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
 }  // namespace
 
 std::vector<Figure> campbell_figures(const study::Answers& answers) {
-  if (!answers.orders || answers.orders->campbell.orders.empty()) return {};
-  const response::Campbell& campbell = answers.orders->campbell;
+  const auto* orders = answers.find<study::OrdersResult>("orders");
+  if (!orders || orders->campbell.orders.empty()) return {};
+  const response::Campbell& campbell = orders->campbell;
   const PlotPanel panel{{78, 66},
                         700,
                         420,

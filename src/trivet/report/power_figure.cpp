@@ -7,6 +7,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_panel.h"
+#include "trivet/response/machinery/power.h"
 
 namespace trivet::report {
 namespace {
@@ -72,8 +73,9 @@ PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size
 }  // namespace
 
 std::vector<Figure> power_figures(const study::Answers& answers) {
-  if (!answers.power || answers.power->angular_frequency.size() < 3 || answers.power->mounts.empty() || !flows(*answers.power)) return {};
-  const response::PowerFlow& power = *answers.power;
+  const auto* found = answers.find<response::PowerFlow>("power");
+  if (!found || found->angular_frequency.size() < 3 || found->mounts.empty() || !flows(*found)) return {};
+  const response::PowerFlow& power = *found;
   std::vector<double> hertz;
   for (const double omega : power.angular_frequency) hertz.push_back(omega / two_pi);
   const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");

@@ -8,6 +8,7 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
+#include "trivet/study/random_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -47,11 +48,12 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
 
 std::vector<Figure> random_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
-  if (!answers.random || answers.random->curves.angular_frequency.size() < 3) return figures;
-  for (const CurveGroup& group : curve_groups(curve_names(answers.random->response.answers))) {
+  const auto* random = answers.find<study::RandomResult>("random");
+  if (!random || random->curves.angular_frequency.size() < 3) return figures;
+  for (const CurveGroup& group : curve_groups(curve_names(random->response.answers))) {
     std::vector<PanelRow> rows;
     for (const auto* series : {&group.upper, &group.lower})
-      if (!series->empty()) rows.push_back(density_row(*answers.random, *series));
+      if (!series->empty()) rows.push_back(density_row(*random, *series));
     const std::string title = case_title("Power spectral density: " + group.name, answers);
     figures.push_back({title, "random-" + file_part(group.name) + ".svg", stacked_rows(title, rows)});
   }

@@ -9,6 +9,7 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
+#include "trivet/study/orders_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -94,8 +95,9 @@ std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::v
 
 std::vector<Figure> run_up_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
-  if (!answers.orders || answers.orders->run_up.speed.size() < 2) return figures;
-  const response::RunUp& run_up = answers.orders->run_up;
+  const auto* orders = answers.find<study::OrdersResult>("orders");
+  if (!orders || orders->run_up.speed.size() < 2) return figures;
+  const response::RunUp& run_up = orders->run_up;
   for (const CurveGroup& group : curve_groups(curve_names(run_up.overall))) {
     std::vector<PanelRow> rows = amplitude_rows(run_up, group.upper);
     for (PanelRow& row : amplitude_rows(run_up, group.lower)) rows.push_back(std::move(row));

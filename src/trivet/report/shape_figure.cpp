@@ -11,6 +11,7 @@
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/plot_panel.h"
+#include "trivet/response/machinery/deflection_shape.h"
 
 namespace trivet::report {
 namespace {
@@ -190,7 +191,9 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
 
 std::vector<Figure> shape_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
-  for (const response::DeflectionShape& shape : answers.shapes)
+  const auto* shapes = answers.find<std::vector<response::DeflectionShape>>("shapes");
+  if (!shapes) return figures;
+  for (const response::DeflectionShape& shape : *shapes)
     if (!shape.bodies.empty()) figures.push_back(shape_figure(answers, shape));
   return figures;
 }

@@ -7,13 +7,16 @@
 
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/html_table.h"
+#include "trivet/response/transient/earthquake.h"
+#include "trivet/study/shock_spectrum_answer.h"
 
 namespace trivet::report {
 
 std::string shock_table(const study::Answers& answers) {
-  if (answers.shock_spectra.empty()) return "";
+  const auto* spectra = answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum");
+  if (!spectra) return "";
   std::vector<std::vector<Cell>> rows;
-  for (const study::ShockSpectrumResult& s : answers.shock_spectra) {
+  for (const study::ShockSpectrumResult& s : *spectra) {
     if (s.spectrum.empty()) continue;
     const auto most = [&](const auto& of) {
       return *std::max_element(s.spectrum.begin(), s.spectrum.end(), [&](const auto& a, const auto& b) { return of(a) < of(b); });
@@ -42,8 +45,9 @@ std::string shock_table(const study::Answers& answers) {
 }
 
 std::string earthquake_tables(const study::Answers& answers) {
-  if (!answers.earthquake) return "";
-  const response::EarthquakeResponse& e = *answers.earthquake;
+  const auto* found = answers.find<response::EarthquakeResponse>("earthquake");
+  if (!found) return "";
+  const response::EarthquakeResponse& e = *found;
   std::vector<std::vector<Cell>> rows, modes;
   for (const response::CombinedAnswer& a : e.answers)
     rows.push_back({{a.name}, quantity_cell(a.complete_quadratic, a.unit), quantity_cell(a.square_root_of_sum_of_squares, a.unit)});

@@ -7,6 +7,7 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
+#include "trivet/study/shock_spectrum_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -42,7 +43,9 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
 
 std::vector<Figure> shock_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
-  for (const study::ShockSpectrumResult& answer : answers.shock_spectra) {
+  const auto* spectra = answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum");
+  if (!spectra) return figures;
+  for (const study::ShockSpectrumResult& answer : *spectra) {
     if (answer.spectrum.size() < 2) continue;
     const std::string title = case_title("Shock response spectrum: " + answer.excitation, answers);
     figures.push_back({title, "shock-" + file_part(answer.excitation) + ".svg", stacked_rows(title, {spectrum_row(answer)})});

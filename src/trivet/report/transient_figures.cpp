@@ -7,6 +7,7 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
+#include "trivet/study/transient_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -69,8 +70,9 @@ bool is_round_off(const response::TransientResponse& transient, const response::
 
 std::vector<Figure> transient_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
-  if (!answers.transient || answers.transient->response.time.size() < 2) return figures;
-  const response::TransientResponse& transient = answers.transient->response;
+  const auto* found = answers.find<study::TransientResult>("transient");
+  if (!found || found->response.time.size() < 2) return figures;
+  const response::TransientResponse& transient = found->response;
   for (const CurveGroup& group : curve_groups(curve_names(transient.curves))) {
     std::vector<PanelRow> rows;
     for (const auto* series : {&group.upper, &group.lower})

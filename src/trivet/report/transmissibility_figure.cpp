@@ -8,6 +8,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_panel.h"
+#include "trivet/study/transmissibility_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -24,8 +25,9 @@ std::string isolation_words(const response::Crossover& crossover) {
 }  // namespace
 
 std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
-  if (!answers.transmissibility || answers.transmissibility->curves.angular_frequency.size() < 3) return {};
-  const study::TransmissibilityResult& answer = *answers.transmissibility;
+  const auto* found = answers.find<study::TransmissibilityResult>("transmissibility");
+  if (!found || found->curves.angular_frequency.size() < 3) return {};
+  const study::TransmissibilityResult& answer = *found;
   PanelRow row;
   std::vector<double> hertz;
   for (const double omega : answer.curves.angular_frequency) hertz.push_back(omega / two_pi);

@@ -10,6 +10,7 @@
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/plot_panel.h"
+#include "trivet/study/orders_answer.h"
 
 namespace trivet::report {
 namespace {
@@ -61,9 +62,9 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
   canvas.text({x_name, y_name}, "shaft speed [rpm]",
               fmt::format("text-anchor=\"middle\" transform=\"rotate({:.1f} {:.2f} {:.2f})\"", slope, x_name, y_name));
   for (const Tick& tick : linear_ticks(0, s.amplitude_to, 4)) {
-    const PixelPoint left = s.at(0, s.rpm_from, tick.value);
-    canvas.line({left.x - 5, left.y}, left, "stroke=\"#333\"");
-    canvas.text({left.x - 8, left.y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
+    const PixelPoint on_axis = s.at(0, s.rpm_from, tick.value);
+    canvas.line({on_axis.x - 5, on_axis.y}, on_axis, "stroke=\"#333\"");
+    canvas.text({on_axis.x - 8, on_axis.y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
   }
   for (const auto& [a, b] : {std::pair{s.at(0, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_from, 0)},
                              std::pair{s.at(s.hertz_to, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_to, 0)},
@@ -97,8 +98,9 @@ void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response:
 }  // namespace
 
 std::vector<Figure> waterfall_figures(const study::Answers& answers) {
-  if (!answers.orders || answers.orders->run_up.speed.size() < 2) return {};
-  const response::RunUp& run_up = answers.orders->run_up;
+  const auto* found = answers.find<study::OrdersResult>("orders");
+  if (!found || found->run_up.speed.size() < 2) return {};
+  const response::RunUp& run_up = found->run_up;
   const std::optional<std::size_t> curve = tallest_curve(run_up);
   if (!curve) return {};
   const std::vector<response::WaterfallLine> lines = response::waterfall(run_up, *curve, spectra);

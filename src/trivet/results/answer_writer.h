@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/project/analyses/question_table.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/answers.h"
@@ -20,19 +21,25 @@ struct CsvWriter {
   std::string (*csv)(const project::Case& variant, const study::Answers& answers);
 };
 
-/// How the answer to one question is written. One file per question (NAME_results.cpp) defines one of these; answer_writers.cpp lists them.
+/// How the answer to one question is written. Each is defined in NAME_results.cpp.
 struct AnswerWriter {
   const char* name;   ///< of the question in [analyses], of its command, and its key in results.json
-  bool (*is_there)(const project::Case& variant, const study::Answers& answers);
+  /// None: where `answers` has one of this name, as of all questions of project/analyses/question_table.h.
+  bool (*has_answer)(const project::Case& variant, const study::Answers& answers) = nullptr;
   json::Json (*json)(const project::Case& variant, const study::Answers& answers);
   std::vector<CsvWriter> tables = {};  ///< of the result folder; the first one is what --csv prints
   std::string (*text)(const project::Case& variant, const study::Answers& answers);     ///< for the screen
   std::string (*summary)(const project::Case& variant, const study::Answers& answers) = nullptr;  ///< where `run` says less than the command
+
+  [[nodiscard]] bool is_there(const project::Case& variant, const study::Answers& answers) const {
+    return has_answer ? has_answer(variant, answers) : answers.of_questions.contains(name);
+  }
 };
 
-/// Each in NAME_results.cpp.
-extern const AnswerWriter modes_writer, roots_writer, response_writer, peaks_writer, static_writer, random_writer, transient_writer, orders_writer,
-    transmissibility_writer, power_writer, shapes_writer, shock_spectrum_writer, earthquake_writer, limit_lines_writer, load_sharing_writer;
+extern const AnswerWriter modes_results, roots_results, response_results, peaks_results, static_results, limit_lines_results, load_sharing_results;
+#define TRIVET_WRITER(name) extern const AnswerWriter name##_results;
+TRIVET_QUESTIONS(TRIVET_WRITER)
+#undef TRIVET_WRITER
 
 /// All of them, in the order of the result file.
 [[nodiscard]] const std::vector<const AnswerWriter*>& answer_writers();

@@ -33,9 +33,9 @@ Json curve(const response::Curve& c) {
 namespace {
 
 /// The command `map` writes a map by its own options; here it is one of the answers of a run.
-const AnswerWriter map_writer = {
+const AnswerWriter map_results = {
     .name = "map",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.map.has_value(); },
+    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.map.has_value(); },
     .json = [](const project::Case&, const study::Answers& answers) { return json::design_map(*answers.map); },
     .tables = {{"map.csv", [](const project::Case&, const study::Answers& answers) { return map_csv(*answers.map); }}},
     .text = [](const project::Case&, const study::Answers& answers) { return map_text(*answers.map); },
@@ -44,10 +44,10 @@ const AnswerWriter map_writer = {
 }  // namespace
 
 const std::vector<const AnswerWriter*>& answer_writers() {
-  static const std::vector<const AnswerWriter*> list = {
-      &modes_writer, &roots_writer,  &response_writer, &peaks_writer,  &static_writer,         &random_writer,     &transient_writer,   &orders_writer,
-      &transmissibility_writer, &power_writer, &shapes_writer, &shock_spectrum_writer, &earthquake_writer, &limit_lines_writer, &map_writer, &load_sharing_writer,
-  };
+#define TRIVET_WRITER(name) &name##_results,
+  static const std::vector<const AnswerWriter*> list = {&modes_results, &roots_results, &response_results, &peaks_results, &static_results,
+                                                        TRIVET_QUESTIONS(TRIVET_WRITER) &limit_lines_results, &map_results, &load_sharing_results};
+#undef TRIVET_WRITER
   return list;
 }
 

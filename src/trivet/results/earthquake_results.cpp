@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/response/transient/earthquake.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -11,7 +12,7 @@ namespace json {
 namespace {
 
 Json earthquake(const project::Case&, const study::Answers& answers) {
-  const response::EarthquakeResponse& e = *answers.earthquake;
+  const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   Json result{{"results", Json::array()}, {"modes", Json::array()}, {"effective_mass_share", e.effective_mass_share}, {"warnings", warnings(answers.warnings)}};
   for (const response::CombinedAnswer& a : e.answers)
     result["results"].push_back({{"name", a.name}, {"unit", a.unit}, {"srss", a.square_root_of_sum_of_squares}, {"cqc", a.complete_quadratic}, {"modal_maxima", list(a.modal_maxima)}});
@@ -28,7 +29,7 @@ namespace {
 
 /// One row per answer, its largest values in each mode beside it.
 std::string earthquake_csv(const project::Case&, const study::Answers& answers) {
-  const response::EarthquakeResponse& e = *answers.earthquake;
+  const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   std::string text = "name,unit,cqc,srss";
   for (std::size_t m = 0; m < e.modes.size(); ++m) text += "," + csv_field(fmt::format("largest in mode at {:.6g} Hz", hertz(e.modes[m].angular_frequency)));
   text += "\n";
@@ -41,7 +42,7 @@ std::string earthquake_csv(const project::Case&, const study::Answers& answers) 
 }
 
 std::string earthquake_text(const project::Case&, const study::Answers& answers) {
-  const response::EarthquakeResponse& e = *answers.earthquake;
+  const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   TextTable modes({"f [Hz]", "damping ratio", "effective mass [kg]", "S_a [m/s²]"});
   for (const response::ModalShare& m : e.modes) modes.add({shown(hertz(m.angular_frequency), 5), shown(m.damping_ratio, 3), shown(m.effective_mass, 5), shown(m.spectral_acceleration, 5)});
   TextTable table({"answer", "CQC", "SRSS", "unit"});
@@ -52,9 +53,8 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
 
 }  // namespace
 
-const AnswerWriter earthquake_writer = {
+const AnswerWriter earthquake_results = {
     .name = "earthquake",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.earthquake.has_value(); },
     .json = json::earthquake,
     .tables = {{"earthquake.csv", earthquake_csv}},
     .text = earthquake_text,

@@ -102,9 +102,9 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
 
 }  // namespace
 
-const AnswerWriter modes_writer = {
+const AnswerWriter modes_results = {
     .name = "modes",
-    .is_there = [](const project::Case& variant, const study::Answers&) { return variant.analyses.modes; },
+    .has_answer = [](const project::Case& variant, const study::Answers&) { return variant.analyses.modes; },
     .json = json::modes,
     .tables = {{"modes.csv", modes_csv}},
     .text = modes_text,

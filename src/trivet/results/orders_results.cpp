@@ -8,6 +8,7 @@
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
+#include "trivet/study/orders_answer.h"
 
 /// Run-up and Campbell diagram.
 namespace trivet::results {
@@ -15,8 +16,8 @@ namespace json {
 namespace {
 
 Json orders(const project::Case&, const study::Answers& answers) {
-  const response::RunUp& run = answers.orders->run_up;
-  const response::Campbell& campbell = answers.orders->campbell;
+  const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
+  const response::Campbell& campbell = answers.find<study::OrdersResult>("orders")->campbell;
   Json result{{"speed", run.speed}, {"orders", Json::array()}, {"overall", Json::array()}, {"critical_speeds", Json::array()},
               {"campbell", {{"orders", campbell.orders}, {"natural", Json::array()}, {"interference", Json::array()}}}, {"warnings", warnings(answers.warnings)}};
   for (const response::OrderCurves& order : run.orders) {
@@ -49,7 +50,7 @@ constexpr double worth_a_row = 0.01;
 double rpm(double omega) { return omega * 60 / two_pi; }
 
 std::string orders_csv(const project::Case&, const study::Answers& answers) {
-  const response::RunUp& run = answers.orders->run_up;
+  const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
   std::string text = "speed [rad/s],speed [rpm]";
   for (const response::Overall& o : run.overall) text += "," + csv_field(fmt::format("{} rms [{}]", o.name, o.unit));
   for (const response::OrderCurves& order : run.orders)
@@ -66,7 +67,7 @@ std::string orders_csv(const project::Case&, const study::Answers& answers) {
 }
 
 std::string critical_speeds_csv(const project::Case&, const study::Answers& answers) {
-  const response::RunUp& run = answers.orders->run_up;
+  const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
   std::string text = "name,order,speed [rad/s],speed [rpm],angular_frequency [rad/s],amplitude,unit,relative_height,nearest_mode\n";
   for (const response::CriticalSpeed& c : run.critical)
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(run.overall[c.curve].name), c.order, c.speed, c.speed * 60 / two_pi, c.angular_frequency, csv_number(c.amplitude), csv_field(run.overall[c.curve].unit),
@@ -76,7 +77,7 @@ std::string critical_speeds_csv(const project::Case&, const study::Answers& answ
 
 std::string orders_text(const project::Case&, const study::Answers& answers) {
   constexpr std::size_t most_rows = 40;
-  const response::RunUp& run = answers.orders->run_up;
+  const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
   std::vector<response::CriticalSpeed> tall;
   for (const response::CriticalSpeed& c : run.critical)
     if (!(c.relative_height < worth_a_row)) tall.push_back(c);
@@ -91,16 +92,15 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   TextTable overall({"answer", "highest rms of all orders", "at [rpm]", "unit"});
   for (const response::Overall& o : run.overall) overall.add({o.name, shown(o.highest_rms), shown(rpm(o.highest_rms_at)), o.unit});
   TextTable points({"speed [rpm]", "order", "f [Hz]", "mode", "share of the modal force", "excited"});
-  for (const response::Interference& p : answers.orders->campbell.points)
+  for (const response::Interference& p : answers.find<study::OrdersResult>("orders")->campbell.points)
     points.add({shown(rpm(p.speed)), shown(p.order, 4), shown(hertz(p.angular_frequency)), mode_words(p.mode), p.modal_force_share ? percent(*p.modal_force_share) : "–", p.excited ? "yes" : "no"});
-  return text + overall.text() + (answers.orders->campbell.points.empty() ? "" : "Campbell diagram: orders meet natural frequencies\n" + points.text());
+  return text + overall.text() + (answers.find<study::OrdersResult>("orders")->campbell.points.empty() ? "" : "Campbell diagram: orders meet natural frequencies\n" + points.text());
 }
 
 }  // namespace
 
-const AnswerWriter orders_writer = {
+const AnswerWriter orders_results = {
     .name = "orders",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.orders.has_value(); },
     .json = json::orders,
     .tables = {{"orders.csv", orders_csv}, {"critical_speeds.csv", critical_speeds_csv}},
     .text = orders_text,

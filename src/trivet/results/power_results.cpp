@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/response/machinery/power.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -11,7 +12,7 @@ namespace json {
 namespace {
 
 Json power(const project::Case&, const study::Answers& answers) {
-  const response::PowerFlow& p = *answers.power;
+  const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   Json result{{"angular_frequency", p.angular_frequency}, {"mounts", Json::array()}, {"into_ground_in_total", list(p.into_ground_in_total)}, {"by_forces", list(p.by_forces)},
               {"by_ground", list(p.by_ground)}, {"elements", Json::array()}, {"dissipated_by_foundations", list(p.dissipated_by_foundations)}, {"dissipated_by_system", list(p.dissipated_by_system)}, {"warnings", warnings(answers.warnings)}};
   for (std::size_t i = 0; i < p.mounts.size(); ++i) result["mounts"].push_back({{"name", p.mounts[i]}, {"into_ground", list(p.into_ground.row(static_cast<Eigen::Index>(i)))}});
@@ -25,7 +26,7 @@ Json power(const project::Case&, const study::Answers& answers) {
 namespace {
 
 std::string power_csv(const project::Case&, const study::Answers& answers) {
-  const response::PowerFlow& p = *answers.power;
+  const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   std::string text = "angular_frequency [rad/s],by forces [W],by ground [W],into ground [W]";
   for (const std::string& mount : p.mounts) text += "," + csv_field("into ground at " + mount + " [W]");
   text += "\n";
@@ -39,7 +40,7 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
 }
 
 std::string power_text(const project::Case&, const study::Answers& answers) {
-  const response::PowerFlow& p = *answers.power;
+  const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   if (p.angular_frequency.empty()) return "";
   TextTable table({"mount", "highest power into the ground [W]", "at [Hz]"});
   const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
@@ -54,9 +55,8 @@ std::string power_text(const project::Case&, const study::Answers& answers) {
 
 }  // namespace
 
-const AnswerWriter power_writer = {
+const AnswerWriter power_results = {
     .name = "power",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.power.has_value(); },
     .json = json::power,
     .tables = {{"power.csv", power_csv}},
     .text = power_text,

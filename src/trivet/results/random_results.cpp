@@ -11,6 +11,7 @@
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
+#include "trivet/study/random_answer.h"
 
 /// Root mean squares and spectral densities.
 namespace trivet::results {
@@ -18,7 +19,7 @@ namespace json {
 namespace {
 
 Json random(const project::Case&, const study::Answers& answers) {
-  const study::RandomResult& random = *answers.random;
+  const study::RandomResult& random = *answers.find<study::RandomResult>("random");
   Json result{{"results", Json::array()}, {"method", response::name(random.response.method)}, {"remark", random.response.remark}, {"inputs", random.inputs},
               {"band", {random.response.from, number(random.response.to)}}, {"angular_frequency", random.curves.angular_frequency}, {"warnings", warnings(answers.warnings)}};
   if (!random.total_values.empty()) {
@@ -70,19 +71,20 @@ std::string accuracy_text(const response::RandomResponse& random) {
 
 std::string random_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "name,unit,rms,three_sigma,rms_of_derivative,zero_crossings [1/s],weighted_rms";
-  for (const std::string& input : answers.random->inputs) text += "," + csv_field("variance share " + input);
+  const study::RandomResult& random = *answers.find<study::RandomResult>("random");
+  for (const std::string& input : random.inputs) text += "," + csv_field("variance share " + input);
   text += "\n";
-  for (const response::RandomAnswer& a : answers.random->response.answers) {
+  for (const response::RandomAnswer& a : random.response.answers) {
     text += fmt::format("{},{},{},{},{},{},{}", csv_field(a.name), csv_field(a.unit), bounded(a.rms, a.infinite_rms), bounded(a.three_sigma, a.infinite_rms),
                         bounded(a.rms_of_derivative, a.infinite_rms_of_derivative), csv_number(a.zero_crossings), bounded(a.weighted_rms, a.infinite_weighted_rms));
-    for (std::size_t i = 0; i < answers.random->inputs.size(); ++i) text += "," + (i < a.variance_share.size() ? csv_number(a.variance_share[i]) : std::string());
+    for (std::size_t i = 0; i < random.inputs.size(); ++i) text += "," + (i < a.variance_share.size() ? csv_number(a.variance_share[i]) : std::string());
     text += "\n";
   }
   return text;
 }
 
 std::string random_densities_csv(const project::Case&, const study::Answers& answers) {
-  const study::RandomResult& random = *answers.random;
+  const study::RandomResult& random = *answers.find<study::RandomResult>("random");
   std::string text = "frequency [Hz]";
   for (const response::RandomAnswer& a : random.response.answers) text += "," + csv_field(fmt::format("{} [({})²/Hz]", a.name, a.unit));
   text += "\n";
@@ -95,7 +97,7 @@ std::string random_densities_csv(const project::Case&, const study::Answers& ans
 }
 
 std::string random_text(const project::Case&, const study::Answers& answers) {
-  const study::RandomResult& random = *answers.random;
+  const study::RandomResult& random = *answers.find<study::RandomResult>("random");
   const auto& list = random.response.answers;
   const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) { return a.weighted_rms || a.infinite_weighted_rms; });
   std::vector<std::string> header = {"answer", "rms", "3σ", "unit", "zero crossings [1/s]"};
@@ -118,9 +120,8 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
 
 }  // namespace
 
-const AnswerWriter random_writer = {
+const AnswerWriter random_results = {
     .name = "random",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.random.has_value(); },
     .json = json::random,
     .tables = {{"random.csv", random_csv}, {"densities.csv", random_densities_csv}},
     .text = random_text,

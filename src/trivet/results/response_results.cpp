@@ -177,9 +177,9 @@ json::Json response_json(const project::Case&, const study::Answers& answers) { 
 
 }  // namespace
 
-const AnswerWriter response_writer = {
+const AnswerWriter response_results = {
     .name = "response",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.response.has_value(); },
+    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.response.has_value(); },
     .json = response_json,
     .tables = {{"response.csv", response_csv}},
     .text = response_text,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -21,7 +22,7 @@ Json place(const response::MovingPlace& p) {
 
 Json shapes(const project::Case&, const study::Answers& answers) {
   Json result{{"shapes", Json::array()}, {"warnings", warnings(answers.warnings)}};
-  for (const response::DeflectionShape& shape : answers.shapes) {
+  for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes")) {
     Json places = Json::array();
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) places.push_back(place(p));
@@ -40,7 +41,7 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
   for (const char* part : {"re", "im"})
     for (const char* name : model::coordinate_names) text += fmt::format(",{} {}", name, part);
   text += "\n";
-  for (const response::DeflectionShape& shape : answers.shapes)
+  for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes"))
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
         text += fmt::format("{},{},{},{},{}", shape.angular_frequency, csv_field(p.name), p.position.x(), p.position.y(), p.position.z());
@@ -53,7 +54,7 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
 
 std::string shapes_text(const project::Case&, const study::Answers& answers) {
   std::string text;
-  for (const response::DeflectionShape& shape : answers.shapes) {
+  for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes")) {
     TextTable table({"place", "|x| [m]", "|y| [m]", "|z| [m]", "phase x", "phase y", "phase z"});
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
@@ -69,9 +70,8 @@ std::string shapes_text(const project::Case&, const study::Answers& answers) {
 
 }  // namespace
 
-const AnswerWriter shapes_writer = {
+const AnswerWriter shapes_results = {
     .name = "shapes",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return !answers.shapes.empty(); },
     .json = json::shapes,
     .tables = {{"shapes.csv", shapes_csv}},
     .text = shapes_text,

@@ -5,6 +5,7 @@
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
+#include "trivet/study/shock_spectrum_answer.h"
 
 /// Shock response spectra.
 namespace trivet::results {
@@ -13,7 +14,7 @@ namespace {
 
 Json shock_spectrum(const project::Case&, const study::Answers& answers) {
   Json result{{"spectra", Json::array()}, {"warnings", warnings(answers.warnings)}};
-  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra) {
+  for (const study::ShockSpectrumResult& spectrum : *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
     Json rows = Json::array();
     for (const excitation::ShockResponse& r : spectrum.spectrum)
       rows.push_back({{"angular_frequency", r.angular_frequency}, {"largest", r.largest()}, {"smallest", r.smallest()}, {"maximax", r.maximax()}, {"primary", r.primary()}, {"residual", r.residual()},
@@ -32,7 +33,7 @@ using foundation::two_pi;
 
 std::string shock_spectrum_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "excitation,natural frequency [Hz],largest [m/s²],smallest [m/s²],maximax [m/s²],pseudo velocity [m/s],relative displacement [m]\n";
-  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra)
+  for (const study::ShockSpectrumResult& spectrum : *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum"))
     for (const excitation::ShockResponse& r : spectrum.spectrum)
       text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(spectrum.excitation), r.angular_frequency / two_pi, r.largest(), r.smallest(), r.maximax(), r.pseudo_velocity(), r.relative_displacement);
   return text;
@@ -41,7 +42,7 @@ std::string shock_spectrum_csv(const project::Case&, const study::Answers& answe
 std::string shock_spectrum_text(const project::Case&, const study::Answers& answers) {
   constexpr std::size_t most_rows = 24;
   std::string text;
-  for (const study::ShockSpectrumResult& spectrum : answers.shock_spectra) {
+  for (const study::ShockSpectrumResult& spectrum : *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
     TextTable table({"natural frequency [Hz]", "largest [m/s²]", "smallest [m/s²]", "pseudo velocity [m/s]", "relative displacement [m]"});
     const std::size_t step = (spectrum.spectrum.size() + most_rows - 1) / most_rows;
     for (std::size_t i = 0; i < spectrum.spectrum.size(); i += step) {
@@ -55,9 +56,8 @@ std::string shock_spectrum_text(const project::Case&, const study::Answers& answ
 
 }  // namespace
 
-const AnswerWriter shock_spectrum_writer = {
+const AnswerWriter shock_spectrum_results = {
     .name = "shock_spectrum",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return !answers.shock_spectra.empty(); },
     .json = json::shock_spectrum,
     .tables = {{"shock_spectrum.csv", shock_spectrum_csv}},
     .text = shock_spectrum_text,

@@ -56,17 +56,17 @@ std::string static_text(const project::Case&, const study::Answers& answers) {
 
 }  // namespace
 
-const AnswerWriter static_writer = {
+const AnswerWriter static_results = {
     .name = "static",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.statics.has_value(); },
+    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.statics.has_value(); },
     .json = json::statics,
     .tables = {{"static.csv", static_csv}},
     .text = static_text,
 };
 
-const AnswerWriter load_sharing_writer = {
+const AnswerWriter load_sharing_results = {
     .name = "load_sharing",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.load_sharing.has_value(); },
+    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.load_sharing.has_value(); },
     .json = json::load_sharing,
     .tables = {{"load_sharing.csv", load_sharing_csv}},
     .text = [](const project::Case&, const study::Answers&) { return std::string(); },

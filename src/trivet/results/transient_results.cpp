@@ -4,6 +4,7 @@
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
+#include "trivet/study/transient_answer.h"
 
 /// Motion in time.
 namespace trivet::results {
@@ -12,14 +13,8 @@ namespace {
 
 Json extreme(const response::Extreme& e) { return {{"value", number(e.value)}, {"time", number(e.time)}}; }
 
-Json place(const response::MovingPlace& p) {
-  Json motion = Json::array();
-  for (Eigen::Index j = 0; j < 6; ++j) motion.push_back(complex_number(p.motion(j)));
-  return {{"name", p.name}, {"position", list(p.position)}, {"motion", std::move(motion)}};
-}
-
 Json transient(const project::Case&, const study::Answers& answers) {
-  const response::TransientResponse& found = answers.transient->response;
+  const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   Json result{{"time", list(found.time)}, {"results", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (const response::TimeCurve& c : found.curves)
     result["results"].push_back({{"name", c.name}, {"unit", c.unit}, {"largest", extreme(c.largest)}, {"smallest", extreme(c.smallest)}, {"rms", number(c.rms)}, {"value", list(c.values)}});
@@ -32,7 +27,7 @@ Json transient(const project::Case&, const study::Answers& answers) {
 namespace {
 
 std::string transient_csv(const project::Case&, const study::Answers& answers) {
-  const response::TransientResponse& found = answers.transient->response;
+  const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   std::string text = "time [s]";
   for (const response::TimeCurve& c : found.curves) text += "," + csv_field(fmt::format("{} [{}]", c.name, c.unit));
   text += "\n";
@@ -45,7 +40,7 @@ std::string transient_csv(const project::Case&, const study::Answers& answers) {
 }
 
 std::string transient_text(const project::Case&, const study::Answers& answers) {
-  const response::TransientResponse& found = answers.transient->response;
+  const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
   for (const response::TimeCurve& c : found.curves)
     table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value), shown(c.smallest.time, 5), shown(c.rms), c.unit});
@@ -55,9 +50,8 @@ std::string transient_text(const project::Case&, const study::Answers& answers) 
 
 }  // namespace
 
-const AnswerWriter transient_writer = {
+const AnswerWriter transient_results = {
     .name = "transient",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.transient.has_value(); },
     .json = json::transient,
     .tables = {{"transient.csv", transient_csv}},
     .text = transient_text,

@@ -6,6 +6,7 @@
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
+#include "trivet/study/transmissibility_answer.h"
 
 /// Force or motion that the mounts let through.
 namespace trivet::results {
@@ -13,7 +14,7 @@ namespace json {
 namespace {
 
 Json transmissibility(const project::Case&, const study::Answers& answers) {
-  const study::TransmissibilityResult& t = *answers.transmissibility;
+  const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
   Json result{{"of", t.words}, {"angular_frequency", t.curves.angular_frequency}, {"results", Json::array()}, {"peaks", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::Curve& c = t.curves.curves[i];
@@ -38,7 +39,7 @@ Json transmissibility(const project::Case&, const study::Answers& answers) {
 namespace {
 
 std::string transmissibility_csv(const project::Case&, const study::Answers& answers) {
-  const study::TransmissibilityResult& t = *answers.transmissibility;
+  const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
   std::string text = "angular_frequency [rad/s]";
   for (const response::Curve& c : t.curves.curves) text += "," + csv_field(c.name + " [1]") + "," + csv_field(c.name + " [dB]");
   text += "\n";
@@ -54,7 +55,7 @@ std::string transmissibility_csv(const project::Case&, const study::Answers& ans
 }
 
 std::string transmissibility_text(const project::Case&, const study::Answers& answers) {
-  const study::TransmissibilityResult& t = *answers.transmissibility;
+  const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
   TextTable table({"answer", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band", "efficiency there"});
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::CurveSummary& summary = t.peaks.curves[i];
@@ -70,9 +71,8 @@ std::string transmissibility_text(const project::Case&, const study::Answers& an
 
 }  // namespace
 
-const AnswerWriter transmissibility_writer = {
+const AnswerWriter transmissibility_results = {
     .name = "transmissibility",
-    .is_there = [](const project::Case&, const study::Answers& answers) { return answers.transmissibility.has_value(); },
     .json = json::transmissibility,
     .tables = {{"transmissibility.csv", transmissibility_csv}},
     .text = transmissibility_text,

@@ -14,8 +14,10 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/guides.h"
+#include "trivet/project/analyses/earthquake_question.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/study/case_context.h"
+#include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
@@ -162,14 +164,9 @@ class CaseStudy {
       } catch (const foundation::NotComputable&) {  // nobody asked for it: a model without mounts under its weight shares no load
       }
     }
-    if (analyses.random) attempt([&] { result.random = random_answer(c, *analyses.random); });
-    if (analyses.transient) attempt([&] { result.transient = transient_answer(c, *analyses.transient, result.warnings); });
-    if (analyses.orders) attempt([&] { result.orders = orders_answer(c, *analyses.orders); });
-    if (analyses.transmissibility) attempt([&] { result.transmissibility = transmissibility_answer(c, *analyses.transmissibility); });
-    if (analyses.power) attempt([&] { result.power = power_answer(c, *analyses.power); });
-    if (analyses.shapes) attempt([&] { result.shapes = shapes_answer(c, *analyses.shapes); });
-    if (analyses.shock_spectrum) attempt([&] { result.shock_spectra = shock_spectrum_answer(c, *analyses.shock_spectrum, result.warnings); });
-    if (analyses.earthquake) attempt([&] { result.earthquake = earthquake_answer(c, *analyses.earthquake, result.warnings); });
+    for (const QuestionAnswer* question : question_answers())
+      if (const auto* asked = analyses.find<project::Question>(question->name))
+        attempt([&] { result.of_questions[question->name] = question->answer(c, *asked, result.warnings); });
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] { result.limit_lines = limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band); });
   }
@@ -183,11 +180,7 @@ class CaseStudy {
       of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
       for (const project::MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
     }
-    if (analyses.random) of.insert(of.end(), analyses.random->wanted.of.begin(), analyses.random->wanted.of.end());
-    if (analyses.transient) of.insert(of.end(), analyses.transient->wanted.of.begin(), analyses.transient->wanted.of.end());
-    if (analyses.orders) of.insert(of.end(), analyses.orders->wanted.of.begin(), analyses.orders->wanted.of.end());
-    if (analyses.earthquake) of.insert(of.end(), analyses.earthquake->wanted.of.begin(), analyses.earthquake->wanted.of.end());
-    if (analyses.transmissibility && !analyses.transmissibility->force.empty()) of.push_back("ground");
+    for (const auto& [name, question] : analyses.questions) of.insert(of.end(), question->wanted.of.begin(), question->wanted.of.end());
     if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
     for (const model::Body& body : system_.bodies())
       if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
@@ -203,8 +196,9 @@ class CaseStudy {
       for (const model::Body& body : system_.bodies())
         if (const std::string names = model::coordinates_left_behind(body, motion, Eigen::Vector3d::Zero()); !names.empty()) model::warn_of_guides(body, names, question, warnings);
     };
-    if (analyses.transmissibility && analyses.transmissibility->force.empty()) warn("transmissibility", analyses.transmissibility->direction);
-    if (analyses.earthquake) warn("earthquake", response::Direction{analyses.earthquake->direction, false});
+    const auto* transmitted = analyses.find<project::TransmissibilityQuestion>("transmissibility");
+    if (transmitted && transmitted->force.empty()) warn("transmissibility", transmitted->direction);
+    if (const auto* shaken = analyses.find<project::EarthquakeQuestion>("earthquake")) warn("earthquake", response::Direction{shaken->direction, false});
   }
 
   /// Undamped modes know one stiffness, that at rest.

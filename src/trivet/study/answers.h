@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <any>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "trivet/excitation/shock_spectrum.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
 #include "trivet/project/project.h"
-#include "trivet/response/machinery/campbell.h"
-#include "trivet/response/machinery/deflection_shape.h"
+#include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/machinery/load_sharing.h"
-#include "trivet/response/machinery/power.h"
-#include "trivet/response/machinery/run_up.h"
-#include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/deep_check.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/response/steady/static_response.h"
-#include "trivet/response/transient/earthquake.h"
-#include "trivet/response/transient/transient.h"
 #include "trivet/study/design_map.h"
 
 /// Answers to what a project asks, case by case.
@@ -57,54 +52,6 @@ struct LimitAnswer {
   bool kept = true;        ///< in_band ≤ limit, see response::on_the_limit
 };
 
-/// √Σ (k a_w)² over the axes that people feel, of one body or point. [ISO 2631-1:1997 section 8.2]
-struct TotalValue {
-  std::string name;
-  double value = 0;                ///< [m/s²]
-  std::vector<std::string> axes;   ///< "x" … "rz": x, y, z, and the rotations that were asked for and have a factor at this contact
-};
-
-struct RandomResult {
-  response::RandomResponse response;
-  response::RandomCurves curves;   ///< densities [unit²/(rad/s)]
-  std::vector<std::string> inputs; ///< of the variance shares
-  std::vector<TotalValue> total_values;   ///< where a contact with people is given
-  assembly::Quantity quantity = assembly::Quantity::displacement;
-};
-
-struct TransientResult {
-  response::TransientResponse response;
-  assembly::Quantity quantity = assembly::Quantity::displacement;
-};
-
-struct OrdersResult {
-  response::RunUp run_up;
-  response::Campbell campbell;
-  assembly::Quantity quantity = assembly::Quantity::displacement;
-};
-
-struct TransmissibilityResult {
-  std::string words;               ///< "force on the ground over engine", "motion over a motion of the ground along z"
-  response::FrequencyResponse curves;
-  response::Peaks peaks;
-  std::vector<response::Crossover> crossovers;
-  response::Band band;
-  bool of_force = false;           ///< forces on the ground, in total and of each mount; else motions
-
-  /// The force of one of several mounts over the whole exciting force: a share, which says nothing of isolation.
-  [[nodiscard]] bool is_share(std::size_t curve) const {
-    return of_force && curve > 0 && curves.curves.size() > 2;
-  }
-};
-
-/// Of one time excitation, over natural frequencies.
-struct ShockSpectrumResult {
-  std::string excitation;
-  std::string unit;                ///< of the spectrum: m/s²
-  double damping_ratio = 0;
-  std::vector<excitation::ShockResponse> spectrum;
-};
-
 struct LimitLineResult {
   std::string of;
   response::LimitLine line;
@@ -122,18 +69,18 @@ struct Answers {
   std::optional<PeaksAnswer> peaks;
   std::optional<response::StaticResponse> statics;
   std::optional<response::LoadSharing> load_sharing;
-  std::optional<RandomResult> random;
-  std::optional<TransientResult> transient;
-  std::optional<OrdersResult> orders;
-  std::optional<TransmissibilityResult> transmissibility;
-  std::optional<response::PowerFlow> power;
-  std::vector<response::DeflectionShape> shapes;
-  std::vector<ShockSpectrumResult> shock_spectra;
-  std::optional<response::EarthquakeResponse> earthquake;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
   std::optional<DesignMap> map;        ///< of the base model, where a run computes it
   std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
+  std::map<std::string, std::any> of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name
+
+  /// The answer to such a question, whose type is that of its NAME_answer.cpp; none if there is no such answer.
+  template <typename Answer>
+  [[nodiscard]] const Answer* find(const std::string& question) const {
+    const auto found = of_questions.find(question);
+    return found == of_questions.end() ? nullptr : std::any_cast<Answer>(&found->second);
+  }
 };
 
 /// Everything a case asks for; what cannot be computed is listed in `failures` and in the warnings, the rest goes on.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
@@ -11,8 +12,17 @@ namespace {
 using project::Analyses;
 using project::Case;
 
-Analyses modes_of(const Case&) { return {.modes = true}; }
-Analyses roots_of(const Case&) { return {.roots = true}; }
+Analyses modes_of(const Case&) {
+  Analyses asked;
+  asked.modes = true;
+  return asked;
+}
+
+Analyses roots_of(const Case&) {
+  Analyses asked;
+  asked.roots = true;
+  return asked;
+}
 
 Analyses response_of(const Case& variant) {
   Analyses asked;
@@ -39,51 +49,13 @@ Analyses static_of(const Case& variant) {
   return asked;
 }
 
-Analyses random_of(const Case& variant) {
+/// The file's own question; where it has none, the question as it is by default.
+Analyses own_question(const QuestionAnswer& question, const Case& variant) {
   Analyses asked;
-  asked.random = variant.analyses.random.value_or(project::RandomRequest{});
+  const auto found = variant.analyses.questions.find(question.name);
+  if (found == variant.analyses.questions.end() && question.to_add) throw foundation::InvalidInput(question.to_add);
+  asked.questions[question.name] = found == variant.analyses.questions.end() ? question.by_default() : found->second;
   return asked;
-}
-
-Analyses transient_of(const Case& variant) {
-  Analyses asked;
-  asked.transient = variant.analyses.transient.value_or(project::TransientRequest{});
-  return asked;
-}
-
-/// The file's own question, which has no default.
-template <auto Question>
-Analyses of_file(const Case& variant, const char* what_to_add) {
-  if (!(variant.analyses.*Question)) throw foundation::InvalidInput(what_to_add);
-  Analyses asked;
-  asked.*Question = variant.analyses.*Question;
-  return asked;
-}
-
-Analyses orders_of(const Case& variant) {
-  return of_file<&Analyses::orders>(variant, "orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
-}
-
-Analyses transmissibility_of(const Case& variant) {
-  return of_file<&Analyses::transmissibility>(variant, "transmissibility: say of what: add transmissibility = {force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
-}
-
-Analyses power_of(const Case& variant) {
-  Analyses asked;
-  asked.power = variant.analyses.power.value_or(project::PowerRequest{});
-  return asked;
-}
-
-Analyses shapes_of(const Case& variant) {
-  return of_file<&Analyses::shapes>(variant, "shapes: say at which frequencies: add shapes = {at = [\"25 Hz\"]} to [analyses]");
-}
-
-Analyses shock_spectrum_of(const Case& variant) {
-  return of_file<&Analyses::shock_spectrum>(variant, "shock_spectrum: say over which natural frequencies: add shock_spectrum = {band = [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
-}
-
-Analyses earthquake_of(const Case& variant) {
-  return of_file<&Analyses::earthquake>(variant, "earthquake: say by which spectrum: add earthquake = {direction = \"x\", rows = [[0.02, 3], [0.1, 9], …]} to [analyses]");
 }
 
 Analyses limit_lines_of(const Case& variant) {
@@ -98,22 +70,19 @@ Analyses limit_lines_of(const Case& variant) {
 }  // namespace
 
 const std::vector<AskedQuestion>& asked_questions() {
-  static const std::vector<AskedQuestion> list = {
-      {"modes", "undamped natural frequencies and modes", {}, modes_of},
-      {"roots", "damped roots", {}, roots_of},
-      {"response", "amplitude- and phase-frequency characteristics", {"response", "limits", "limit_lines"}, response_of},
-      {"peaks", "exact resonance peaks", {"peaks", "response"}, peaks_of},
-      {"static", "static displacements and forces", {"static"}, static_of},
-      {"random", "root mean squares under random excitations", {"random"}, random_of},
-      {"transient", "motion in time", {"transient"}, transient_of},
-      {"orders", "run-up: response over shaft speed, critical speeds", {"orders"}, orders_of},
-      {"transmissibility", "force or motion that the mounts let through", {"transmissibility"}, transmissibility_of},
-      {"power", "mean power into the ground at each mount", {"power"}, power_of},
-      {"shapes", "operating deflection shapes", {"shapes"}, shapes_of},
-      {"shock_spectrum", "shock response spectra of ground motions in time", {"shock_spectrum"}, shock_spectrum_of},
-      {"earthquake", "largest answers to an earthquake by its response spectrum", {"earthquake"}, earthquake_of},
-      {"limit_lines", "answers of the response against lines over frequency", {"response", "limit_lines"}, limit_lines_of},
-  };
+  static const std::vector<AskedQuestion> list = [] {
+    std::vector<AskedQuestion> all = {
+        {"modes", "undamped natural frequencies and modes", {}, modes_of},
+        {"roots", "damped roots", {}, roots_of},
+        {"response", "amplitude- and phase-frequency characteristics", {"response", "limits", "limit_lines"}, response_of},
+        {"peaks", "exact resonance peaks", {"peaks", "response"}, peaks_of},
+        {"static", "static displacements and forces", {"static"}, static_of},
+    };
+    for (const QuestionAnswer* question : question_answers())
+      all.push_back({question->name, question->about, {question->name}, [question](const Case& variant) { return own_question(*question, variant); }});
+    all.push_back({"limit_lines", "answers of the response against lines over frequency", {"response", "limit_lines"}, limit_lines_of});
+    return all;
+  }();
   return list;
 }
 

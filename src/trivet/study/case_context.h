@@ -4,7 +4,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/study/answers.h"
 
-/// What every answer to a case starts from, and one function per question (NAME_answer.cpp).
+/// What every answer to a case starts from, and what several of them need.
 namespace trivet::study {
 
 struct CaseContext {
@@ -30,16 +30,7 @@ struct CaseContext {
 /// @throws foundation::NotComputable where elements stand on modes, which do not say how they follow a rigid motion of the ground
 void require_rigid_ground(const CaseContext& context, const std::string& question);
 
-/// Each throws foundation::NotComputable with the reason where there is no answer; warnings of a computation go to the list.
-[[nodiscard]] RandomResult random_answer(const CaseContext& context, const project::RandomRequest& request);
-[[nodiscard]] TransientResult transient_answer(const CaseContext& context, const project::TransientRequest& request, foundation::Problems& warnings);
-[[nodiscard]] OrdersResult orders_answer(const CaseContext& context, const project::OrdersRequest& request);
-[[nodiscard]] TransmissibilityResult transmissibility_answer(const CaseContext& context, const project::TransmissibilityRequest& request);
-[[nodiscard]] response::PowerFlow power_answer(const CaseContext& context, const project::PowerRequest& request);
-[[nodiscard]] std::vector<response::DeflectionShape> shapes_answer(const CaseContext& context, const project::ShapesRequest& request);
-[[nodiscard]] std::vector<ShockSpectrumResult> shock_spectrum_answer(const CaseContext& context, const project::ShockSpectrumRequest& request,
-                                                                     foundation::Problems& warnings);
-[[nodiscard]] response::EarthquakeResponse earthquake_answer(const CaseContext& context, const project::EarthquakeRequest& request, foundation::Problems& warnings);
+/// @throws foundation::NotComputable with the reason where there is no answer
 [[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context, const std::vector<project::LimitLineRequest>& requests, const project::Wanted& wanted,
                                                              const response::Band& band);
 

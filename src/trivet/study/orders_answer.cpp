@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/orders_answer.h"
+
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/case_context.h"
+#include "trivet/project/analyses/orders_question.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
+namespace {
 
-OrdersResult orders_answer(const CaseContext& c, const project::OrdersRequest& request) {
-  const std::vector<response::OrderLoading> orders = response::order_loadings(c.system, c.assembled, request.wanted.excitations);
+OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& asked, foundation::Problems&) {
+  const std::vector<response::OrderLoading> orders = response::order_loadings(c.system, c.assembled, asked.wanted.excitations);
   if (orders.empty()) throw foundation::NotComputable("orders: the model has no excitation that goes with a shaft; add [excitations.NAME] with type = \"orders\" or \"unbalance\"");
   response::RunUpOptions options;
-  options.speed = request.speed;
-  return {response::run_up(c.assembled, channels_of(c, request.wanted), orders, c.modes, c.roots, options, c.progress),
-          response::campbell(c.assembled, orders, c.modes, c.roots, request.speed), request.wanted.quantity};
+  options.speed = asked.speed;
+  return {response::run_up(c.assembled, channels_of(c, asked.wanted), orders, c.modes, c.roots, options, c.progress),
+          response::campbell(c.assembled, orders, c.modes, c.roots, asked.speed), asked.wanted.quantity};
 }
+
+}  // namespace
+
+const QuestionAnswer orders_answer = answered_by<answer_orders>("orders", "run-up: response over shaft speed, critical speeds",
+    "orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
 
 }  // namespace trivet::study

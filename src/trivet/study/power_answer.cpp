@@ -2,15 +2,17 @@
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/case_context.h"
+#include "trivet/response/machinery/power.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
+namespace {
 
-response::PowerFlow power_answer(const CaseContext& c, const project::PowerRequest& request) {
-  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, request.excitations);
+response::PowerFlow answer_power(const CaseContext& c, const project::BandQuestion& asked, foundation::Problems&) {
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.wanted.excitations);
   if (loading.vanishes()) throw foundation::NotComputable("power: the model has no harmonic excitation");
   const std::vector<assembly::Channel> channels = assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::Quantity::velocity);
-  const response::Band band = request.band ? *request.band : default_band(c);
+  const response::Band band = asked.band ? *asked.band : default_band(c);
   const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots, {response::PeakOptions{}.min_prominence, band.to}, c.progress);
   std::vector<double> grid = grid_over(c, channels, loading, peaks, band);
   // At rest nothing moves; on an undamped resonance no steady power exists.
@@ -18,5 +20,9 @@ response::PowerFlow power_answer(const CaseContext& c, const project::PowerReque
   std::erase_if(grid, [&](double w) { return w == 0 || std::find(defined.check.undefined_at.begin(), defined.check.undefined_at.end(), w) != defined.check.undefined_at.end(); });
   return response::power_flow(c.system, c.assembled, loading, grid, c.progress);
 }
+
+}  // namespace
+
+const QuestionAnswer power_answer = answered_by<answer_power>("power", "mean power into the ground at each mount");
 
 }  // namespace trivet::study

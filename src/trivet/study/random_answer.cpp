@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/random_answer.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/case_context.h"
+#include "trivet/project/analyses/random_question.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
@@ -44,23 +47,25 @@ std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& chann
   return totals;
 }
 
-}  // namespace
-
-RandomResult random_answer(const CaseContext& c, const project::RandomRequest& request) {
-  const std::vector<assembly::Channel> channels = channels_of(c, request.wanted);
-  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.wanted.excitations);
+RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& asked, foundation::Problems&) {
+  const std::vector<assembly::Channel> channels = channels_of(c, asked.wanted);
+  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, asked.wanted.excitations);
   if (loading.inputs.empty()) throw foundation::NotComputable("random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
   response::RandomOptions options;
-  const auto axes = request.contact ? excitation::comfort_axes(*request.contact) : std::array<excitation::WeightedAxis, 6>{};
-  for (std::size_t i = 0; i < channels.size() && (request.weighting || request.contact); ++i)
-    if (const auto axis = axis_of(channels[i])) options.weighted.push_back({i, request.contact ? axes[*axis].weighting : *request.weighting});
+  const auto axes = asked.contact ? excitation::comfort_axes(*asked.contact) : std::array<excitation::WeightedAxis, 6>{};
+  for (std::size_t i = 0; i < channels.size() && (asked.weighting || asked.contact); ++i)
+    if (const auto axis = axis_of(channels[i])) options.weighted.push_back({i, asked.contact ? axes[*axis].weighting : *asked.weighting});
   RandomResult result;
-  result.quantity = request.wanted.quantity;
+  result.quantity = asked.wanted.quantity;
   for (const response::RandomInput& input : loading.inputs) result.inputs.push_back(input.name);
   result.response = response::random_response(c.assembled, channels, loading, options, c.progress);
-  if (request.contact) result.total_values = total_values(channels, result.response, axes);
+  if (asked.contact) result.total_values = total_values(channels, result.response, axes);
   result.curves = response::random_curves(c.assembled, channels, loading, {}, c.progress);
   return result;
 }
+
+}  // namespace
+
+const QuestionAnswer random_answer = answered_by<answer_random>("random", "root mean squares under random excitations");
 
 }  // namespace trivet::study

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/transient_answer.h"
+
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/case_context.h"
+#include "trivet/project/analyses/transient_question.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
@@ -21,32 +24,34 @@ Eigen::Index row_of(const CaseContext& c, const std::string& name) {
   throw foundation::NotComputable("transient: initial value of \"" + name + "\": no free coordinate has this name");
 }
 
-std::optional<response::InitialState> initial_state(const CaseContext& c, const project::TransientRequest& request) {
-  if (request.displacements.empty() && request.velocities.empty()) return std::nullopt;
+std::optional<response::InitialState> initial_state(const CaseContext& c, const project::TransientQuestion& asked) {
+  if (asked.displacements.empty() && asked.velocities.empty()) return std::nullopt;
   Eigen::VectorXd q = Eigen::VectorXd::Zero(c.assembled.layout.of_bodies()), v = q;
-  for (const auto& [name, value] : request.displacements) q(row_of(c, name)) = value;
-  for (const auto& [name, value] : request.velocities) v(row_of(c, name)) = value;
+  for (const auto& [name, value] : asked.displacements) q(row_of(c, name)) = value;
+  for (const auto& [name, value] : asked.velocities) v(row_of(c, name)) = value;
   return response::initial_state(c.assembled, q, v);
 }
 
-}  // namespace
-
-TransientResult transient_answer(const CaseContext& c, const project::TransientRequest& request, foundation::Problems& warnings) {
-  const std::vector<response::TimeInput> inputs = time_inputs(c, request.wanted.excitations);
+TransientResult answer_transient(const CaseContext& c, const project::TransientQuestion& asked, foundation::Problems& warnings) {
+  const std::vector<response::TimeInput> inputs = time_inputs(c, asked.wanted.excitations);
   response::TransientOptions options;
-  options.from = request.from;
-  options.to = request.to;
-  options.step = request.step;
-  options.nearest_linear_system = request.nearest_linear_system;
-  options.initial = initial_state(c, request);
+  options.from = asked.from;
+  options.to = asked.to;
+  options.step = asked.step;
+  options.nearest_linear_system = asked.nearest_linear_system;
+  options.initial = initial_state(c, asked);
   if (inputs.empty() && !options.initial)
     throw foundation::NotComputable("transient: nothing sets the model in motion; add [excitations.NAME] with type = \"time\", or initial values");
-  TransientResult result{response::transient_response(c.system, c.assembled, channels_of(c, request.wanted), inputs, options, c.progress), request.wanted.quantity};
+  TransientResult result{response::transient_response(c.system, c.assembled, channels_of(c, asked.wanted), inputs, options, c.progress), asked.wanted.quantity};
   warnings.add(result.response.warnings);
-  if (request.nearest_linear_system && !c.assembled.frequency_dependent())
+  if (asked.nearest_linear_system && !c.assembled.frequency_dependent())
     warnings.warning("analyses.transient.nearest_linear_system", "true",
                      "no element depends on frequency in a way that needs it", "remove it");
   return result;
 }
+
+}  // namespace
+
+const QuestionAnswer transient_answer = answered_by<answer_transient>("transient", "motion in time");
 
 }  // namespace trivet::study

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/transmissibility_answer.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/case_context.h"
+#include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
@@ -16,17 +19,15 @@ std::string direction_words(const response::Direction& direction) {
   return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", direction.rotation ? "about" : "along", axis.x(), axis.y(), axis.z());
 }
 
-}  // namespace
-
-TransmissibilityResult transmissibility_answer(const CaseContext& c, const project::TransmissibilityRequest& request) {
-  const bool force = !request.force.empty();
+TransmissibilityResult answer_transmissibility(const CaseContext& c, const project::TransmissibilityQuestion& asked, foundation::Problems&) {
+  const bool force = !asked.force.empty();
   if (!force) require_rigid_ground(c, "transmissibility");
-  const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, request.force))
-                                                    : response::displacement_transmission(c.system, c.assembled, request.of, request.direction);
+  const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force))
+                                                    : response::displacement_transmission(c.system, c.assembled, asked.wanted.of, asked.direction);
   TransmissibilityResult result;
   result.of_force = force;
-  result.words = force ? "force on the ground over \"" + request.force + "\"" : "motion over a motion of the ground " + direction_words(request.direction);
-  result.band = request.band ? *request.band : default_band(c);
+  result.words = force ? "force on the ground over \"" + asked.force + "\"" : "motion over a motion of the ground " + direction_words(asked.direction);
+  result.band = asked.band ? *asked.band : default_band(c);
   if (!(result.band.from < result.band.to)) throw foundation::NotComputable("transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
   result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots, {response::PeakOptions{}.min_prominence, result.band.to}, c.progress);
   result.curves = response::frequency_response(c.assembled, transmission.channels, transmission.loading,
@@ -34,5 +35,10 @@ TransmissibilityResult transmissibility_answer(const CaseContext& c, const proje
   result.crossovers = response::crossovers(c.assembled, transmission, result.peaks);
   return result;
 }
+
+}  // namespace
+
+const QuestionAnswer transmissibility_answer = answered_by<answer_transmissibility>("transmissibility", "force or motion that the mounts let through",
+    "transmissibility: say of what: add transmissibility = {force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
 
 }  // namespace trivet::study

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "trivet/assembly/channels.h"
-#include "trivet/excitation/human_weighting.h"
-#include "trivet/excitation/modal_combination.h"
+#include "trivet/project/analyses/question.h"
 #include "trivet/response/machinery/limit_line.h"
-#include "trivet/response/machinery/transmissibility.h"
-#include "trivet/response/steady/frequency_grid.h"
 
 namespace trivet::project {
-
-/// Which answers of which quantity under which excitations.
-struct Wanted {
-  std::vector<std::string> of = {"coordinates"};
-  assembly::Quantity quantity = assembly::Quantity::displacement;
-  std::vector<std::string> excitations;  ///< empty: all
-
-  bool operator==(const Wanted&) const = default;
-};
 
 struct ResponseRequest {
   Wanted wanted;
@@ -42,61 +31,6 @@ struct PeaksRequest {
 struct Limit {
   std::string name;
   double amplitude = 0;
-};
-
-/// Root mean squares and spectral densities under the random excitations.
-struct RandomRequest {
-  Wanted wanted;
-  std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all motions that are asked for
-  std::optional<excitation::ContactPoint> contact; ///< instead: each axis as people feel it there, with the vibration total value
-};
-
-/// Time histories under the excitations of type time.
-struct TransientRequest {
-  Wanted wanted;
-  double from = 0;             ///< [s]
-  std::optional<double> to;    ///< [s]
-  std::optional<double> step;  ///< [s]
-  bool nearest_linear_system = false;
-  std::vector<std::pair<std::string, double>> displacements, velocities;  ///< initial, by coordinate: "frame.z" [m, rad, m/s, rad/s]
-};
-
-/// Run-up: all orders over the speed of the shaft.
-struct OrdersRequest {
-  Wanted wanted;
-  response::Band speed;  ///< [rad/s]
-};
-
-/// Force on the ground over a force excitation, or motion over a unit motion of the whole ground.
-struct TransmissibilityRequest {
-  std::string force;               ///< the excitation; empty: a motion of the ground
-  std::vector<std::string> of;     ///< of a motion: bodies and points
-  response::Direction direction;   ///< of a motion
-  std::optional<response::Band> band;
-};
-
-/// Mean power into the ground at each mount over the band of the response, and shapes at single frequencies.
-struct PowerRequest {
-  std::vector<std::string> excitations;
-  std::optional<response::Band> band;
-};
-struct ShapesRequest {
-  std::vector<std::string> excitations;
-  std::vector<double> at;   ///< [rad/s]
-};
-
-/// Shock response spectra of time excitations.
-struct ShockSpectrumRequest {
-  std::vector<std::string> excitations;
-  double damping_ratio = 0.05;
-  response::Band band;      ///< of natural frequencies [rad/s]
-};
-
-/// Largest answers to an earthquake by its response spectrum.
-struct EarthquakeRequest {
-  Wanted wanted;
-  excitation::ResponseSpectrum spectrum;
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
 };
 
 /// An answer of the response against a user's line.
@@ -151,17 +85,17 @@ struct Analyses {
   std::optional<PeaksRequest> peaks;
   std::optional<std::vector<std::string>> static_of;
   bool load_sharing = false;
-  std::optional<RandomRequest> random;
-  std::optional<TransientRequest> transient;
-  std::optional<OrdersRequest> orders;
-  std::optional<TransmissibilityRequest> transmissibility;
-  std::optional<PowerRequest> power;
-  std::optional<ShapesRequest> shapes;
-  std::optional<ShockSpectrumRequest> shock_spectrum;
-  std::optional<EarthquakeRequest> earthquake;
   std::optional<MapRequest> map;
   std::vector<LimitLineRequest> limit_lines;
   std::vector<Limit> limits;
+  std::map<std::string, std::shared_ptr<const Question>> questions;  ///< those of question_table.h, by name
+
+  /// A question by its name and type; none if it is not asked.
+  template <typename Asked>
+  [[nodiscard]] const Asked* find(const std::string& name) const {
+    const auto found = questions.find(name);
+    return found == questions.end() ? nullptr : dynamic_cast<const Asked*>(found->second.get());
+  }
 };
 
 }  // namespace trivet::project

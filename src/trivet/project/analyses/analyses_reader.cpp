@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "trivet/project/analyses/map_reader.h"
+#include "trivet/project/analyses/question_reader.h"
 
 namespace trivet::project {
 namespace {
@@ -94,44 +95,6 @@ std::vector<std::string> read_static(const Node& node, const ResultNames& names,
   read_of(reader, names, of);
   reader.finish();
   return of;
-}
-
-/// What one analysis needs in the model.
-struct Needed {
-  const std::vector<std::string>& names;
-  std::string kind;     ///< "random"
-  std::string remedy;   ///< what to add
-};
-
-void check_needed(TableReader& analyses, const std::string& key, const Needed& needed) {
-  if (needed.names.empty()) analyses.error(key, "no " + needed.kind + " excitation in the model", "this answer needs one", needed.remedy);
-}
-
-/// The analyses that stand by themselves, each under what it needs in the model.
-void read_questions(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result) {
-  const auto with = [&](const std::string& key, const std::optional<Needed>& needed, const auto& read) {
-    const Node* node = analyses.table(key);
-    if (!node) return;
-    if (needed) check_needed(analyses, key, *needed);
-    TableReader reader(*node, "analyses." + key, analyses.problems());
-    read(reader);
-    reader.finish();
-  };
-  const Needed random{mentioned.random_excitations, "random", "add [excitations.NAME] with type = \"random\""};
-  const Needed orders{mentioned.order_excitations, "order", "add [excitations.NAME] with type = \"orders\" or \"unbalance\""};
-  const Needed time{mentioned.time_excitations, "time", "add [excitations.NAME] with type = \"time\""};
-  const Needed harmonic{mentioned.harmonic_excitations, "harmonic", "add [excitations.NAME] with type = \"harmonic\", \"unbalance\" or \"base\""};
-  with("random", random, [&](TableReader& reader) { result.random = read_random(reader, names, mentioned); });
-  with("transient", std::nullopt, [&](TableReader& reader) {
-    result.transient = read_transient(reader, names, mentioned);
-    if (!reader.has("initial_displacement") && !reader.has("initial_velocity")) check_needed(analyses, "transient", time);
-  });
-  with("orders", orders, [&](TableReader& reader) { result.orders = read_orders_request(reader, names, mentioned); });
-  with("transmissibility", std::nullopt, [&](TableReader& reader) { result.transmissibility = read_transmissibility(reader, mentioned); });
-  with("power", harmonic, [&](TableReader& reader) { result.power = read_power(reader, mentioned); });
-  with("shapes", harmonic, [&](TableReader& reader) { result.shapes = read_shapes(reader, mentioned); });
-  with("earthquake", std::nullopt, [&](TableReader& reader) { result.earthquake = read_earthquake(reader, names); });
-  with("shock_spectrum", time, [&](TableReader& reader) { result.shock_spectrum = read_shock_spectrum(reader, mentioned); });
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/project/analyses/question_reader.h"
+
 namespace trivet::project {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double most_values = 3e6;      // points × curves; with tables, page 
 constexpr double longest_search = 3600;  // [s]
 constexpr std::size_t most_inputs =
     100;  // random inputs that go together: every pair has a cross-spectrum with every answer
-constexpr std::size_t most_shapes = 1000;
 
 /// Measured on one core of 2020: a search for the peaks of one curve needs the modes of all coordinates.
 double seconds_of_search(double curves, double coordinates) {
@@ -130,20 +131,17 @@ foundation::Problems too_large(const model::Description& description, const Anal
   if (asked.response) check_response(sizes, *asked.response);
   if (asked.peaks) sizes.check_search("analyses.peaks", sizes.curves(asked.peaks->wanted.of));
   if (asked.static_of) sizes.check_curves("analyses.static", sizes.curves(*asked.static_of));
-  if (asked.random) sizes.check_curves("analyses.random", sizes.curves(asked.random->wanted.of));
-  if (asked.transient) sizes.check_curves("analyses.transient", sizes.curves(asked.transient->wanted.of));
-  if (asked.orders) sizes.check_search("analyses.orders", sizes.curves(asked.orders->wanted.of));
-  if (asked.earthquake) sizes.check_curves("analyses.earthquake", sizes.curves(asked.earthquake->wanted.of));
-  if (asked.transmissibility)
-    sizes.check_search("analyses.transmissibility", asked.transmissibility->force.empty()
-                                                        ? static_cast<double>(asked.transmissibility->of.size())
-                                                        : 1);
-  if (asked.power) sizes.check_search("analyses.power", sizes.curves({"coordinates"}));
+  for (const QuestionReader* reader : question_readers())
+    if (const Question* question = asked.find<Question>(reader->name)) {
+      const double count = reader->curves ? reader->curves(*question) : sizes.curves(question->wanted.of);
+      const std::string subject = std::string("analyses.") + reader->name;
+      if (reader->searches_peaks)
+        sizes.check_search(subject, count);
+      else
+        sizes.check_curves(subject, count);
+    }
   if (!asked.limits.empty()) sizes.check_search("limits", static_cast<double>(asked.limits.size()));
   if (!asked.limit_lines.empty()) sizes.check_search("limit_lines", static_cast<double>(asked.limit_lines.size()));
-  if (asked.shapes && asked.shapes->at.size() > most_shapes)
-    sizes.problems.error("analyses.shapes.at", fmt::format("{} frequencies", asked.shapes->at.size()),
-                         fmt::format("at most {} shapes are drawn", most_shapes), "name fewer frequencies");
   return sizes.problems;
 }
 

@@ -59,16 +59,6 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
 /// What the model has in place of harmonic excitations: "engine" is of type orders, …; empty if nothing.
 [[nodiscard]] std::string other_excitations(const Mentioned& mentioned);
 
-/// One function per analysis: NAME_reader.cpp.
-[[nodiscard]] RandomRequest read_random(TableReader& reader, const ResultNames& names, const Mentioned& mentioned);
-[[nodiscard]] TransientRequest read_transient(TableReader& reader, const ResultNames& names, const Mentioned& mentioned);
-[[nodiscard]] OrdersRequest read_orders_request(TableReader& reader, const ResultNames& names, const Mentioned& mentioned);
-[[nodiscard]] TransmissibilityRequest read_transmissibility(TableReader& reader, const Mentioned& mentioned);
-[[nodiscard]] PowerRequest read_power(TableReader& reader, const Mentioned& mentioned);
-[[nodiscard]] ShapesRequest read_shapes(TableReader& reader, const Mentioned& mentioned);
-[[nodiscard]] ShockSpectrumRequest read_shock_spectrum(TableReader& reader, const Mentioned& mentioned);
-[[nodiscard]] EarthquakeRequest read_earthquake(TableReader& reader, const ResultNames& names);
-
 /// `limit_lines` of the file: each an answer of the response and a line over frequency.
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result);
 

@@ -63,7 +63,10 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
         Node zero = change;
         zero.kind = Node::Kind::array;
         zero.keys.clear();
-        zero.items.assign(3, Node{.kind = Node::Kind::real, .origin = change.origin});
+        Node component;
+        component.kind = Node::Kind::real;
+        component.origin = change.origin;
+        zero.items.assign(3, component);
         change_components(zero, change, here, problems);
         base.keys.push_back(key);
         base.items.push_back(std::move(zero));

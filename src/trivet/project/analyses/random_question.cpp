@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/random_question.h"
+
 #include <algorithm>
 #include <array>
 
-#include "trivet/project/analyses/wanted_reader.h"
+#include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
+namespace {
 
-RandomRequest read_random(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) {
-  RandomRequest request;
-  read_wanted(reader, names, mentioned.random_excitations, "random", request.wanted);
+std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) {
+  auto asked = std::make_unique<RandomQuestion>();
+  read_wanted(reader, names, mentioned.random_excitations, "random", asked->wanted);
   using excitation::Weighting;
   static const std::array<std::pair<const char*, Weighting>, 8> weightings = {{{"Wb", Weighting::Wb}, {"Wc", Weighting::Wc}, {"Wd", Weighting::Wd}, {"We", Weighting::We},
                                                                               {"Wf", Weighting::Wf}, {"Wj", Weighting::Wj}, {"Wk", Weighting::Wk}, {"Wm", Weighting::Wm}}};
@@ -21,15 +24,19 @@ RandomRequest read_random(TableReader& reader, const ResultNames& names, const M
   for (const auto& contact : contacts) words.emplace_back(contact.first);
   const auto word = reader.choice("weighting", words);
   for (const auto& [name, contact] : contacts)
-    if (word == name) request.contact = contact;
+    if (word == name) asked->contact = contact;
   if (word)
     for (const auto& [name, weighting] : weightings)
-      if (*word == name) request.weighting = weighting;
-  const std::vector<std::string>& of = request.wanted.of;
+      if (*word == name) asked->weighting = weighting;
+  const std::vector<std::string>& of = asked->wanted.of;
   if (word && std::all_of(of.begin(), of.end(), [&](const std::string& name) { return names.is_force(name); }))
     warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
                      "people feel motions, and no motion is asked for", "remove it, or ask for motions");
-  return request;
+  return asked;
 }
+
+}  // namespace
+
+const QuestionReader random_question = {.name = "random", .drive = Drive::random, .read = read_random};
 
 }  // namespace trivet::project

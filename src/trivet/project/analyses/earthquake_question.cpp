@@ -1,46 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/earthquake_question.h"
+
 #include <algorithm>
 #include <functional>
 #include <numbers>
 
-#include "trivet/project/analyses/wanted_reader.h"
+#include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/text/pairs_reader.h"
 
 namespace trivet::project {
+namespace {
 
 /// `rows` or `file` of S_a over natural period (default) or frequency.
-EarthquakeRequest read_earthquake(TableReader& reader, const ResultNames& names) {
-  EarthquakeRequest request;
-  read_of(reader, names, request.wanted.of);
+std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames& names, const Mentioned&) {
+  auto asked = std::make_unique<EarthquakeQuestion>();
+  read_of(reader, names, asked->wanted.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") request.wanted.quantity = assembly::Quantity::velocity;
-  if (quantity == "acceleration") request.wanted.quantity = assembly::Quantity::acceleration;
-  for (const std::string& word : request.wanted.of)
+  if (quantity == "velocity") asked->wanted.quantity = assembly::Quantity::velocity;
+  if (quantity == "acceleration") asked->wanted.quantity = assembly::Quantity::acceleration;
+  for (const std::string& word : asked->wanted.of)
     if (word == "base" || word.starts_with("base.")) reader.error("of", "\"" + word + "\"", "an earthquake's answers are those of bodies and elements, against the ground", "remove it");
   if (!reader.has("direction")) reader.missing("direction", "say how the ground shakes: direction = \"x\"");
-  request.direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
+  asked->direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
   const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
   const bool over_period = reader.choice("over", {"period", "frequency"}).value_or("period") == "period";
   const auto rows = reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, over_period ? "period" : "frequency_hz", "acceleration");
-  if (!rows) return request;
+  if (!rows) return asked;
   const std::string source = reader.has("rows") ? "rows" : "file";
   std::vector<double> places(rows->col(0).begin(), rows->col(0).end()), accelerations(rows->col(1).begin(), rows->col(1).end());
   if (std::any_of(places.begin(), places.end(), [](double x) { return !(x > 0); })) {
     reader.error(source, "a period or frequency that is not > 0", "a spectrum over logarithmic axes begins above 0", "give a short period for the acceleration of the ground");
-    return request;
+    return asked;
   }
   if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end()) {
     reader.error(source, over_period ? "periods" : "frequencies", "they increase from row to row", "sort the rows");
-    return request;
+    return asked;
   }
   if (over_period) {
-    request.spectrum = excitation::over_period(places, accelerations, damping);
+    asked->spectrum = excitation::over_period(places, accelerations, damping);
   } else {
     for (double& hertz : places) hertz *= 2 * std::numbers::pi;
-    request.spectrum = {places, accelerations, damping};
+    asked->spectrum = {places, accelerations, damping};
   }
-  reader.add(excitation::check(request.spectrum, source));
-  return request;
+  reader.add(excitation::check(asked->spectrum, source));
+  return asked;
 }
+
+}  // namespace
+
+const QuestionReader earthquake_question = {.name = "earthquake", .read = read_earthquake};
 
 }  // namespace trivet::project

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/orders_question.h"
+
+#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/text/band_reader.h"
+
+namespace trivet::project {
+namespace {
+
+std::unique_ptr<Question> read_orders(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) {
+  auto asked = std::make_unique<OrdersQuestion>();
+  read_wanted(reader, names, mentioned.order_excitations, "order", asked->wanted);
+  if (!reader.has("speed")) reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
+  asked->speed = read_band(reader, "speed").value_or(response::Band{0, 1});
+  return asked;
+}
+
+}  // namespace
+
+const QuestionReader orders_question = {.name = "orders", .drive = Drive::orders, .read = read_orders, .searches_peaks = true};
+
+}  // namespace trivet::project

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/project/analyses/question.h"
+
+namespace trivet::project {
+
+/// Run-up: all orders over the speed of the shaft.
+struct OrdersQuestion : Question {
+  response::Band speed;  ///< [rad/s]
+};
+
+}  // namespace trivet::project

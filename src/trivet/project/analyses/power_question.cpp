@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/text/band_reader.h"
+
+namespace trivet::project {
+namespace {
+
+/// Mean power into the ground at each mount.
+std::unique_ptr<Question> read_power(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
+  auto asked = std::make_unique<BandQuestion>();
+  asked->wanted.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
+  asked->band = read_band(reader, "band");
+  return asked;
+}
+
+}  // namespace
+
+const QuestionReader power_question = {.name = "power", .drive = Drive::harmonic, .read = read_power, .searches_peaks = true};
+
+}  // namespace trivet::project

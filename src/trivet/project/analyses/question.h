@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/response/steady/frequency_grid.h"
+
+namespace trivet::project {
+
+/// Which answers of which quantity under which excitations.
+struct Wanted {
+  std::vector<std::string> of = {"coordinates"};
+  assembly::Quantity quantity = assembly::Quantity::displacement;
+  std::vector<std::string> excitations;  ///< empty: all
+
+  bool operator==(const Wanted&) const = default;
+};
+
+/// A question of [analyses] that stands by itself (question_table.h). What it lacks of `wanted` stays at its default.
+struct Question {
+  Wanted wanted;
+  virtual ~Question() = default;
+};
+
+/// A question about a band of frequencies. None: the study chooses one.
+struct BandQuestion : Question {
+  std::optional<response::Band> band;
+};
+
+}  // namespace trivet::project

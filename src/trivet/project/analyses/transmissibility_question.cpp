@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/transmissibility_question.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/text/band_reader.h"
+
+namespace trivet::project {
+namespace {
+
+std::unique_ptr<Question> read_transmissibility(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
+  auto asked = std::make_unique<TransmissibilityQuestion>();
+  asked->force = reader.text("force").value_or("");
+  const auto base = reader.direction("base");
+  if (reader.has("force") == reader.has("base"))
+    reader.error(reader.has("force") ? "base" : "force", reader.has("force") ? "force and base" : "neither force nor base", "a transmissibility is that of a force excitation or of a motion of the ground",
+                 reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
+  if (reader.has("force") && !asked->force.empty() && std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), asked->force) == mentioned.harmonic_excitations.end()) {
+    const std::string guess = foundation::nearest_name(asked->force, mentioned.harmonic_excitations);
+    reader.error("force", foundation::quoted(asked->force), "no harmonic excitation has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+  }
+  if (base) asked->direction.axis = *base;
+  for (const char* key : {"rotation", "of"})
+    if (reader.has("force") && reader.has(key)) reader.error(key, std::string(key) + " beside a force", "a force is compared with the force on the ground in its own direction", "remove it");
+  asked->direction.rotation = reader.boolean("rotation").value_or(false);
+  std::vector<std::string> places = mentioned.bodies;
+  places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
+  asked->wanted.of = reader.texts("of", R"(["BODY"])").value_or(mentioned.bodies);
+  for (const std::string& name : asked->wanted.of)
+    if (std::find(places.begin(), places.end(), name) == places.end()) {
+      const std::string guess = foundation::nearest_name(name, places);
+      reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    }
+  asked->band = read_band(reader, "band");
+  if (!asked->force.empty()) asked->wanted = {.of = {"ground"}, .excitations = {asked->force}};
+  return asked;
+}
+
+/// It needs a force along one direction.
+void check_force(const Question& asked, const model::System& system, foundation::Problems& problems) {
+  const std::string& force = static_cast<const TransmissibilityQuestion&>(asked).force;
+  if (force.empty()) return;
+  try {
+    static_cast<void>(response::applied_force(system, force));
+  } catch (const foundation::InvalidInput& reason) {
+    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(), "name a harmonic force along one direction");
+  }
+}
+
+double curves_of_transmissibility(const Question& asked) {
+  const bool of_force = !static_cast<const TransmissibilityQuestion&>(asked).force.empty();
+  return of_force ? 1 : static_cast<double>(asked.wanted.of.size());
+}
+
+}  // namespace
+
+const QuestionReader transmissibility_question = {
+    .name = "transmissibility", .read = read_transmissibility, .searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force};
+
+}  // namespace trivet::project

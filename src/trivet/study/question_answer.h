@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <any>
+#include <memory>
+
+#include "trivet/project/analyses/question_table.h"
+#include "trivet/study/case_context.h"
+
+namespace trivet::study {
+
+/// How one question of project/analyses/question_table.h is answered. Each is defined in NAME_answer.cpp.
+struct QuestionAnswer {
+  const char* name;
+  const char* about;   ///< one line of help for its command
+  const char* to_add;  ///< what the file must say; none: the question asks for something sensible by itself
+  std::shared_ptr<const project::Question> (*by_default)();
+  /// @throws foundation::NotComputable, foundation::InvalidInput with the reason where there is no answer; warnings of the computation
+  /// go to the list
+  std::any (*answer)(const CaseContext& context, const project::Question& asked, foundation::Problems& warnings);
+};
+
+namespace detail {
+
+template <typename Asked, typename Answer, Answer (*answer)(const CaseContext&, const Asked&, foundation::Problems&)>
+std::any answer_as_any(const CaseContext& context, const project::Question& asked, foundation::Problems& warnings) {
+  return answer(context, dynamic_cast<const Asked&>(asked), warnings);
+}
+
+template <auto answer>
+struct Signature;
+template <typename Asked, typename Answer, Answer (*answer)(const CaseContext&, const Asked&, foundation::Problems&)>
+struct Signature<answer> {
+  static constexpr auto any = answer_as_any<Asked, Answer, answer>;
+  static std::shared_ptr<const project::Question> by_default() { return std::make_shared<Asked>(); }
+};
+
+}  // namespace detail
+
+/// A question that is answered by a function of its own types: Answer (const CaseContext&, const Asked&, foundation::Problems& warnings).
+template <auto answer>
+[[nodiscard]] constexpr QuestionAnswer answered_by(const char* name, const char* about, const char* to_add = nullptr) {
+  return {name, about, to_add, detail::Signature<answer>::by_default, detail::Signature<answer>::any};
+}
+
+#define TRIVET_ANSWER(name) extern const QuestionAnswer name##_answer;
+TRIVET_QUESTIONS(TRIVET_ANSWER)
+#undef TRIVET_ANSWER
+
+/// All of them, in the order of the table.
+[[nodiscard]] const std::vector<const QuestionAnswer*>& question_answers();
+
+}  // namespace trivet::study

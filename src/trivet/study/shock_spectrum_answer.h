@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/excitation/shock_spectrum.h"
+
+namespace trivet::study {
+
+/// Of one time excitation, over natural frequencies.
+struct ShockSpectrumResult {
+  std::string excitation;
+  std::string unit;                ///< of the spectrum: m/s²
+  double damping_ratio = 0;
+  std::vector<excitation::ShockResponse> spectrum;
+};
+
+}  // namespace trivet::study
