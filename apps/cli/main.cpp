@@ -13,6 +13,7 @@
 #include "cli/signals.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/version.h"
+#include "trivet/project/schema.h"
 #include "trivet/project/text/embedded_text.h"
 #include "trivet/study/asked_questions.h"
 
@@ -73,7 +74,7 @@ int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
 int dispatch(const CLI::App& app, const Options& options) {
   const std::string which = app.get_subcommands().front()->get_name();
   if (which == "new") return trivet::cli::write_output(trivet::project::starter_text), trivet::cli::done;
-  if (which == "schema") return trivet::cli::write_output(trivet::project::schema_text), trivet::cli::done;
+  if (which == "schema") return trivet::cli::write_output(trivet::project::project_schema()), trivet::cli::done;
   if (which == "check") return trivet::cli::check_command(options);
   if (which == "element") return trivet::cli::element_command(options);
   if (which == "explain") return trivet::cli::explain_command(options);

@@ -125,7 +125,7 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, const Kno
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
                               foundation::Problems& problems, const Questions& questions, const Case* base, const KnownModel* known) {
   foundation::Problems reading;
-  const std::optional<Node> completed = with_element_types(written, element_laws(), reading);
+  const std::optional<Node> completed = with_element_types(written, element_law_names(), reading);
   const Node& document = completed ? *completed : written;
   TableReader root(document, "", reading);
   model::Description description;

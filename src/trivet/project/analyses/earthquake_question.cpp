@@ -48,6 +48,17 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
 
 }  // namespace
 
-const QuestionReader earthquake_question = {.name = "earthquake", .read = read_earthquake};
+const QuestionReader earthquake_question = {.name = "earthquake", .read = read_earthquake, .keys = R"json({"properties": {
+   "of": {"$ref": "#/$defs/answers_of"},
+   "quantity": {"$ref": "#/$defs/quantity"},
+   "direction": {"$ref": "#/$defs/direction"},
+   "damping": {"$ref": "#/$defs/number"},
+   "over": {"enum": ["period", "frequency"]},
+   "rows": {"type": "array", "minItems": 2, "items": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"$ref": "#/$defs/number"}}, "description": "period in s (or frequency in Hz) and S_a in m/s2"},
+   "file": {"type": "string"},
+   "period": {"type": "string"},
+   "frequency_hz": {"type": "string"},
+   "acceleration": {"type": "string"}},
+  "required": ["direction"]})json"};
 
 }  // namespace trivet::project

@@ -17,6 +17,11 @@ std::unique_ptr<Question> read_orders(TableReader& reader, const ResultNames& na
 
 }  // namespace
 
-const QuestionReader orders_question = {.name = "orders", .drive = Drive::orders, .read = read_orders, .searches_peaks = true};
+const QuestionReader orders_question = {.name = "orders", .drive = Drive::orders, .read = read_orders, .searches_peaks = true, .keys = R"json({"properties": {
+   "of": {"$ref": "#/$defs/answers_of"},
+   "quantity": {"$ref": "#/$defs/quantity"},
+   "excitations": {"$ref": "#/$defs/selected_excitations"},
+   "speed": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "shaft speeds, rad/s or with a unit"}},
+  "required": ["speed"]})json"};
 
 }  // namespace trivet::project

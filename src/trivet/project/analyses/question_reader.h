@@ -23,6 +23,7 @@ struct QuestionReader {
   double (*curves)(const Question& asked) = nullptr;   ///< how many curves it computes, where `wanted.of` does not say
   bool (*moves_by_itself)(const Node& table) = nullptr;  ///< needs no excitation after all
   void (*check)(const Question& asked, const model::System& system, foundation::Problems& problems) = nullptr;  ///< against a model that is right in itself
+  const char* keys;            ///< JSON Schema of its keys: `properties`, `required` …
 };
 
 #define TRIVET_READER(name) extern const QuestionReader name##_question;

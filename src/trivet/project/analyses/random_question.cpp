@@ -37,6 +37,10 @@ std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& na
 
 }  // namespace
 
-const QuestionReader random_question = {.name = "random", .drive = Drive::random, .read = read_random};
+const QuestionReader random_question = {.name = "random", .drive = Drive::random, .read = read_random, .keys = R"json({"properties": {
+   "of": {"$ref": "#/$defs/answers_of"},
+   "quantity": {"$ref": "#/$defs/quantity"},
+   "excitations": {"$ref": "#/$defs/selected_excitations"},
+   "weighting": {"enum": ["Wb", "Wc", "Wd", "We", "Wf", "Wj", "Wk", "Wm", "seat", "backrest", "feet", "standing"]}}})json"};
 
 }  // namespace trivet::project

@@ -51,6 +51,15 @@ bool starts_from_initial_values(const Node& table) { return table.find("initial_
 
 }  // namespace
 
-const QuestionReader transient_question = {.name = "transient", .drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values};
+const QuestionReader transient_question = {.name = "transient", .drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values, .keys = R"json({"properties": {
+   "of": {"$ref": "#/$defs/answers_of"},
+   "quantity": {"$ref": "#/$defs/quantity"},
+   "excitations": {"$ref": "#/$defs/selected_excitations"},
+   "from": {"$ref": "#/$defs/number"},
+   "to": {"$ref": "#/$defs/number"},
+   "step": {"$ref": "#/$defs/number"},
+   "nearest_linear_system": {"type": "boolean"},
+   "initial_displacement": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}},
+   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}}}})json"};
 
 }  // namespace trivet::project

@@ -58,6 +58,11 @@ double curves_of_transmissibility(const Question& asked) {
 }  // namespace
 
 const QuestionReader transmissibility_question = {
-    .name = "transmissibility", .read = read_transmissibility, .searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force};
+    .name = "transmissibility", .read = read_transmissibility, .searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"properties": {
+   "force": {"type": "string", "description": "a harmonic force excitation"},
+   "base": {"$ref": "#/$defs/direction"},
+   "rotation": {"type": "boolean"},
+   "of": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]},
+   "band": {"$ref": "#/$defs/band"}}})json"};
 
 }  // namespace trivet::project

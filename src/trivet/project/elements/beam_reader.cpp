@@ -6,6 +6,7 @@
 #include "trivet/elements/beam.h"
 #include "trivet/elements/dimension_checks.h"
 #include "trivet/foundation/part_size.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/material_reader.h"
 
@@ -69,8 +70,6 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   return reader.errors() == before ? std::optional(result) : std::nullopt;
 }
 
-}  // namespace
-
 LengthOf read_beam(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   const double length = reader.required_number("length", Quantity::length);
@@ -111,5 +110,23 @@ LengthOf read_link(TableReader& reader, model::Element& element) {
   element.facts.push_back({"found by", "a rod between two ball joints"});
   return link.length;
 }
+
+}  // namespace
+
+const ElementLaw beam_law = {.type = "beam", .sized = read_beam, .keys = R"json({"properties": {
+   "length": {"$ref": "#/$defs/number", "description": "m, > 0"},
+   "section": {"$ref": "#/$defs/section"},
+   "material": {"$ref": "#/$defs/metal"},
+   "level": {"enum": ["quasi_static", "with_mass"], "description": "default: with_mass"}},
+  "required": ["length", "section", "material"]})json"};
+
+/// A rod between two ball joints, by two names.
+constexpr const char* link_keys = R"json({"properties": {
+   "length": {"$ref": "#/$defs/number", "description": "between its two ball joints, m, > 0"},
+   "stiffness": {"$ref": "#/$defs/number", "description": "axial, N/m, >= 0"},
+   "tension": {"$ref": "#/$defs/number", "description": "static, N (default: 0)"}},
+  "required": ["length", "stiffness"]})json";
+const ElementLaw link_law = {.type = "link", .sized = read_link, .keys = link_keys};
+const ElementLaw stay_law = {.type = "stay", .sized = read_link, .keys = link_keys};
 
 }  // namespace trivet::project

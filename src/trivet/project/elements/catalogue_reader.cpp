@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include "trivet/project/elements/catalogue.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
 
 namespace trivet::project {
+namespace {
 
-void read_catalogue_mount(TableReader& reader, const std::string& name, const model::Span& span, model::Element& element) {
+void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& element) {
+  const std::string name = element.type.substr(element.type.find(':') + 1);
   std::vector<Catalogue> catalogues;
   if (reader.has("catalogue")) {
     const auto file = read_file_name(reader, "catalogue");
@@ -33,7 +36,7 @@ void read_catalogue_mount(TableReader& reader, const std::string& name, const mo
   }
   elements::Vector6 constants;
   constants << mount->translation, mount->rotation;
-  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(constants, span.arm, 0.5), span.n_from_k);
+  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(constants, ends.span.arm, 0.5), ends.span.n_from_k);
   if (mount->loss_factor && !reader.has("damping")) element.law.damping = elements::LossFactor{*mount->loss_factor};
   element.facts.push_back({"mount", mount->name + (mount->maker.empty() ? "" : ", " + mount->maker)});
   if (mount->static_load) element.facts.push_back({"static load", fmt::format("{:.6g} … {:.6g} N along e3", (*mount->static_load)(0), (*mount->static_load)(1))});
@@ -43,5 +46,10 @@ void read_catalogue_mount(TableReader& reader, const std::string& name, const mo
   if (!mount->price.empty()) element.facts.push_back({"price", mount->price});
   element.facts.push_back({"source", mount->source});
 }
+
+}  // namespace
+
+const ElementLaw catalogue_law = {.type = "catalogue:NAME", .placed = read_catalogue_mount, .keys = R"json({"properties": {
+   "catalogue": {"type": "string", "description": "catalogue of your own, relative to the project file"}}})json"};
 
 }  // namespace trivet::project

@@ -6,12 +6,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "trivet/elements/law.h"
 #include "trivet/project/elements/adjustments_reader.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
-#include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/mentioned.h"
 #include "trivet/project/text/outside_features.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -19,21 +18,10 @@
 namespace trivet::project {
 namespace {
 
-using elements::Matrix12;
-
 constexpr std::size_t most_elements = 5000;
 
-/// Laws that find their own 12×12 from dimensions, materials and data.
-constexpr std::pair<const char*, LengthOf (*)(TableReader&, model::Element&)> sized_laws[] = {
-    {"coil_spring", read_coil_spring}, {"rubber_disc", read_rubber_disc}, {"rubber_block", read_rubber_block}, {"rubber_bush", read_rubber_bush},
-    {"sandwich", read_sandwich},       {"solid_mount", read_solid_mount}, {"beam", read_beam},                 {"link", read_link},
-    {"stay", read_link},
-};
-
-constexpr const char* catalogue_prefix = "catalogue:";
-
 std::vector<std::string> all_types(const Mentioned& mentioned) {
-  std::vector<std::string> types = element_laws();
+  std::vector<std::string> types = element_law_names();
   types.insert(types.end(), mentioned.element_types.begin(), mentioned.element_types.end());
   return types;
 }
@@ -49,19 +37,21 @@ class ElementReader {
   std::optional<model::Element> read() {
     const std::size_t before = reader_.errors();
     element_.type = reader_.required_text("type");
-    const bool sized = read_sized_law();  // its length places end N
-    const bool placed = read_ends();      // if not, the law is still read for its own problems
+    law_ = element_law(element_.type);
+    if (law_ && law_->sized) length_ = stiffened(reader_, law_->sized(reader_, element_), element_);  // its length places end N
+    ends_.known = read_ends();  // if not, the law is still read for its own problems
     element_.symmetric = reader_.boolean("symmetric").value_or(true);
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
     if (element_.law.scale > 0) element_.massless_up_to *= std::sqrt(element_.law.scale);
     if (const auto foundation = reader_.text("foundation")) mentioned_.stands_on.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
-    const bool known_law = sized || read_law();
-    if (element_.type != "damper") read_damping(reader_, span_, element_.type == "matrix" ? 1 : centre_, element_);
-    if (known_law) read_element_adjustments(reader_, element_, reader_.errors() == before, mentioned_);
-    if (known_law) reader_.finish();
+    if (law_ && law_->placed) law_->placed(reader_, ends_, element_);
+    if (!law_) refuse_type();
+    if (!law_ || law_->takes_damping) read_damping(reader_, ends_.span, ends_.damping_at, element_);
+    if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, mentioned_);
+    if (law_) reader_.finish();
     else report_tables_inside(node_);  // which other keys belong here depends on the type
-    return placed && reader_.errors() == before ? std::optional(element_) : std::nullopt;
+    return ends_.known && reader_.errors() == before ? std::optional(element_) : std::nullopt;
   }
 
  private:
@@ -85,7 +75,7 @@ class ElementReader {
     const auto axis = reader_.direction("axis");
     const auto orientation = reader_.orientation("orientation");
     const auto from_orientation = reader_.orientation("from_orientation");
-    if (is_sized() && reader_.has("from_orientation"))
+    if (law_ && law_->sized && reader_.has("from_orientation"))
       reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends of it share its own axes", "remove it, and turn the element by axis or orientation");
     if (reader_.has("axis") && reader_.has("orientation"))
       reader_.error("axis", "axis and orientation", "only one of them turns the local axes", "remove one");
@@ -102,8 +92,7 @@ class ElementReader {
     element_.n.body = from;
     element_.n.at = from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (k_in_ground - n_to_k - other.position));
     element_.n.axes = from_orientation ? *from_orientation : Eigen::Matrix3d(other.rotation.transpose() * body.rotation * element_.k.axes);
-    span_ = model::span(bodies_.bodies, element_.n, element_.k);
-    placed_ = true;
+    ends_.span = model::span(bodies_.bodies, element_.n, element_.k);
     if (length_ && from_at) check_length();
     return true;
   }
@@ -116,81 +105,17 @@ class ElementReader {
   void check_length() {
     constexpr double rounding = 1e-6, smallest = 1e-3;  // ends of a bush are at one place
     const Eigen::Vector3d expected = *length_ * Eigen::Vector3d::UnitZ();
-    if ((span_.arm - expected).norm() <= rounding * std::max(*length_, smallest)) return;
-    reader_.error("from_at", fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", span_.arm.x(), span_.arm.y(), span_.arm.z()),
+    if ((ends_.span.arm - expected).norm() <= rounding * std::max(*length_, smallest)) return;
+    reader_.error("from_at", fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", ends_.span.arm.x(), ends_.span.arm.y(), ends_.span.arm.z()),
                   fmt::format("this element is {:.9g} m long along its local e3", *length_), "leave from_at away, or mend the ends, the axis or the element");
   }
 
-  bool is_sized() const {
-    return std::any_of(std::begin(sized_laws), std::end(sized_laws), [&](const auto& law) { return element_.type == law.first; });
-  }
-
-  /// Laws that know their own size. False if the type is none of them.
-  bool read_sized_law() {
-    for (const auto& [type, read] : sized_laws)
-      if (element_.type == type) {
-        length_ = stiffened(reader_, read(reader_, element_), element_);
-        return true;
-      }
-    return false;
-  }
-
-  /// False if the type is none of the laws.
-  bool read_law() {
-    if (element_.type == "matrix") read_matrix();
-    else if (element_.type == "bushing") read_bushing(true);
-    else if (element_.type == "three_springs") read_bushing(false);
-    else if (element_.type == "damper") read_damper();
-    else if (element_.type == "imported") read_imported(reader_, span_, element_);
-    else if (element_.type == "measured") read_measured(reader_, span_, element_);
-    else if (element_.type == "table" || element_.type == "air_spring" || element_.type == "wire_rope") read_tabulated(reader_, span_, element_);
-    else if (element_.type.starts_with(catalogue_prefix)) read_catalogue_mount(reader_, element_.type.substr(std::string(catalogue_prefix).size()), span_, element_);
-    else {
-      if (const auto outside = outside_type(element_.type))
-        reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
-      else if (reader_.has("type"))
-        static_cast<void>(reader_.choice("type", all_types(mentioned_)));
-      return false;
-    }
-    return true;
-  }
-
-  void read_matrix() {
-    if (!reader_.has("stiffness")) reader_.missing("stiffness", "give the 6×6 of the moved end K, or the full 12×12 (N, K)");
-    if (const auto matrix = reader_.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12}))
-      element_.law.nominal_stiffness = full_matrix(*matrix, span_);
-  }
-
-  void read_bushing(bool with_rotation) {
-    read_centre();
-    const elements::Vector6 k = read_constants(reader_, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
-    element_.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(k, span_.arm, centre_), span_.n_from_k);
-  }
-
-  void read_centre() {
-    centre_ = reader_.number("center", Quantity::pure).value_or(0.5);
-    if (reader_.has("center") && placed_ && span_.arm.isZero(0))
-      warn_of_idle_key(reader_, "center", "center of an element without length", "it is a fraction of the way from end N to end K, and both are at one place", "give from_at, or remove it");
-    if (!(centre_ >= 0 && centre_ <= 1))
-      reader_.error("center", fmt::format("{:.6g}", centre_), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
-  }
-
-  void read_damper() {
-    read_centre();
-    const double c = reader_.required_number("coefficient", Quantity::damping_force_per_length);
-    if (c < 0) reader_.error("coefficient", fmt::format("{:.6g} N s/m", c), "it must be ≥ 0", "a negative one would feed energy into the motion");
-    for (const char* key : {"damping", "scale"}) {
-      if (reader_.has(key)) reader_.error(key, std::string(key) + " of a damper", "its coefficient says it all", "remove it, and change the coefficient");
-      static_cast<void>(reader_.node(key));
-    }
-    Eigen::Vector3d line = span_.arm;
-    if (reader_.has("axis")) line = Eigen::Vector3d::UnitZ();  // the local e3 that `axis` laid
-    else if (!(line.norm() > 0)) {
-      if (placed_) reader_.error("axis", "both ends are at the same point", "a damper works along a line", "give axis = \"z\" or another from_at");
-      return;
-    }
-    element_.law.damping = elements::DampingMatrix{
-        elements::in_end_axes(elements::constant_along_line(c, line.normalized(), span_.arm, centre_), span_.n_from_k)};
+  /// A type that is no law: a slip, or a feature of other programs.
+  void refuse_type() {
+    if (const auto outside = outside_type(element_.type))
+      reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
+    else if (reader_.has("type"))
+      static_cast<void>(reader_.choice("type", all_types(mentioned_)));
   }
 
   const Node& node_;
@@ -198,9 +123,8 @@ class ElementReader {
   const model::Description& bodies_;
   Mentioned& mentioned_;
   model::Element element_;
-  model::Span span_{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
-  bool placed_ = false;
-  double centre_ = 0.5;
+  const ElementLaw* law_ = nullptr;   ///< none if the type is not known
+  Placement ends_{{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}};
   LengthOf length_;   ///< of a law that knows it
 };
 
@@ -239,10 +163,9 @@ void read_elements(TableReader& root, model::Description& description, Mentioned
   }
 }
 
-std::vector<std::string> element_laws() {
-  std::vector<std::string> types = {"matrix", "bushing", "three_springs", "damper", "imported", "measured", "table", "air_spring", "wire_rope"};
-  for (const auto& law : sized_laws) types.emplace_back(law.first);
-  types.emplace_back("catalogue:NAME");
+std::vector<std::string> element_law_names() {
+  std::vector<std::string> types;
+  for (const ElementLaw* law : element_laws()) types.emplace_back(law->type);
   return types;
 }
 

@@ -10,7 +10,7 @@ namespace trivet::project {
 void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known = nullptr);
 
 /// Built-in types of elements; "catalogue:NAME" stands for all mounts of catalogues.
-[[nodiscard]] std::vector<std::string> element_laws();
+[[nodiscard]] std::vector<std::string> element_law_names();
 
 /// `damping` of the whole system.
 void read_system_damping(TableReader& root, model::Description& description, Mentioned& mentioned);

@@ -7,6 +7,7 @@
 #include "trivet/exchange/end_stiffness.h"
 #include "trivet/exchange/matrix_file.h"
 #include "trivet/project/elements/complex_stiffness.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/file_name.h"
 
@@ -54,9 +55,7 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
   return exchange::reduce_to_rows(matrix, rows);
 }
 
-}  // namespace
-
-void read_imported(TableReader& reader, const model::Span& span, model::Element& element) {
+void read_imported(TableReader& reader, Placement& placement, model::Element& element) {
   const auto file = read_file_name(reader, "file");
   exchange::MatrixFileOptions options;
   options.format = reader.choice("format", exchange::matrix_formats()).value_or("");
@@ -85,9 +84,24 @@ void read_imported(TableReader& reader, const model::Span& span, model::Element&
   }
   reader.add(ends->warnings, names);
   const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
-  element.law.nominal_stiffness = elements::in_end_axes(stiffness, span.n_from_k);
-  if (ends->imaginary) take_loss(reader, elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), span.n_from_k), span, element);
+  element.law.nominal_stiffness = elements::in_end_axes(stiffness, placement.span.n_from_k);
+  if (ends->imaginary) take_loss(reader, elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), placement.span.n_from_k), placement.span, element);
   element.facts.push_back({"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
 }
+
+}  // namespace
+
+const ElementLaw imported_law = {.type = "imported", .placed = read_imported, .keys = R"json({"properties": {
+   "file": {"type": "string", "description": "relative to the project file"},
+   "format": {"enum": ["matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix"], "description": "default: told by the file"},
+   "name": {"type": "string", "description": "of one of several matrices in the file"},
+   "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
+   "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},
+   "nodes": {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2, "description": "nodes of ends N and K; the others are condensed"},
+   "rotation_nodes": {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2, "description": "nodes that hold the rotations of the ends as components 1 to 3"},
+   "rows": {"type": "array", "items": {"type": "integer", "minimum": 1}, "minItems": 12, "maxItems": 12, "description": "rows of ends N and K, from 1; instead of nodes"}},
+  "required": ["file"],
+  "not": {"required": ["nodes", "rows"]},
+  "dependentRequired": {"rotation_nodes": ["nodes"]}})json"};
 
 }  // namespace trivet::project

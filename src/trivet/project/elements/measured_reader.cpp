@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/stiffness_fit.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
@@ -87,9 +88,7 @@ void add_facts(const StiffnessFit& fit, std::size_t cases, double confidence, mo
   element.evidence = model::Evidence{fit.half_width, fmt::format("{:.4g} % confidence", 100 * confidence), {}};
 }
 
-}  // namespace
-
-void read_measured(TableReader& reader, const model::Span& span, model::Element& element) {
+void read_measured(TableReader& reader, Placement& ends, model::Element& element) {
   const auto file = read_file_name(reader, "load_cases");
   identification::StiffnessFitOptions options;
   if (reader.choice("unknowns", {"self_balanced", "full_symmetric"}) == "full_symmetric") options.unknowns = identification::Unknowns::full_symmetric;
@@ -114,13 +113,13 @@ void read_measured(TableReader& reader, const model::Span& span, model::Element&
   }
   const auto cases = load_cases(reader, *table, units);
   if (!cases) return;
-  const auto fit = identification::identified_stiffness(*cases, span.arm, options);
+  const auto fit = identification::identified_stiffness(*cases, ends.span.arm, options);
   if (!fit) {
     add_problems(reader, fit.error(), "load_cases");
     return;
   }
   add_problems(reader, fit->warnings, "load_cases");
-  element.law.nominal_stiffness = elements::in_end_axes(options.nearest_semidefinite && fit->semidefinite ? fit->semidefinite->stiffness : fit->stiffness, span.n_from_k);
+  element.law.nominal_stiffness = elements::in_end_axes(options.nearest_semidefinite && fit->semidefinite ? fit->semidefinite->stiffness : fit->stiffness, ends.span.n_from_k);
   add_facts(*fit, cases->size(), options.confidence, element);
   for (const identification::Reading& reading : fit->readings) {
     const bool outlier = std::any_of(fit->outliers.begin(), fit->outliers.end(), [&](const identification::Outlier& o) { return o.load_case == reading.load_case && o.channel == reading.channel; });
@@ -128,5 +127,18 @@ void read_measured(TableReader& reader, const model::Span& span, model::Element&
                                            reading.measured, reading.fitted, reading.standardised, outlier});
   }
 }
+
+}  // namespace
+
+const ElementLaw measured_law = {.type = "measured", .placed = read_measured, .keys = R"json({"properties": {
+   "load_cases": {"type": "string", "description": "CSV relative to the project file: name, x y z rx ry rz, fx fy fz mx my mz of end K; the same with n_ of end N"},
+   "unknowns": {"enum": ["self_balanced", "full_symmetric"], "description": "21 or 78 constants (default: self_balanced)"},
+   "confidence": {"$ref": "#/$defs/number", "description": "of the intervals, above 0, below 1 (default: 0.95)"},
+   "zero_offsets": {"type": "boolean", "description": "fit the zero of each channel too (default: false)"},
+   "nearest_semidefinite": {"type": "boolean", "description": "take the nearest positive semidefinite matrix (default: false)"},
+   "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
+   "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},
+   "angle_unit": {"$ref": "#/$defs/number", "description": "angle of 1 in the file, rad (default: 1)"}},
+  "required": ["load_cases"]})json"};
 
 }  // namespace trivet::project

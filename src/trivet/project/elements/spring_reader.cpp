@@ -12,6 +12,7 @@
 #include "trivet/elements/coil_stress.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/condensed_solid.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/material_reader.h"
 
@@ -147,8 +148,6 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
   element.facts.push_back({round ? "shear stress of the wire, Wahl's factor included" : "nominal shear stress of the wire", fmt::format("{:.6g} MPa", 1e-6 * stress)});
 }
 
-}  // namespace
-
 LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   reader.also_known({"preload", "internal_modes"});
@@ -189,5 +188,27 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
   read_level(reader, seated, level, element);
   return distance;
 }
+
+}  // namespace
+
+const ElementLaw coil_spring_law = {.type = "coil_spring", .sized = read_coil_spring, .keys = R"json({"properties": {
+   "wire_diameter": {"$ref": "#/$defs/number", "description": "round wire, m, > 0"},
+   "wire_width": {"$ref": "#/$defs/number", "description": "rectangular wire, radial side, m, > 0"},
+   "wire_height": {"$ref": "#/$defs/number", "description": "rectangular wire, axial side, m, > 0"},
+   "mean_diameter": {"$ref": "#/$defs/number", "description": "of the coils, m; at least 3 times the radial size of the wire"},
+   "active_coils": {"$ref": "#/$defs/number", "description": "number of turns, >= 0.25"},
+   "free_length": {"$ref": "#/$defs/number", "description": "of the active coils, wire centre to wire centre, m; or pitch"},
+   "pitch": {"$ref": "#/$defs/number", "description": "m per turn; or free_length"},
+   "dead_coils": {"description": "closed turns at each end (default: 0), or [N, K]", "anyOf": [{"$ref": "#/$defs/number"}, {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1, "maxItems": 2}]},
+   "ends": {"description": "seats (default: clamped), or [N, K]; a pivoted one carries no moment about the lateral axes", "anyOf": [{"enum": ["clamped", "pivoted"]}, {"type": "array", "items": {"enum": ["clamped", "pivoted"]}, "minItems": 1, "maxItems": 2}]},
+   "hand": {"enum": ["right", "left"], "description": "default: right"},
+   "start_angle": {"$ref": "#/$defs/number", "description": "of the wire at end N, about e3 from e1, rad (default: 0)"},
+   "shear_factor": {"$ref": "#/$defs/number", "description": "of the wire's section, > 0 (default: Cowper's)"},
+   "level": {"enum": ["quasi_static", "with_mass", "exact"], "description": "stiffness alone; with mass and internal modes; frequency-dependent (default: quasi_static)"},
+   "internal_modes": {"type": "integer", "minimum": 0, "maximum": 60, "description": "with mass (default: 6)"},
+   "material": {"$ref": "#/$defs/metal"},
+   "preload": {"$ref": "#/$defs/preload"}},
+  "required": ["mean_diameter", "active_coils", "material"],
+  "allOf": [{"oneOf": [{"required": ["free_length"]}, {"required": ["pitch"]}]}, {"anyOf": [{"required": ["wire_diameter"], "properties": {"wire_width": false, "wire_height": false}}, {"required": ["wire_width", "wire_height"], "properties": {"wire_diameter": false}}]}]})json"};
 
 }  // namespace trivet::project

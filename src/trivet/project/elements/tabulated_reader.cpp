@@ -9,6 +9,7 @@
 
 #include "trivet/elements/piecewise_stiffness.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/matrix_table.h"
 #include "trivet/project/elements/stiffness_column.h"
@@ -20,9 +21,7 @@ namespace {
 
 constexpr std::array<const char*, 6> directions = {"x", "y", "z", "rx", "ry", "rz"};
 
-}  // namespace
-
-void read_tabulated(TableReader& reader, const model::Span& span, model::Element& element) {
+void read_tabulated(TableReader& reader, Placement& ends, model::Element& element) {
   const std::size_t before = reader.errors();
   const double centre = reader.number("center", Quantity::pure).value_or(0.5);
   const auto interpolation = reader.choice("interpolation", {"monotone_cubic", "linear"}) == "linear" ? elements::Interpolation::linear : elements::Interpolation::monotone_cubic;
@@ -39,7 +38,7 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
   if (is_matrix_table(*csv)) {
     for (const char* key : {"center", "interpolation"})
       if (reader.has(key)) reader.error(key, std::string(key) + " beside a table of matrices", "a matrix says where it acts, and is interpolated linearly so that it stays passive", "remove it");
-    if (reader.errors() == before) read_matrix_table(reader, *csv, span, element);
+    if (reader.errors() == before) read_matrix_table(reader, *csv, ends.span, element);
     return;
   }
   auto law = std::make_shared<std::array<std::optional<elements::PiecewiseStiffness>, 6>>();
@@ -74,9 +73,9 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
     return;
   }
   if (reader.errors() > before) return;
-  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(static_constants, span.arm, centre), span.n_from_k);
+  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(static_constants, ends.span.arm, centre), ends.span.n_from_k);
   std::array<elements::Matrix12, 6> unit;
-  for (int j = 0; j < 6; ++j) unit[static_cast<std::size_t>(j)] = elements::in_end_axes(elements::constants_at_point(elements::Vector6::Unit(j), span.arm, centre), span.n_from_k);
+  for (int j = 0; j < 6; ++j) unit[static_cast<std::size_t>(j)] = elements::in_end_axes(elements::constants_at_point(elements::Vector6::Unit(j), ends.span.arm, centre), ends.span.n_from_k);
   elements::FrequencyDependence dependence;
   dependence.elastic = false;
   dependence.from = from;
@@ -91,5 +90,18 @@ void read_tabulated(TableReader& reader, const model::Span& span, model::Element
   element.law.frequency_dependence = std::move(dependence);
   element.facts.push_back(defined_range(from, to));
 }
+
+}  // namespace
+
+/// One law by three names.
+constexpr const char* table_keys = R"json({"properties": {
+   "file": {"type": "string", "description": "CSV relative to the project file: frequency_hz and, per direction x, y, z, rx, ry, rz, k_x and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved end K) or 12 (N, then K)"},
+   "interpolation": {"enum": ["monotone_cubic", "linear"], "description": "default: monotone_cubic; a whole matrix is interpolated linearly"},
+   "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1 (default: 0.5)"},
+   "damping": false},
+  "required": ["file"]})json";
+const ElementLaw table_law = {.type = "table", .placed = read_tabulated, .keys = table_keys};
+const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_tabulated, .keys = table_keys};
+const ElementLaw wire_rope_law = {.type = "wire_rope", .placed = read_tabulated, .keys = table_keys};
 
 }  // namespace trivet::project

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/schema.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/elements/element_law.h"
+#include "trivet/project/text/embedded_text.h"
+
+namespace trivet::project {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json reference(const char* name) { return {{"$ref", std::string("#/$defs/") + name}}; }
+
+/// An object that has these keys and no others.
+Json closed(Json own, const Json& shared, const std::vector<std::string>& required) {
+  Json properties = shared;
+  properties.update(own["properties"]);
+  Json all = {{"type", "object"}, {"properties", std::move(properties)}, {"required", required}, {"additionalProperties", false}};
+  for (auto& [key, value] : own.items()) {
+    if (key == "required")
+      for (const auto& name : value) all["required"].push_back(name);
+    else if (key != "properties")
+      all[key] = value;
+  }
+  return all;
+}
+
+Json type_of(const ElementLaw& law) {
+  const std::string type = law.type;
+  const std::size_t colon = type.find(':');
+  if (colon == std::string::npos) return {{"const", type}};
+  return {{"type", "string"}, {"pattern", "^" + type.substr(0, colon + 1) + ".+"}};
+}
+
+void add_element_laws(Json& definitions) {
+  const Json shared = definitions["element_of_any_law"]["properties"];
+  definitions.erase("element_of_any_law");
+  Json& elements = definitions["element"]["anyOf"];
+  Json& built_in = elements[0]["properties"]["type"]["not"]["anyOf"];
+  for (const ElementLaw* law : element_laws()) {
+    built_in.push_back(type_of(*law));
+    Json keys = shared;
+    keys["type"] = type_of(*law);
+    keys["from_at"] = reference(law->sized ? "element_from_at_of_length" : "element_from_at");
+    if (law->placed) keys["from_orientation"] = reference("element_from_orientation");
+    const Json variants = Json::parse(law->keys);
+    for (const Json& own : variants.is_array() ? variants : Json::array({variants})) elements.push_back(closed(own, keys, {"type", "on", "at"}));
+  }
+}
+
+void add_questions(Json& analyses) {
+  for (const QuestionReader* question : question_readers())
+    analyses[question->name] = closed(Json::parse(question->keys), {{"accept", reference("accept")}}, {});
+}
+
+}  // namespace
+
+std::string project_schema() {
+  Json schema = Json::parse(schema_text);
+  add_element_laws(schema["$defs"]);
+  add_questions(schema["properties"]["analyses"]["properties"]);
+  return schema.dump(1) + "\n";
+}
+
+}  // namespace trivet::project

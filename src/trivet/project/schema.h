@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace trivet::project {
+
+/// JSON Schema of the project file: project.schema.json with the keys of every element law and question, which stand beside their readers.
+[[nodiscard]] std::string project_schema();
+
+}  // namespace trivet::project
