@@ -155,6 +155,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   locate(physical, document);
   all.add(physical);
   name_element_types(written, all);
+  gather_columns(all);
   all = without_unwanted(all, questions, name, analyses);
   if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
     const auto known_here = system ? std::optional(KnownModel{document, system->description()}) : std::nullopt;

@@ -109,6 +109,18 @@ bool holds(const Node& node, const foundation::Origin& origin) {
   return std::any_of(node.items.begin(), node.items.end(), [&](const Node& item) { return holds(item, origin); });
 }
 
+/// The type of an element that lacks a key of its law.
+std::optional<std::string> type_that_lacks(const Node& document, const Node& types, const std::string& subject, const std::string& finding) {
+  if (finding != "missing") return std::nullopt;
+  const std::size_t from = subject.find('.') + 1, to = subject.find('.', from);
+  const std::string key = subject.substr(to + 1);
+  const Node* elements = document.find("elements");
+  const Node* element = elements ? elements->find(subject.substr(from, to - from)) : nullptr;
+  const Node* type = element ? element->find("type") : nullptr;
+  if (!type || type->kind != Node::Kind::text || is_of_element(key.substr(0, key.find('.'))) || element->find(key.substr(0, key.find('.')))) return std::nullopt;
+  return types.find(type->text) ? std::optional(type->text) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Node> with_element_types(const Node& document, const std::vector<std::string>& laws, foundation::Problems& problems) {
@@ -143,6 +155,11 @@ void name_element_types(const Node& document, foundation::Problems& problems) {
     if (!problem.subject.starts_with(elements) || problem.origin.line == 0) continue;
     const std::size_t end_of_name = problem.subject.find('.', elements.size());
     if (end_of_name == std::string::npos) continue;
+    if (const auto lacking = type_that_lacks(document, *types, problem.subject, problem.finding)) {
+      problem.subject = "element_types." + *lacking + problem.subject.substr(end_of_name);
+      problem.origin = types->find(*lacking)->origin;
+      continue;
+    }
     for (std::size_t i = 0; i < types->keys.size(); ++i)
       if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(), [&](const Node& item) { return holds(item, problem.origin); })) {
         problem.subject = "element_types." + types->keys[i] + problem.subject.substr(end_of_name);

@@ -15,7 +15,7 @@ namespace trivet::project {
 /// @param laws  built-in types, which no type may be called
 [[nodiscard]] std::optional<Node> with_element_types(const Node& document, const std::vector<std::string>& laws, foundation::Problems& problems);
 
-/// Problems of keys that elements have from their type become problems of the type. (What a type lacks is a problem of each element.)
+/// Problems of keys that elements have from their type become problems of the type, and so does what the type lacks.
 void name_element_types(const Node& document, foundation::Problems& problems);
 
 }  // namespace trivet::project

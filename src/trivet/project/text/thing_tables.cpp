@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
+#include <utility>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/csv_table.h"
@@ -284,6 +286,28 @@ class ThingTable {
 };
 
 }  // namespace
+
+void gather_columns(foundation::Problems& problems) {
+  std::map<std::string, std::vector<std::size_t>> columns;  // problems of keys that one column of a file gives to several rows
+  for (std::size_t i = 0; i < problems.list().size(); ++i) {
+    const foundation::Problem& problem = problems.list()[i];
+    const bool of_cell = problem.finding == "unknown key" && problem.origin.line > 0 && problem.origin.column == 0;
+    const std::size_t name = problem.subject.find('.');
+    if (!of_cell || name == std::string::npos) continue;
+    const std::size_t key = problem.subject.find('.', name + 1);
+    if (key != std::string::npos) columns[problem.origin.source + problem.subject.substr(key) + problem.rule].push_back(i);
+  }
+  std::vector<bool> dropped(problems.list().size(), false);
+  for (const auto& [column, rows] : columns) {
+    if (rows.size() < 2) continue;
+    problems.list()[rows.front()].finding += fmt::format(", here and in {} more row{}", rows.size() - 1, rows.size() > 2 ? "s" : "");
+    for (std::size_t i = 1; i < rows.size(); ++i) dropped[rows[i]] = true;
+  }
+  foundation::Problems kept;
+  for (std::size_t i = 0; i < dropped.size(); ++i)
+    if (!dropped[i]) kept.add(problems.list()[i]);
+  problems = std::move(kept);
+}
 
 void put_tables_in_place(Node& document, foundation::Problems& problems) {
   const auto at = std::find(document.keys.begin(), document.keys.end(), "tables");

@@ -10,4 +10,7 @@ namespace trivet::project {
 /// goes. What is wrong with a row is a problem that names its line.
 void put_tables_in_place(Node& document, foundation::Problems& problems);
 
+/// A column that several rows cannot have is one problem, at the first of them.
+void gather_columns(foundation::Problems& problems);
+
 }  // namespace trivet::project
