@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <memory>
+
+namespace trivet::numerics {
+
+/// A X = B by LU with partial pivoting, the factors kept for several right sides. Scalar: double or std::complex<double>. A singular A
+/// shows in its pivots and its condition; solutions are not finite then.
+template <typename Scalar>
+class PivotedLu {
+ public:
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+  explicit PivotedLu(const Matrix& A);
+
+  [[nodiscard]] Matrix solve(const Matrix& B) const;
+  [[nodiscard]] Vector solve(const Vector& b) const;
+  [[nodiscard]] Vector pivots() const;                ///< diagonal of U
+  [[nodiscard]] double smallest_pivot() const;        ///< by magnitude
+  [[nodiscard]] double reciprocal_condition() const;  ///< 1/(‖A‖₁ ‖A⁻¹‖₁), estimated
+
+ private:
+  struct Factors;
+  std::shared_ptr<const Factors> factors_;
+};
+
+extern template class PivotedLu<double>;
+extern template class PivotedLu<std::complex<double>>;
+
+/// X of A X = B by LU with partial pivoting, of the type of B. Only plain matrices are taken, in these types: dynamic ones
+/// (double with matrix, std::complex<double> and std::complex<long double> with vector); 3×3 and 6×6 with vector;
+/// of up to 12 rows (double, std::complex<double>); 6×6 by rows with 6×6 (these and long double). Another size or order of entries may round differently.
+template <typename Matrix, typename Right>
+[[nodiscard]] Right lu_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainObjectBase<Right>& B);
+
+/// A⁻¹ of 3×3 by cofactors, of 6×6 and MatrixXcd by LU with partial pivoting.
+template <typename Matrix>
+[[nodiscard]] Matrix inverse(const Eigen::PlainObjectBase<Matrix>& A);
+
+/// A matrix of up to 12 rows and columns without memory of its own on the heap.
+template <typename Scalar>
+using UpToTwelve = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
+
+}  // namespace trivet::numerics

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/linalg/symmetric_eigen.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace trivet::numerics {
+
+template <typename Matrix>
+SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(S.derived());
+  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+}
+
+template <typename Matrix>
+SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(S.derived(), P.derived());
+  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+}
+
+template <typename Matrix>
+Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S) {
+  return Eigen::SelfAdjointEigenSolver<Matrix>(S.derived(), Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+template <typename Matrix>
+Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(S.derived(), P.derived(), Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+namespace {
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+template <typename Matrix>
+using Plain = const Eigen::PlainObjectBase<Matrix>&;
+}  // namespace
+
+template SymmetricEigen<Eigen::MatrixXd> symmetric_eigen(Plain<Eigen::MatrixXd>);
+template SymmetricEigen<Eigen::Matrix2d> symmetric_eigen(Plain<Eigen::Matrix2d>);
+template SymmetricEigen<Eigen::Matrix3d> symmetric_eigen(Plain<Eigen::Matrix3d>);
+template SymmetricEigen<Matrix6> symmetric_eigen(Plain<Matrix6>);
+template SymmetricEigen<Matrix12> symmetric_eigen(Plain<Matrix12>);
+template SymmetricEigen<Eigen::Matrix2d> symmetric_eigen(Plain<Eigen::Matrix2d>, Plain<Eigen::Matrix2d>);
+template Eigen::VectorXd symmetric_eigenvalues(Plain<Eigen::MatrixXd>);
+template Eigen::VectorXd symmetric_eigenvalues(Plain<Eigen::MatrixXcd>);
+template Eigen::Matrix<double, 6, 1> symmetric_eigenvalues(Plain<Matrix6>);
+template Eigen::Matrix<double, 12, 1> symmetric_eigenvalues(Plain<Matrix12>);
+template Eigen::VectorXd symmetric_eigenvalues(Plain<Eigen::MatrixXd>, Plain<Eigen::MatrixXd>);
+
+}  // namespace trivet::numerics

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace trivet::numerics {
+
+/// Eigenvalues λ, ascending, and eigenvectors φ, columns of unit length.
+template <typename Matrix>
+struct SymmetricEigen {
+  Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> values;
+  Matrix vectors;
+  bool converged = true;
+};
+
+/// S φ = λ φ of a symmetric S, of which the lower triangle is read. Only a plain matrix is taken, of the size that its type
+/// says: MatrixXd, Matrix2d, Matrix3d, 6×6 or 12×12. A fixed and a dynamic size may round differently.
+template <typename Matrix>
+[[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S);
+
+/// S φ = λ P φ with P positive definite; φᵀ P φ = 1. Matrix2d.
+template <typename Matrix>
+[[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P);
+
+/// Eigenvalues of a symmetric or Hermitian matrix, ascending: MatrixXd, MatrixXcd, 6×6 or 12×12.
+template <typename Matrix>
+[[nodiscard]] Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S);
+
+/// Eigenvalues λ of S φ = λ P φ with P positive definite, ascending. MatrixXd.
+template <typename Matrix>
+[[nodiscard]] Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P);
+
+}  // namespace trivet::numerics
