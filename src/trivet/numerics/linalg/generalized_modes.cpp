@@ -2,8 +2,6 @@
 #include "trivet/numerics/linalg/generalized_modes.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +10,10 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/quadratic_form.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::numerics {
 namespace {
@@ -26,10 +27,10 @@ void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::V
   const Eigen::MatrixXd half = L.solve(S);
   Eigen::MatrixXd reduced = L.solve(half.transpose());
   reduced = (0.5 * (reduced + reduced.transpose())).eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(reduced);
-  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the symmetric eigensolver did not converge");
-  mu = solver.eigenvalues();
-  y = cholesky.matrixU().solve(solver.eigenvectors());
+  const SymmetricEigen<Eigen::MatrixXd> eigen = symmetric_eigen(reduced);
+  if (!eigen.converged) throw foundation::NotComputable("the symmetric eigensolver did not converge");
+  mu = eigen.values;
+  y = cholesky.matrixU().solve(eigen.vectors);
 }
 
 /// Each shape to φᵀAφ = ±1, λ as Rayleigh quotient in extended precision, largest component positive.
@@ -73,9 +74,9 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
 }
 
 GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A.partialPivLu().solve(K).eval());
-  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the general eigensolver did not converge");
-  const Eigen::VectorXcd values = solver.eigenvalues();
+  const GeneralEigen eigen = general_eigen(lu_solution(A, K));
+  if (!eigen.converged) throw foundation::NotComputable("the general eigensolver did not converge");
+  const Eigen::VectorXcd& values = eigen.values;
   const double scale = values.cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> real;
   for (Eigen::Index i = 0; i < values.size(); ++i)
@@ -83,7 +84,7 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
   Eigen::MatrixXd shapes(K.rows(), static_cast<Eigen::Index>(real.size()));
   Eigen::VectorXd lambda(shapes.cols());
   for (Eigen::Index i = 0; i < shapes.cols(); ++i) {
-    shapes.col(i) = solver.eigenvectors().col(real[static_cast<std::size_t>(i)]).real();
+    shapes.col(i) = eigen.vectors.col(real[static_cast<std::size_t>(i)]).real();
     lambda(i) = values(real[static_cast<std::size_t>(i)]).real();
   }
   GeneralizedModes result = finish(K, A, shapes, false, lambda, ModeRoute::general);
@@ -92,10 +93,6 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
 }
 
 }  // namespace
-
-Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
-}
 
 bool is_positive_definite(const Eigen::MatrixXd& matrix) {
   if (!(matrix.diagonal().minCoeff() > 0)) return false;

@@ -29,7 +29,4 @@ struct GeneralizedModes {
 /// Is a symmetric matrix positive definite beyond round-off, after scaling to a unit diagonal?
 [[nodiscard]] bool is_positive_definite(const Eigen::MatrixXd& matrix);
 
-/// Eigenvalues of a symmetric matrix, ascending.
-[[nodiscard]] Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
-
 }  // namespace trivet::numerics

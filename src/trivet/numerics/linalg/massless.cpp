@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/massless.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 
@@ -18,10 +18,10 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
     if (!std::binary_search(massive.begin(), massive.end(), i)) massless.push_back(i);
 
   const Eigen::MatrixXd held = m.K(massless, massless);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(held);
-  if (lu.matrixLU().diagonal().cwiseAbs().minCoeff() == 0)
+  const PivotedLu<double> lu(held);
+  if (lu.smallest_pivot() == 0)
     throw foundation::NotComputable("an internal coordinate of an element has neither mass nor stiffness");
-  const Eigen::MatrixXd follow = -lu.solve(m.K(massless, massive));
+  const Eigen::MatrixXd follow = -lu.solve(Eigen::MatrixXd(m.K(massless, massive)));
   result.A = m.A(massive, massive);
   result.K = m.K(massive, massive) + m.K(massive, massless) * follow;
   if (m.symmetric) result.K = (0.5 * (result.K + result.K.transpose())).eval();
@@ -40,10 +40,10 @@ WithoutIdle without_idle(const DynamicMatrices& m) {
   if (idle.empty()) return {m, {}, false};
   const Eigen::MatrixXcd k = m.complex_stiffness();
   const Eigen::MatrixXcd held = k(idle, idle);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(held);
-  if (lu.matrixLU().diagonal().cwiseAbs().minCoeff() == 0)
+  const PivotedLu<Complex> lu(held);
+  if (lu.smallest_pivot() == 0)
     throw foundation::NotComputable("a coordinate of a foundation or an element has neither mass nor damping nor stiffness");
-  const Eigen::MatrixXcd follow = -lu.solve(k(idle, kept));
+  const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(k(idle, kept)));
   const Eigen::MatrixXcd condensed = k(kept, kept) + k(kept, idle) * follow;
   WithoutIdle result{{m.A(kept, kept), m.B(kept, kept), condensed.real(), m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
                      Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())), true};

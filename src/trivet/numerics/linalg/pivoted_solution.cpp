@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/pivoted_solution.h"
 
-#include <Eigen/LU>
 #include <limits>
 
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 
 PivotedSolution pivoted_solution(const Eigen::MatrixXcd& Z, const Eigen::VectorXcd& h, bool with_condition) {
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(Z);
+  const PivotedLu<std::complex<double>> lu(Z);
   PivotedSolution result{lu.solve(h)};
   Eigen::VectorXcd& x = result.x;
-  x += lu.solve(h - Z * x);
+  const Eigen::VectorXcd reached = Z * x;
+  x += lu.solve(Eigen::VectorXcd(h - reached));
   const double norm = Z.cwiseAbs().rowwise().sum().maxCoeff();
-  if (!x.allFinite() || lu.matrixLU().diagonal().cwiseAbs().minCoeff() <= negligible_pivot(static_cast<int>(Z.rows())) * norm) {
+  if (!x.allFinite() || lu.smallest_pivot() <= negligible_pivot(static_cast<int>(Z.rows())) * norm) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     x.setConstant({nan, nan});
     return {x, nan, std::numeric_limits<double>::infinity()};
   }
   const double possible = norm * x.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff();
   result.backward_error = possible > 0 ? (h - Z * x).cwiseAbs().maxCoeff() / possible : 0;
-  if (with_condition) result.condition = 1 / lu.rcond();
+  if (with_condition) result.condition = 1 / lu.reciprocal_condition();
   return result;
 }
 

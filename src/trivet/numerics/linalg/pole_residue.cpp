@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/pole_residue.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +8,9 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 namespace {
@@ -39,22 +39,11 @@ PoleResidueForm empty_form(Eigen::Index n, Eigen::Index right_sides) {
 
 /// (s − state)⁻¹ from the eigenvectors; their inverse keeps equal poles apart, which products with left vectors would not.
 void add_poles(const StateForm& form, PoleResidueForm& result) {
-  Eigen::MatrixXcd vectors;
-  Eigen::ComputationInfo info;
-  if (form.real) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(form.state.real().eval());
-    info = solver.info();
-    result.poles = solver.eigenvalues();
-    vectors = solver.eigenvectors();
-  } else {
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(form.state);
-    info = solver.info();
-    result.poles = solver.eigenvalues();
-    vectors = solver.eigenvectors();
-  }
-  if (info != Eigen::Success) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
-  result.participation = Eigen::PartialPivLU<Eigen::MatrixXcd>(vectors).solve(form.input);
-  result.shapes = form.output * vectors;
+  const GeneralEigen eigen = form.real ? general_eigen(Eigen::MatrixXd(form.state.real())) : general_eigen(form.state);
+  if (!eigen.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
+  result.poles = eigen.values;
+  result.participation = PivotedLu<Complex>(eigen.vectors).solve(form.input);
+  result.shapes = form.output * eigen.vectors;
 }
 
 bool is_diagonal(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& available) {
@@ -151,17 +140,19 @@ PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& 
   const Eigen::MatrixXcd K = m.complex_stiffness();
   const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
+  const PivotedLu<Complex> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
   Eigen::MatrixXcd z_rate(k, 2 * n + k), v_rate(n, 2 * n + k);
   z_rate << K(z, p), speed * m.B(z, p).cast<Complex>(), K(z, z);
   Eigen::MatrixXcd z_input = h(z, Eigen::all), v_input = h(p, Eigen::all);
   if (k > 0) {
-    z_rate = (-lag.solve(z_rate)).eval();
-    z_input = lag.solve(z_input).eval();
+    z_rate = -lag.solve(z_rate);
+    z_input = lag.solve(z_input);
   }
   v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
-  v_rate = (-inertia.solve(v_rate + m.B(p, z).cast<Complex>() * z_rate)).eval();
-  v_input = inertia.solve(v_input - m.B(p, z).cast<Complex>() * z_input).eval();
+  // Products first and whole: Eigen would add them to sums in parts.
+  const Eigen::MatrixXcd lag_rate = m.B(p, z).cast<Complex>() * z_rate, lag_input = m.B(p, z).cast<Complex>() * z_input;
+  v_rate = -inertia.solve(Eigen::MatrixXcd(v_rate + lag_rate));
+  v_input = inertia.solve(Eigen::MatrixXcd(v_input - lag_input));
   StateForm form;
   form.real = !m.lossy();
   form.state = Eigen::MatrixXcd::Zero(2 * n + k, 2 * n + k);
@@ -191,7 +182,7 @@ Rows held_by_stiffness_only(const DynamicMatrices& m) {
 PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::MatrixXcd& h) {
   const Rows p = others(m.size(), z);
   const Eigen::MatrixXcd K = m.complex_stiffness(), held = K(z, z);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(held);
+  const PivotedLu<Complex> lu(held);
   const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(K(z, p))), at_once = lu.solve(Eigen::MatrixXcd(h(z, Eigen::all)));
   if (!follow.allFinite() || !at_once.allFinite()) throw foundation::NotComputable("a coordinate without mass is held by nothing");
   const Eigen::MatrixXcd rest = K(p, p) + K(p, z) * follow;

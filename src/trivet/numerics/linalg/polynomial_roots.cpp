@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/polynomial_roots.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/general_eigen.h"
 
 namespace trivet::numerics {
 
@@ -18,9 +18,9 @@ std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& co
   companion.diagonal(-1).setOnes();
   for (Eigen::Index i = 0; i < degree; ++i)
     companion(i, degree - 1) = -coefficients[static_cast<std::size_t>(i)] / last * std::pow(unit, static_cast<double>(i - degree));
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion, false);
-  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the roots of a polynomial did not converge");
-  const Eigen::VectorXcd roots = unit * solver.eigenvalues();
+  const GeneralEigen eigen = general_eigenvalues(companion);
+  if (!eigen.converged) throw foundation::NotComputable("the roots of a polynomial did not converge");
+  const Eigen::VectorXcd roots = unit * eigen.values;
   return {roots.begin(), roots.end()};
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/quadratic_roots.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,8 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 namespace {
@@ -21,17 +21,10 @@ using ExtendedMatrix = Eigen::Matrix<ExtendedComplex, Eigen::Dynamic, Eigen::Dyn
 using ExtendedVector = Eigen::Matrix<ExtendedComplex, Eigen::Dynamic, 1>;
 
 void eigen(const Eigen::MatrixXcd& matrix, bool real, Eigen::VectorXcd& values, Eigen::MatrixXcd& vectors) {
-  if (real) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix.real().eval());
-    if (solver.info() != Eigen::Success) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
-    values = solver.eigenvalues();
-    vectors = solver.eigenvectors();
-  } else {
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(matrix);
-    if (solver.info() != Eigen::Success) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
-    values = solver.eigenvalues();
-    vectors = solver.eigenvectors();
-  }
+  GeneralEigen found = real ? general_eigen(Eigen::MatrixXd(matrix.real())) : general_eigen(matrix);
+  if (!found.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
+  values = std::move(found.values);
+  vectors = std::move(found.vectors);
 }
 
 void normalise_by_largest(Eigen::Ref<Eigen::VectorXcd> v, const Eigen::VectorXd& weight) {
@@ -94,9 +87,9 @@ QuadraticRoots roots_of_companion(const DynamicMatrices& given) {
   const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices matrices = scaled(given, d);
   const Eigen::Index n = matrices.size();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> mass(matrices.A);
-  const Eigen::MatrixXcd stiffness = mass.solve(matrices.complex_stiffness().real()).cast<Complex>() +
-                                     Complex(0, 1) * mass.solve(matrices.complex_stiffness().imag()).cast<Complex>();
+  const PivotedLu<double> mass(matrices.A);
+  const Eigen::MatrixXcd stiffness = mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().real())).cast<Complex>() +
+                                     Complex(0, 1) * mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().imag())).cast<Complex>();
   const double speed = std::sqrt(std::max(stiffness.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
   state.topRightCorner(n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
@@ -122,13 +115,15 @@ QuadraticRoots roots_with_massless(const DynamicMatrices& given) {
   const Eigen::MatrixXcd K = m.complex_stiffness();
   const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
+  const PivotedLu<Complex> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
   // z' first, as it acts on v' through the damping that couples them; v = speed · w balances the state matrix.
   Eigen::MatrixXcd z_rate(k, 2 * n + k), v_rate(n, 2 * n + k);
   z_rate << K(z, p), speed * m.B(z, p).cast<Complex>(), K(z, z);
-  z_rate = (-lag.solve(z_rate)).eval();
+  z_rate = -lag.solve(z_rate);
   v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
-  v_rate = (-inertia.solve(v_rate + m.B(p, z).cast<Complex>() * z_rate)).eval();
+  // The product first and whole: Eigen would add it to the sum in parts.
+  const Eigen::MatrixXcd lag_rate = m.B(p, z).cast<Complex>() * z_rate;
+  v_rate = -inertia.solve(Eigen::MatrixXcd(v_rate + lag_rate));
   Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n + k, 2 * n + k);
   state.block(0, n, n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
   state.middleRows(n, n) = v_rate / speed;
@@ -170,7 +165,7 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
     for (int step = 0; step < steps && finite; ++step) {
       const ExtendedMatrix polynomial = lambda * lambda * A + lambda * B + K;
       const ExtendedVector derivative = Extended(2) * lambda * (A * v) + B * v;
-      const ExtendedVector u = polynomial.partialPivLu().solve(derivative);
+      const ExtendedVector u = lu_solution(polynomial, derivative);
       const ExtendedComplex denominator = v.dot(u);
       if (!std::isfinite(std::abs(denominator)) || std::abs(denominator) == 0) {
         finite = last <= Extended(64) * std::numeric_limits<Extended>::epsilon() * std::abs(lambda);

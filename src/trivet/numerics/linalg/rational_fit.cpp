@@ -2,13 +2,13 @@
 #include "trivet/numerics/linalg/rational_fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <complex>
 #include <limits>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/general_eigen.h"
 
 namespace trivet::numerics {
 namespace {
@@ -135,7 +135,7 @@ Eigen::VectorXcd RationalFit::poles() const {
   const Eigen::VectorXcd u = nodes.cast<Complex>().cwiseProduct(weights) / weights.sum();
   Eigen::MatrixXcd companion = -u * Eigen::RowVectorXcd::Ones(nodes.size());
   companion.diagonal() += nodes.cast<Complex>();
-  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
+  return general_eigenvalues(companion).values;
 }
 
 RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales, double tolerance) {

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/refined_solution.h"
 
-#include <Eigen/LU>
 #include <limits>
 
 namespace trivet::numerics {
 
-struct RefinedSolver::Factors {
-  Eigen::PartialPivLU<Eigen::MatrixXcd> lu;
-};
-
-RefinedSolver::RefinedSolver(ExtendedMatrix Z) : z_(std::move(Z)) {
-  factors_ = std::make_unique<Factors>(Factors{Eigen::PartialPivLU<Eigen::MatrixXcd>(z_.cast<std::complex<double>>())});
-}
-
-RefinedSolver::~RefinedSolver() = default;
+RefinedSolver::RefinedSolver(ExtendedMatrix Z) : z_(std::move(Z)), factors_(z_.cast<std::complex<double>>()) {}
 
 ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
   constexpr int most_steps = 12;
   constexpr long double settled = 64 * std::numeric_limits<long double>::epsilon();
   const auto step = [&](const ExtendedVector& r) -> ExtendedVector {
-    return factors_->lu.solve(r.cast<std::complex<double>>().eval()).cast<std::complex<long double>>();
+    return factors_.solve(Eigen::VectorXcd(r.cast<std::complex<double>>())).cast<std::complex<long double>>();
   };
   ExtendedVector x = step(b);
   long double previous = std::numeric_limits<long double>::infinity();
@@ -33,13 +24,13 @@ ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
     previous = size;
   }
   // Too ill-conditioned for factors in double: take the slow way.
-  return z_.partialPivLu().solve(b);
+  return lu_solution(z_, b);
 }
 
 double RefinedSolver::condition() const {
   // A pivot of exactly 0 makes the estimate a number of the other coordinates.
-  if (!(factors_->lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  const double reciprocal = factors_->lu.rcond();
+  if (!(factors_.smallest_pivot() > 0)) return std::numeric_limits<double>::infinity();
+  const double reciprocal = factors_.reciprocal_condition();
   return reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
 }
 

@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <memory>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 
@@ -16,16 +17,14 @@ class RefinedSolver {
  public:
   /// Z in extended precision, scaled so that its rows and columns compare.
   explicit RefinedSolver(ExtendedMatrix Z);
-  ~RefinedSolver();
 
   [[nodiscard]] ExtendedVector solve(const ExtendedVector& b) const;
   /// ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors.
   [[nodiscard]] double condition() const;
 
  private:
-  struct Factors;
   ExtendedMatrix z_;
-  std::unique_ptr<Factors> factors_;
+  PivotedLu<std::complex<double>> factors_;
 };
 
 }  // namespace trivet::numerics

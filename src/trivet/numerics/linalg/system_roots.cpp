@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/system_roots.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::numerics {
 namespace {
@@ -67,9 +67,9 @@ void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>
   const Eigen::MatrixXd motions = phi(Eigen::all, free);
   const Eigen::MatrixXd damping = without_round_off(phi, m.B, free)(free, free);
   if (damping.isDiagonal(0)) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (damping + damping.transpose()));
-  if (solver.info() != Eigen::Success) throw foundation::NotComputable("the symmetric eigensolver did not converge");
-  phi(Eigen::all, free) = (motions * solver.eigenvectors()).eval();
+  const SymmetricEigen<Eigen::MatrixXd> eigen = symmetric_eigen(Eigen::MatrixXd(0.5 * (damping + damping.transpose())));
+  if (!eigen.converged) throw foundation::NotComputable("the symmetric eigensolver did not converge");
+  phi(Eigen::all, free) = (motions * eigen.vectors).eval();
 }
 
 }  // namespace

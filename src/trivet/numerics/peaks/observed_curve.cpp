@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/load.h"
 
 namespace trivet::numerics {
@@ -21,7 +22,6 @@ ObservedCurve observed_curve(const ObservedRow& row) {
 }
 
 Eigen::RowVectorXcd weighted(const CurveTerms& terms, const Eigen::MatrixXcd& x, const Eigen::RowVectorXcd& omega) {
-  using Complex = std::complex<double>;
   const Eigen::Index n = x.rows();
   Eigen::RowVectorXcd y = terms.on_displacement.head(n).transpose() * x;
   if (!terms.on_velocity.head(n).isZero(0))

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/peaks/response_series.h"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 namespace {
@@ -10,16 +11,17 @@ namespace {
 /// Coefficients of (Z0 + Z1 τ + Z2 τ²)⁻¹ Σ h_j τʲ.
 Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2, const Eigen::MatrixXcd& h) {
   const Eigen::Index n = h.rows();
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(Z0);
+  const PivotedLu<Complex> lu(Z0);
   Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], for the last two coefficients one above the other
   step << Z2, Z1;
-  step = (-lu.solve(step)).eval();
+  step = -lu.solve(step);
   Eigen::MatrixXcd q = Eigen::MatrixXcd::Zero(n, h.cols() + 1);  // before the first coefficient stands a zero
-  q.col(1) = lu.solve(h.col(0));
-  q.col(1) += lu.solve(h.col(0) - Z0 * q.col(1));
+  q.col(1) = lu.solve(Eigen::VectorXcd(h.col(0)));
+  const Eigen::VectorXcd reached = Z0 * q.col(1);
+  q.col(1) += lu.solve(Eigen::VectorXcd(h.col(0) - reached));
   for (Eigen::Index j = 1; j < h.cols(); ++j) {
     q.col(j + 1).noalias() = step * Eigen::Map<const Eigen::VectorXcd>(q.col(j - 1).data(), 2 * n);
-    if (!h.col(j).isZero(0)) q.col(j + 1) += lu.solve(h.col(j));
+    if (!h.col(j).isZero(0)) q.col(j + 1) += lu.solve(Eigen::VectorXcd(h.col(j)));
   }
   return q.rightCols(h.cols());
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/pole_residue.h"
 #include "trivet/numerics/roots/root_table.h"
 
@@ -22,7 +22,7 @@ constexpr double margin = 10, least_round_off = 2e-15;
 /// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of them.
 /// @return by how much they are missed at most, as a share of their terms; infinite where terms cancel too far
 double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles, const Eigen::MatrixXcd& r) {
-  const Eigen::VectorXd acceleration = m.A.llt().solve(load), displacement = -m.K.llt().solve(load);
+  const Eigen::VectorXd acceleration = cholesky_solution(m.A, load), displacement = -cholesky_solution(m.K, load);
   const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // metres and radians by what they weigh
   const auto share = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
     const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
