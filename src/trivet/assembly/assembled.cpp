@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/assembled.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
+#include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {
@@ -142,9 +142,9 @@ void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Grou
 SystemDampingMatrices system_damping(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& ground_stiffness) {
   const Eigen::VectorXd d = numerics::unit_scale(m);
   const Eigen::MatrixXd scaled = d.asDiagonal() * m.K * d.asDiagonal();
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> stiffness(scaled);
-  const Eigen::MatrixXd follow = d.asDiagonal() * stiffness.solve(d.asDiagonal() * ground_stiffness);  // −(motion of the coordinates)
-  return {damping, damping * follow, stiffness.rank() == m.size()};
+  const numerics::RankedSolution solution = numerics::ranked_solution(scaled, d.asDiagonal() * ground_stiffness);
+  const Eigen::MatrixXd follow = d.asDiagonal() * solution.X;  // −(motion of the coordinates)
+  return {damping, damping * follow, solution.rank == m.size()};
 }
 
 void add_body(const Layout& layout, std::size_t index, const model::Body& body, Eigen::MatrixXd& mass) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/following.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/numerics/linalg/orthogonal.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {
@@ -76,7 +76,7 @@ void follow_with_foundations(const model::System& system, const Assembled& assem
           reach = reach.max(spatial::rigid_motion(end->at).cwiseAbs().colwise().maxCoeff().transpose().array());
         }
     if (shapes.rows() == 0 || count == 0) continue;
-    Eigen::MatrixXd follow = shapes.completeOrthogonalDecomposition().solve(wanted);
+    Eigen::MatrixXd follow = numerics::smallest_solution(shapes, wanted);
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index j = 0; j < 6; ++j)
         if (std::abs(follow(i, j)) * shapes.col(i).cwiseAbs().maxCoeff() <= of_geometry * reach(j)) follow(i, j) = 0;
@@ -112,7 +112,8 @@ void follow_inside(Assembled& assembled) {
     const Eigen::Index inner = map.ends.rows() - 12;
     if (inner == 0) continue;
     const Eigen::MatrixXd& K = map.matrices.stiffness;
-    map.followed_ends.bottomRows(inner) = -K.bottomRightCorner(inner, inner).completeOrthogonalDecomposition().solve(product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
+    const Eigen::MatrixXd own = K.bottomRightCorner(inner, inner);
+    map.followed_ends.bottomRows(inner) = -numerics::smallest_solution(own, product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
     for (Eigen::Index i = 0; i < inner; ++i) R.row(map.rows[static_cast<std::size_t>(map.end_columns + i)]) = map.followed_ends.row(12 + i);
   }
 }
@@ -165,14 +166,14 @@ void follow_at_rest(const Columns& resisting, Assembled& assembled) {
   Ground& ground = assembled.ground;
   const numerics::DynamicMatrices& m = assembled.matrices;
   const Eigen::VectorXd scale = numerics::unit_scale(m);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(scale.asDiagonal() * m.K * scale.asDiagonal());
-  const double condition = stiffness.rcond();
+  const numerics::PivotedLu<double> stiffness(scale.asDiagonal() * m.K * scale.asDiagonal());
+  const double condition = stiffness.reciprocal_condition();
   if (!(condition > regular)) return;
   for (Eigen::Index j = 0; j < ground.followed(); ++j) {
     if (resisting.K.col(j).isZero(0)) continue;
     ground.rigid(j) = false;
     ground.round_off(j) = std::max(of_geometry, 64 * std::numeric_limits<double>::epsilon() / condition);
-    Eigen::VectorXd follow = ground.R.col(j).cwiseQuotient(scale) - stiffness.solve(scale.asDiagonal() * resisting.K.col(j));
+    Eigen::VectorXd follow = ground.R.col(j).cwiseQuotient(scale) - stiffness.solve(Eigen::VectorXd(scale.asDiagonal() * resisting.K.col(j)));
     for (double& each : follow)
       if (std::abs(each) <= ground.round_off(j) * follow.cwiseAbs().maxCoeff()) each = 0;
     ground.R.col(j) = scale.asDiagonal() * follow;

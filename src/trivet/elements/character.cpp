@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/elements/character.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {
@@ -18,8 +18,8 @@ struct Principal {
 
 /// Eigenvalues, rising, and right-handed axes.
 Principal principal(const Eigen::Matrix3d& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (matrix + matrix.transpose()));
-  Principal result{solver.eigenvalues(), solver.eigenvectors()};
+  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen = numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (matrix + matrix.transpose())));
+  Principal result{eigen.values, eigen.vectors};
   if (result.axes.col(0).dot(spatial::cross_matrix(result.axes.col(1)) * result.axes.col(2)) < 0) result.axes.col(2) *= -1;
   return result;
 }
@@ -76,9 +76,9 @@ Character character(const Matrix12& stiffness) {
   const Matrix6 turn = spatial::both_blocks(translations.axes);
   result.coupling_at_k = coupling(at_k);
   result.coupling_at_centre = coupling(turn.transpose() * at_centre * turn);
-  const Eigen::SelfAdjointEigenSolver<Matrix6> combined(scaled(at_k), Eigen::EigenvaluesOnly);
-  result.softest_combination = combined.eigenvalues()(0);
-  result.stiffest_combination = combined.eigenvalues()(5);
+  const Vector6 combined = numerics::symmetric_eigenvalues(scaled(at_k));
+  result.softest_combination = combined(0);
+  result.stiffest_combination = combined(5);
   return result;
 }
 

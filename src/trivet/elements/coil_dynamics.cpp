@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/elements/coil_dynamics.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {
@@ -23,9 +23,9 @@ std::vector<Eigen::Index> pivots(Seat seat_n, Seat seat_k) {
 template <typename Matrix>
 Matrix released(const Matrix& d, const std::vector<Eigen::Index>& free) {
   if (free.empty()) return d;
-  using Block = Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
+  using Block = numerics::UpToTwelve<typename Matrix::Scalar>;
   const Block rows = d(free, Eigen::all), corner = d(free, free);
-  Matrix result = d - rows.transpose() * corner.partialPivLu().solve(rows);
+  Matrix result = d - rows.transpose() * numerics::lu_solution(corner, rows);
   result(free, Eigen::all).setZero();
   result(Eigen::all, free).setZero();
   return result;
@@ -147,7 +147,7 @@ int modes_below(const SeatedCoil& coil, double angular_frequency, SeatsHeld held
   for (Eigen::Index i = 0; i < sliding; ++i) free.push_back(6 + i);
   if (free.empty()) return clamped.modes;
   const Eigen::MatrixXd corner = clamped.d(free, free);
-  const Eigen::VectorXd pivot = corner.ldlt().vectorD();
+  const Eigen::VectorXd pivot = numerics::ldlt_pivots(corner);
   return clamped.modes + int((pivot.array() < 0).count());
 }
 

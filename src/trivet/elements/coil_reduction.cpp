@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/elements/coil_reduction.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::elements {
 namespace {
@@ -58,14 +58,14 @@ Eigen::Matrix<double, 12, Eigen::Dynamic> couplings(const SeatedCoil& coil, cons
     return scale.asDiagonal() * (0.5 * (sum + sum.transpose())) * scale.asDiagonal();
   };
   const Matrix12 order0 = moment([](Complex lambda) { return 1.0 / (lambda * lambda); });
-  const Eigen::SelfAdjointEigenSolver<Matrix12> solver(order0);
-  const Eigen::VectorXd size = solver.eigenvalues().tail(count).cwiseMax(0).cwiseSqrt();
-  Eigen::Matrix<double, 12, Eigen::Dynamic> columns = solver.eigenvectors().rightCols(count) * size.asDiagonal();
+  const numerics::SymmetricEigen<Matrix12> eigen = numerics::symmetric_eigen(order0);
+  const Eigen::VectorXd size = eigen.values.tail(count).cwiseMax(0).cwiseSqrt();
+  Eigen::Matrix<double, 12, Eigen::Dynamic> columns = eigen.vectors.rightCols(count) * size.asDiagonal();
   if (count > 1) {
     const Matrix12 order1 = moment([&](Complex lambda) { return (lambda - centre) / (lambda * lambda); });
-    const Eigen::MatrixXd back = solver.eigenvectors().rightCols(count) * size.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd back = eigen.vectors.rightCols(count) * size.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd inner = back.transpose() * order1 * back;
-    columns = (columns * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inner).eigenvectors()).eval();
+    columns = (columns * numerics::symmetric_eigen(inner).vectors).eval();
   }
   for (Eigen::Index i = 0; i < 12; ++i)
     if (scale(i) > 0) columns.row(i) /= scale(i);

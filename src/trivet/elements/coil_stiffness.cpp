@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Static 12×12 of a coil spring: flexibility of the wire, summed along it in closed form.
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <vector>
 
 #include "trivet/elements/helical_rod.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {
@@ -72,7 +72,7 @@ Matrix6 inverse_of(const Matrix6& flexibility, const std::vector<Eigen::Index>& 
   const Matrix6 unit = scale.asDiagonal() * flexibility * scale.asDiagonal();
   const Eigen::MatrixXd part = unit(carried, carried);
   Matrix6 inverse = Matrix6::Zero();
-  const Eigen::MatrixXd part_inverse = part.llt().solve(Eigen::MatrixXd::Identity(part.rows(), part.cols()));
+  const Eigen::MatrixXd part_inverse = numerics::cholesky_solution(part, Eigen::MatrixXd(Eigen::MatrixXd::Identity(part.rows(), part.cols())));
   inverse(carried, carried) = part_inverse;
   const Matrix6 result = scale.asDiagonal() * inverse * scale.asDiagonal();
   return 0.5 * (result + result.transpose());

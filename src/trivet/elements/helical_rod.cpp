@@ -2,10 +2,11 @@
 #include "trivet/elements/helical_rod.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::elements {
 
@@ -145,7 +146,8 @@ Square<Scalar> force_per_motion(const Square<Scalar>& even, const Square<Scalar>
   Square<Scalar> motion, wrench;
   motion << even.template topRows<2>(), -odd.template topRows<4>();
   wrench << odd.template bottomRows<2>(), -even.template bottomRows<4>();
-  const Square<Scalar> k = motion.transpose().partialPivLu().solve(wrench.transpose());
+  const Eigen::Matrix<Scalar, 6, 6, Eigen::RowMajor> coefficients = motion.transpose();
+  const Square<Scalar> right = wrench.transpose(), k = numerics::lu_solution(coefficients, right);
   return Scalar(0.5) * (k + k.transpose());
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "trivet/elements/law.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::elements {
 namespace {
@@ -28,13 +27,13 @@ Strains strains(const Eigen::MatrixXd& stiffness) {
   constexpr double round_off = 1e-13;
   const Eigen::VectorXd scale = stiffness.diagonal().unaryExpr([](double k) { return k == 0 ? 1.0 : std::sqrt(std::abs(k)); });
   const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * stiffness * scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (scaled + scaled.transpose()));
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+  const numerics::SymmetricEigen<Eigen::MatrixXd> eigen = numerics::symmetric_eigen(Eigen::MatrixXd(0.5 * (scaled + scaled.transpose())));
+  const double largest = eigen.values.cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
-    if (std::abs(solver.eigenvalues()(i)) > round_off * largest) kept.push_back(i);
-  const Eigen::VectorXd values = solver.eigenvalues()(kept);
-  const Eigen::MatrixXd vectors = solver.eigenvectors()(Eigen::all, kept);
+    if (std::abs(eigen.values(i)) > round_off * largest) kept.push_back(i);
+  const Eigen::VectorXd values = eigen.values(kept);
+  const Eigen::MatrixXd vectors = eigen.vectors(Eigen::all, kept);
   return {scale.asDiagonal() * vectors * values.cwiseAbs().cwiseSqrt().asDiagonal(), values.cwiseSign()};
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/elements/matrix_checks.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::elements {
 namespace {
@@ -83,9 +84,9 @@ MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>
   Matrix12 symmetric;
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) symmetric(i, j) = scaled(0.5 * (matrix(i, j) + matrix(j, i)), scale(i) * scale(j));
-  const Eigen::SelfAdjointEigenSolver<Matrix12> solver(symmetric, Eigen::EigenvaluesOnly);
-  verdict.lowest_eigenvalue = solver.eigenvalues()(0);
-  verdict.highest_eigenvalue = solver.eigenvalues()(11);
+  const spatial::Vector12 eigenvalues = numerics::symmetric_eigenvalues(symmetric);
+  verdict.lowest_eigenvalue = eigenvalues(0);
+  verdict.highest_eigenvalue = eigenvalues(11);
   return verdict;
 }
 
@@ -93,7 +94,7 @@ double lowest_of_held_end(const Matrix12& matrix) {
   const Matrix6 end = matrix.bottomRightCorner<6, 6>();
   const Vector6 scale = end.diagonal().unaryExpr([](double k) { return k == 0 ? 1.0 : 1 / std::sqrt(std::abs(k)); });
   const Matrix6 scaled = scale.asDiagonal() * (0.5 * (end + end.transpose())) * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Matrix6>(scaled, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  return numerics::symmetric_eigenvalues(scaled)(0);
 }
 
 bool is_semidefinite(const MatrixVerdict& verdict) {

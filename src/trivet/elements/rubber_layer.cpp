@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <numbers>
 
 #include "trivet/elements/dimension_checks.h"
 #include "trivet/elements/pressure_modulus.h"
+#include "trivet/numerics/linalg/cholesky.h"
 
 namespace trivet::elements {
 namespace {
@@ -125,7 +125,7 @@ double block_torsion_constant(const RubberBlock& b) {
       square(m, n) = integral(x, y);
     }
   }
-  const Eigen::Vector3d warping = gradient.llt().solve(load);
+  const Eigen::Vector3d warping = numerics::cholesky_solution(gradient, load);
   const double polar = integral(2, 0) + integral(0, 2), relief = load.dot(warping), constant = polar - relief;
   if (relief <= 1e-14 * polar) return polar;
   const double k = std::sqrt(relief * constant / (3 * polar * warping.dot(square * warping))), x = k * b.thickness / 2;

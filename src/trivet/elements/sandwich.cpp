@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "trivet/elements/dimension_checks.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/complete_pivoting.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {
@@ -21,9 +21,8 @@ double layer_thickness(const Sandwich& s) {
 std::pair<Matrix6, bool> inverse(const Matrix6& matrix) {
   const Vector6 scale = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return {Matrix6::Zero(), false};
-  const Eigen::FullPivLU<Matrix6> lu(scale.asDiagonal() * matrix * scale.asDiagonal());
-  const Matrix6 scaled = lu.inverse();
-  return {scale.asDiagonal() * scaled * scale.asDiagonal(), lu.isInvertible()};
+  const Matrix6 scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+  return {scale.asDiagonal() * numerics::completely_pivoted_inverse(scaled) * scale.asDiagonal(), numerics::is_regular(scaled)};
 }
 
 }  // namespace

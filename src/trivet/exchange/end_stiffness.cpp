@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +10,7 @@
 #include <map>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::exchange {
 namespace {
@@ -60,10 +60,10 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   const Eigen::VectorXd scale =
       interior.rowwise().template lpNorm<Eigen::Infinity>().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 1.0; });
   interior = (scale.asDiagonal() * interior * scale.asDiagonal()).eval();
-  const Eigen::PartialPivLU<Dense> factors(interior);
+  const numerics::PivotedLu<typename Dense::Scalar> factors(interior);
   Eigen::Index smallest_pivot = 0;
-  const double pivot = factors.matrixLU().diagonal().cwiseAbs().minCoeff(&smallest_pivot);
-  const double condition = pivot > singular_below ? factors.rcond() : 0;
+  const double pivot = factors.pivots().cwiseAbs().minCoeff(&smallest_pivot);
+  const double condition = pivot > singular_below ? factors.reciprocal_condition() : 0;
   const std::string weakest = row_name(matrix, parts.condensed[static_cast<std::size_t>(smallest_pivot)]);
   if (!(condition > singular_below)) {
     problems.error("condensation", fmt::format("{} moves without any force", weakest), "what is condensed must be held by the ends",

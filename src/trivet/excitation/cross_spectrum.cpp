@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +10,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::excitation {
 namespace {
@@ -86,8 +86,7 @@ foundation::Problems check(const RandomInputs& inputs, const std::string& subjec
   }
   if (problems.has_errors() || inputs.pairs.empty()) return problems;
   for (const double omega : test_frequencies(inputs)) {
-    const double lowest =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(correlation(inputs, omega), Eigen::EigenvaluesOnly).eigenvalues()(0);
+    const double lowest = numerics::symmetric_eigenvalues(correlation(inputs, omega))(0);
     if (lowest >= -accepted_negative_eigenvalue) continue;
     problems.error(subject, fmt::format("at {:.6g} Hz the matrix of coherences has the eigenvalue {:.3g}", omega / two_pi, lowest),
                    "cross-spectra of real signals are positive semidefinite: inputs that both follow a third are related to each other, "

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
 
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
+#include "trivet/numerics/linalg/complete_pivoting.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::fem {
@@ -87,7 +87,7 @@ class Newton {
       k(i, i) = 1;
       lacking(i) = imposed(i);
     }
-    return k.fullPivLu().solve(lacking);
+    return numerics::completely_pivoted_solution(k, lacking);
   }
 
   void move(Equilibrium& e, const Vector6& motion_in_element) const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/identification/grouped_regression.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "trivet/identification/student_distribution.h"
+#include "trivet/numerics/linalg/orthogonal.h"
 
 namespace trivet::identification {
 namespace {
@@ -25,13 +25,13 @@ Eigen::VectorXd group_sizes(const Regression& regression, const Eigen::VectorXd&
 }
 
 /// Directions that the design does not see: R₁₁ x₁ = −R₁₂ x₂ for every unit x₂, in the order of the parameters.
-Eigen::MatrixXd null_space(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& qr, Eigen::Index rank) {
-  const Eigen::Index count = qr.cols();
+Eigen::MatrixXd null_space(const numerics::PivotedQr& qr, Eigen::Index rank) {
+  const Eigen::Index count = qr.R.cols();
   Eigen::MatrixXd pivoted(count, count - rank);
-  pivoted.topRows(rank) = -qr.matrixQR().topRightCorner(rank, count - rank);
-  pivoted.topRows(rank) = qr.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(pivoted.topRows(rank).eval());
+  pivoted.topRows(rank) = -qr.R.topRightCorner(rank, count - rank);
+  pivoted.topRows(rank) = qr.R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(pivoted.topRows(rank).eval());
   pivoted.bottomRows(count - rank).setIdentity();
-  return qr.colsPermutation() * pivoted;
+  return qr.P * pivoted;
 }
 
 Eigen::VectorXd deviations(const Regression& regression, const Eigen::VectorXd& group_scale) {
@@ -44,21 +44,19 @@ Eigen::VectorXd deviations(const Regression& regression, const Eigen::VectorXd& 
 bool solve(const Regression& regression, bool judge_rank, RegressionFit& fit) {
   const Eigen::VectorXd weight = fit.deviation.cwiseInverse();
   const Eigen::MatrixXd weighted = weight.asDiagonal() * regression.design;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(weighted);
-  qr.setThreshold(rank_tolerance);
+  const numerics::PivotedQr qr = numerics::pivoted_qr(weighted, rank_tolerance);
   const Eigen::Index count = regression.design.cols();
-  if (judge_rank) fit.rank = static_cast<int>(qr.rank());
+  if (judge_rank) fit.rank = static_cast<int>(qr.rank);
   if (fit.rank < count) {
     fit.null_space = null_space(qr, fit.rank);
     return false;
   }
-  const Eigen::MatrixXd thin = qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), count);
-  const Eigen::MatrixXd inverse = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>().solve(thin.transpose());
-  fit.influence = qr.colsPermutation() * inverse * weight.asDiagonal();
+  const Eigen::MatrixXd inverse = qr.R.triangularView<Eigen::Upper>().solve(qr.Q.transpose());
+  fit.influence = qr.P * inverse * weight.asDiagonal();
   fit.parameters = fit.influence * regression.measured;
   fit.residual = regression.measured - regression.design * fit.parameters;
-  fit.leverage = thin.rowwise().squaredNorm();
-  fit.condition = std::abs(qr.matrixQR()(0, 0) / qr.matrixQR()(count - 1, count - 1));
+  fit.leverage = qr.Q.rowwise().squaredNorm();
+  fit.condition = std::abs(qr.R(0, 0) / qr.R(count - 1, count - 1));
   return true;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/foundation/constants.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/identification/harmonic_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,7 +74,7 @@ Eigen::MatrixXd harmonic_columns(const Eigen::VectorXd& time, double angular_fre
 HarmonicFit harmonic_fit(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& signals) {
   HarmonicFit fit;
   const Eigen::MatrixXd normal = columns.transpose() * columns;
-  fit.unit_covariance = normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
+  fit.unit_covariance = numerics::ldlt_solution(normal, Eigen::MatrixXd(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())));
   fit.coefficients = fit.unit_covariance * (columns.transpose() * signals);
   fit.residuals = signals - columns * fit.coefficients;
   fit.coefficients += fit.unit_covariance * (columns.transpose() * fit.residuals);  // what the normal equations lost

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/identification/levenberg_marquardt.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::identification {
 namespace {
@@ -25,13 +26,13 @@ Eigen::MatrixXd jacobian(const Residuals& residuals, const Eigen::VectorXd& at, 
 Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian) {
   constexpr double without_influence = 1e-14;
   const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(normal);
+  const numerics::SymmetricEigen<Eigen::MatrixXd> eigen = numerics::symmetric_eigen(normal);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(normal.rows(), normal.cols());
-  const double largest = solver.eigenvalues().maxCoeff();
+  const double largest = eigen.values.maxCoeff();
   for (Eigen::Index i = 0; i < normal.rows(); ++i) {
-    const Eigen::VectorXd direction = solver.eigenvectors().col(i);
-    if (solver.eigenvalues()(i) > without_influence * largest) {
-      result += direction * direction.transpose() / solver.eigenvalues()(i);
+    const Eigen::VectorXd direction = eigen.vectors.col(i);
+    if (eigen.values(i) > without_influence * largest) {
+      result += direction * direction.transpose() / eigen.values(i);
       continue;
     }
     for (Eigen::Index p = 0; p < normal.rows(); ++p)
@@ -55,7 +56,7 @@ LeastSquaresMinimum least_squares_minimum(const Residuals& residuals, const Eige
     for (bool better = false; !better; damping *= 8) {
       Eigen::MatrixXd damped = normal;
       damped.diagonal() += damping * normal.diagonal().cwiseMax(floor);
-      Eigen::VectorXd change = damped.ldlt().solve(downhill);
+      Eigen::VectorXd change = numerics::ldlt_solution(damped, downhill);
       if (const double length = change.cwiseAbs().maxCoeff(); length > longest_step) change *= longest_step / length;
       const Eigen::VectorXd trial = residuals(minimum.parameters + change);
       minimum.converged = change.cwiseAbs().maxCoeff() < settled || damping > 1e12;

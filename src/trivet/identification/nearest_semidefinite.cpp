@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/identification/nearest_semidefinite.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "trivet/elements/law.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::identification {
 
@@ -39,17 +39,18 @@ SemidefiniteMatrix nearest_semidefinite(const Matrix12& stiffness, const Eigen::
   // eigenvalues.
   const Eigen::Matrix<double, 12, 6> rigid = scale.asDiagonal() * elements::rigid_motions(arm, Eigen::Matrix3d::Identity());
   const spatial::Matrix6 gram = rigid.transpose() * rigid;
-  const Matrix12 beside = Matrix12::Identity() - rigid * gram.ldlt().solve(rigid.transpose());
+  const Eigen::Matrix<double, 6, 12, Eigen::RowMajor> transposed = rigid.transpose();
+  const Matrix12 beside = Matrix12::Identity() - rigid * numerics::ldlt_solution(gram, transposed);
   const Matrix12 projected = beside * scaled * beside;
-  const Eigen::SelfAdjointEigenSolver<Matrix12> solver(0.5 * (projected + projected.transpose()));
-  const Matrix12 clipped = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
+  const numerics::SymmetricEigen<Matrix12> eigen = numerics::symmetric_eigen(Matrix12(0.5 * (projected + projected.transpose())));
+  const Matrix12 clipped = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
 
   SemidefiniteMatrix result;
   const Matrix12 unscaled = scale.asDiagonal() * clipped * scale.asDiagonal();
   const spatial::Matrix6 moved_end = unscaled.bottomRightCorner<6, 6>();
   result.stiffness = elements::from_moved_end(0.5 * (moved_end + moved_end.transpose()), arm);  // equilibrium to round-off
   result.distance = (clipped - scaled).norm() / scaled.norm();
-  result.lowest_eigenvalue = solver.eigenvalues()(0);
+  result.lowest_eigenvalue = eigen.values(0);
   return result;
 }
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "trivet/identification/load_cases.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::identification {
 namespace {
@@ -65,12 +65,12 @@ std::vector<std::string> unexcited_motions(const Eigen::MatrixXd& motions) {
 
   const Eigen::MatrixXd scaled = size.cwiseInverse().asDiagonal() * motions;
   const Eigen::MatrixXd moments = scaled * scaled.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moments);
+  const numerics::SymmetricEigen<Eigen::MatrixXd> eigen = numerics::symmetric_eigen(moments);
   Eigen::Index missing = 0;
-  while (missing < rows && solver.eigenvalues()(missing) < moved_from * moved_from * solver.eigenvalues()(rows - 1)) ++missing;
+  while (missing < rows && eigen.values(missing) < moved_from * moved_from * eigen.values(rows - 1)) ++missing;
 
   std::vector<std::string> words;
-  const Eigen::MatrixXd directions = separated(solver.eigenvectors().leftCols(missing));
+  const Eigen::MatrixXd directions = separated(eigen.vectors.leftCols(missing));
   for (Eigen::Index j = 0; j < missing; ++j) {
     Eigen::Index lead = 0;
     const Eigen::VectorXd direction = directions.col(j);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/modal/exact_roots.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::modal {
 namespace {
@@ -38,7 +39,7 @@ ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const 
     if (!is_defined(assembled, lambda.imag()) || std::abs(lambda - start) > strayed * std::abs(start)) return {start, shape, false};
     const Eigen::MatrixXcd z = scale.asDiagonal() * assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag()) * scale.asDiagonal();
     const Eigen::MatrixXcd rate = scale.asDiagonal() * slope(assembled, lambda) * scale.asDiagonal();
-    const Eigen::VectorXcd u = z.partialPivLu().solve(rate * v);
+    const Eigen::VectorXcd right = rate * v, u = numerics::lu_solution(z, right);
     const Complex share = v.dot(u);
     if (!std::isfinite(std::abs(share))) {
       root.converged = true;  // singular to the last digit: λ is a root already

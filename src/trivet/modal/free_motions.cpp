@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/modal/free_motions.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "trivet/modal/motion_words.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {
@@ -47,10 +47,10 @@ Matrix6x unresisted(const model::System& system, const assembly::Assembled& asse
   const Eigen::MatrixXd force = d.asDiagonal() * assembled.matrices.K * free_rows;
   const double scale = (d.asDiagonal() * assembled.matrices.K.cwiseAbs() * free_rows.cwiseAbs()).maxCoeff();
   if (scale > 0) resistance += (force / scale).transpose() * (force / scale);
-  const Eigen::SelfAdjointEigenSolver<spatial::Matrix6> solver(resistance);
+  const numerics::SymmetricEigen<spatial::Matrix6> eigen = numerics::symmetric_eigen(resistance);
   Eigen::Index count = 0;
-  while (count < 6 && solver.eigenvalues()(count) < 1e-20) ++count;
-  Eigen::MatrixXd rows = solver.eigenvectors().leftCols(count).transpose();
+  while (count < 6 && eigen.values(count) < 1e-20) ++count;
+  Eigen::MatrixXd rows = eigen.vectors.leftCols(count).transpose();
   Eigen::Index pivot_row = 0;
   for (Eigen::Index column = 0; column < 6 && pivot_row < count; ++column) {
     Eigen::Index best = 0;

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/numerics/linalg/massless.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {
@@ -46,7 +46,7 @@ Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const Rows& rows) {
   Eigen::MatrixXd free = stiffness(rows.body, rows.body);
   if (!rows.inner.empty()) {
     const Eigen::MatrixXd inner = stiffness(rows.inner, rows.inner), across = stiffness(rows.inner, rows.body);
-    free -= Eigen::MatrixXd(stiffness(rows.body, rows.inner)) * inner.partialPivLu().solve(across);
+    free -= Eigen::MatrixXd(stiffness(rows.body, rows.inner)) * numerics::lu_solution(inner, across);
   }
   Matrix6 six = Matrix6::Zero();
   six(rows.coordinates, rows.coordinates) = free;
@@ -67,10 +67,10 @@ RollAxes roll_axes(const model::Body& body, const Matrix6& stiffness, const Eige
   constexpr double parallel = 1e-6;  // sine of the angle from which the crossing of two lines says nothing any more
   RollAxes result;
   result.torque = torque.normalized();
-  result.torque_roll_axis = body.mass.inertia_about_centre.partialPivLu().solve(result.torque).normalized();
+  result.torque_roll_axis = numerics::lu_solution(body.mass.inertia_about_centre, result.torque).normalized();
   Vector6 moment = Vector6::Zero();
   moment.tail<3>() = result.torque;
-  const Vector6 motion = stiffness.partialPivLu().solve(moment);
+  const Vector6 motion = numerics::lu_solution(stiffness, moment);
   result.elastic_roll_axis = spatial::screw({motion.head<3>(), motion.tail<3>()}, body_size(body), body.mass.centre);
   result.torsional_stiffness = 1 / result.torque.dot(motion.tail<3>());
   const spatial::Screw& elastic = result.elastic_roll_axis;

@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "trivet/model/checks.h"
-
-#include <Eigen/LU>
+#include "trivet/numerics/linalg/complete_pivoting.h"
 
 namespace trivet::model {
 namespace {
@@ -22,7 +21,7 @@ bool has_regular_mass(const Body& body) {
     if (block(i, i) == 0) return false;
   const Eigen::VectorXd d = block.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   block = (d.asDiagonal() * block * d.asDiagonal()).eval();
-  return Eigen::FullPivLU<Eigen::MatrixXd>(block).setThreshold(1e-13).isInvertible();
+  return numerics::is_regular(block, 1e-13);
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/plausibility/body_picture.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::plausibility {
@@ -31,11 +31,11 @@ bool is_typed(const model::Element& element) {
 }
 
 Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& a) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(0.5 * (a + a.transpose())));
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  const Eigen::Vector3d inverse = solver.eigenvalues().unaryExpr([&](double x) { return std::abs(x) > hardly_held * largest
+  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen = numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (a + a.transpose())));
+  const double largest = eigen.values.cwiseAbs().maxCoeff();
+  const Eigen::Vector3d inverse = eigen.values.unaryExpr([&](double x) { return std::abs(x) > hardly_held * largest
       ? 1 / x : 0.0; });
-  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+  return eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
 }
 
 Attachment attachment(const model::Element& element, std::size_t index, bool at_k) {
@@ -100,11 +100,10 @@ spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d&
 
 /// Positive eigenvalues of K φ = λ M φ, held directions only.
 std::vector<double> held_eigenvalues(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(0.5 * (k + k.transpose())), m,
-      Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd eigenvalues = numerics::symmetric_eigenvalues(Eigen::MatrixXd(0.5 * (k + k.transpose())), m);
   std::vector<double> held;
-  for (const double lambda : solver.eigenvalues())
-    if (lambda > hardly_held * solver.eigenvalues().maxCoeff()) held.push_back(lambda);
+  for (const double lambda : eigenvalues)
+    if (lambda > hardly_held * eigenvalues.maxCoeff()) held.push_back(lambda);
   return held;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 
+#include "trivet/numerics/linalg/complete_pivoting.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/body_picture.h"
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -52,23 +53,22 @@ std::vector<std::string> overturning_notes(const model::System& system) {
   for (const BodyPicture& picture : pictures(system, {}, {})) {
     if (!is_alone(system, picture)) continue;
     const spatial::Matrix6 k = stiffness_about_centre(picture);
-    const Eigen::FullPivLU<spatial::Matrix6> factors(k);
-    if (!k.allFinite() || !factors.isInvertible()) continue;
+    if (!k.allFinite() || !numerics::is_regular(k)) continue;
     const Eigen::Vector3d down = system.bodies()[picture.body].pose.rotation.transpose() * *gravity;
     spatial::Vector6 weight = spatial::Vector6::Zero();
     weight.head<3>() = picture.mass.mass * down;
     Matrix32 horizontal;  // axes of tilting
     horizontal.col(0) = down.unitOrthogonal();
     horizontal.col(1) = down.normalized().cross(horizontal.col(0));
-    const Eigen::Matrix3d condensed = k.bottomRightCorner<3, 3>() - k.bottomLeftCorner<3, 3>() * k.topLeftCorner<3, 3>().inverse() * k.topRightCorner<3, 3>();
+    const Eigen::Matrix3d condensed = k.bottomRightCorner<3, 3>() - k.bottomLeftCorner<3, 3>() * numerics::inverse(Eigen::Matrix3d(k.topLeftCorner<3, 3>())) * k.topRightCorner<3, 3>();
     const Eigen::Matrix2d held = horizontal.transpose() * condensed * horizontal,
-                          taken = -(horizontal.transpose() * geometric_stiffness(picture, factors.solve(weight)) * horizontal);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> alone(held);
-    if (!(alone.eigenvalues()(0) > unheld * alone.eigenvalues()(1))) continue;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> both(taken, held);
-    const double share = both.eigenvalues()(1);
+                          taken = -(horizontal.transpose() * geometric_stiffness(picture, numerics::completely_pivoted_solution(k, weight)) * horizontal);
+    const Eigen::Vector2d alone = numerics::symmetric_eigen(held).values;
+    if (!(alone(0) > unheld * alone(1))) continue;
+    const numerics::SymmetricEigen<Eigen::Matrix2d> both = numerics::symmetric_eigen(taken, held);
+    const double share = both.values(1);
     if (!(share > worth_a_word)) continue;
-    const Eigen::Vector2d axis = both.eigenvectors().col(1).normalized();
+    const Eigen::Vector2d axis = both.vectors.col(1).normalized();
     notes.push_back(fmt::format(
         "body {}: tilted by an angle, its weight turns it on by {:.4g} N m/rad, its mounts hold it by {:.4g} N m/rad: {}. Elements without preload have no "
         "geometric stiffness, so natural frequencies of tilting {}",

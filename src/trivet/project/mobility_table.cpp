@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,6 +11,8 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/mobility_causality.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/stiffness_column.h"
 #include "trivet/project/text/csv_table.h"
@@ -38,7 +39,7 @@ struct MobilityTable {
   }
 
   [[nodiscard]] elements::Matrix12c stiffness(std::complex<double> omega, double near) const {
-    const Eigen::MatrixXcd inverse = at(omega, near).inverse();
+    const Eigen::MatrixXcd inverse = numerics::inverse(at(omega, near));
     elements::Matrix12c full = elements::Matrix12c::Zero();
     for (std::size_t a = 0; a < directions.size(); ++a)
       for (std::size_t b = 0; b < directions.size(); ++b) {

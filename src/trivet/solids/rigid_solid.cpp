@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <set>
 
@@ -75,7 +75,7 @@ void check_part(const Part& part, Problems& problems) {
     problems.error("density", std::isnan(part.density) ? "not given" : fmt::format("{:.6g} kg/m³", part.density), "a density must be > 0",
                    "give it as in density = \"7850 kg/m^3\"");
   const Eigen::Matrix3d& r = part.pose.rotation;
-  if (!((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= orthonormal) || !(r.determinant() > 0))
+  if (!((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= orthonormal) || !(r.col(0).cross(r.col(1)).dot(r.col(2)) > 0))
     problems.error("orientation", "is no rotation", "its three axes must be orthonormal and right-handed", "give it by axis and angle");
   if (!part.pose.position.allFinite()) problems.error("position", "is not finite", "a position is three finite lengths", "give it as lengths with their unit");
 }

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::spatial {
@@ -31,8 +31,8 @@ Matrix6 mass_matrix(const MassProperties& p) {
 }
 
 PrincipalInertia principal_inertia(const MassProperties& p) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.inertia_about_centre);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen = numerics::symmetric_eigen(p.inertia_about_centre);
+  return {eigen.values, eigen.vectors};
 }
 
 std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
@@ -57,11 +57,11 @@ std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
   const std::string found =
       fmt::format("principal moments about the centre of mass = {:.6g}, {:.6g}, {:.6g} kg m²", moments(0), moments(1), moments(2));
   if (moments(0) <= rounding) {
-    const Eigen::SelfAdjointEigenSolver<Matrix6> mass(mass_matrix(p), Eigen::EigenvaluesOnly);
-    const auto negative = (mass.eigenvalues().array() < 0).count();
+    const Vector6 mass = numerics::symmetric_eigenvalues(mass_matrix(p));
+    const auto negative = (mass.array() < 0).count();
     broken.push_back({found, fmt::format("all three must be > 0, or some motion has negative kinetic energy (the 6×6 mass matrix has {} positive and "
                                          "{} negative eigenvalues, the lowest {:.6g})",
-                                         6 - negative, negative, mass.eigenvalues()(0))});
+                                         6 - negative, negative, mass(0))});
   }
   if (moments(0) + moments(1) < moments(2) - rounding)
     broken.push_back({found, fmt::format("no moment may exceed the sum of the other two (triangle inequality); it does by {:.6g} kg m²",

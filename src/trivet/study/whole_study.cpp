@@ -10,6 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/study/element_summary.h"
 
@@ -63,7 +64,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
     lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
     if (!body.has_inertia) continue;
     const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
-    const Eigen::VectorXd a = numerics::symmetric_eigenvalues(spatial::mass_matrix(body.mass));
+    const Eigen::VectorXd a = numerics::symmetric_eigenvalues(Eigen::MatrixXd(spatial::mass_matrix(body.mass)));
     lines.push_back({subject, "principal central moments are those of a real body", fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
                      spatial::broken_bounds(body.mass).empty()});
     lines.push_back({subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});

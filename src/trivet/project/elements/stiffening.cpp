@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <Eigen/LU>
-
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/project/elements/element_parts.h"
 
 namespace trivet::project {
@@ -13,7 +12,7 @@ LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element
   if (!length || !given || given->number == 1) return length;
   const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions({0, 0, *length}, Eigen::Matrix3d::Identity());
   const elements::Matrix6 metric = rigid.transpose() * rigid;
-  const elements::Matrix12 deformation = elements::Matrix12::Identity() - rigid * metric.inverse() * rigid.transpose();
+  const elements::Matrix12 deformation = elements::Matrix12::Identity() - rigid * numerics::inverse(metric) * rigid.transpose();
   const elements::Matrix12 at_rest = element.law.nominal_stiffness;
   element.law.nominal_stiffness += (given->number - 1) * deformation.transpose() * at_rest * deformation;
   if (element.evidence) element.evidence->uncertainty *= given->number;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/sensitivity/peak_shares.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <array>
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
+#include "trivet/numerics/linalg/orthogonal.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/steady/body_dynamics.h"
 #include "trivet/response/steady/element_directions.h"
 
@@ -43,7 +43,9 @@ VectorXcd with_inner(const assembly::Assembled& assembled, const VectorXcd& know
   all.head(n) = known;
   if (rest == 0) return all;
   const MatrixXcd z = assembled.matrices.at(omega);
-  all.tail(rest) = -z.bottomRightCorner(rest, rest).partialPivLu().solve(z.bottomLeftCorner(rest, n) * known);
+  const MatrixXcd inner = z.bottomRightCorner(rest, rest);
+  const VectorXcd load = z.bottomLeftCorner(rest, n) * known;
+  all.tail(rest) = -numerics::lu_solution(inner, load);
   return all;
 }
 
@@ -57,7 +59,7 @@ void share_among_modes(const assembly::Assembled& assembled, const Dynamics& dyn
   const Eigen::VectorXd weight = unit(modes.massive);
   const Eigen::MatrixXd basis = weight.asDiagonal() * Eigen::MatrixXd(modes.shapes(modes.massive, Eigen::all));
   const VectorXcd wanted = weight.asDiagonal() * VectorXcd(all(modes.massive));
-  const VectorXcd amplitude = basis.cast<Complex>().completeOrthogonalDecomposition().solve(wanted);
+  const VectorXcd amplitude = numerics::smallest_solution(basis.cast<Complex>(), wanted);
   result.beyond_modes = 1;
   for (Eigen::Index k = 0; k < amplitude.size(); ++k) {
     const VectorXcd shape = modes.shapes.col(k).head(q.size()).cast<Complex>();
@@ -89,7 +91,7 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
     result.stored = 0.25 * form(ends, d.real());
     result.dissipated = 0.5 * omega * ends.dot(d * ends).imag();
     // Its stiffness in vibration, seen at the same centre.
-    const Eigen::Matrix<double, 6, 6> from_centre = directions.deformation.rightCols<6>().inverse();
+    const Eigen::Matrix<double, 6, 6> from_centre = numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));
     directions.stiffness = from_centre.transpose() * d.bottomRightCorner<6, 6>().real() * from_centre;
   } else {
     VectorXcd all = map.coordinates(q);
@@ -128,7 +130,7 @@ double system_damping_power(const model::System& system, const assembly::Assembl
   VectorXcd beyond = q;
   if (ground.size() > 0) {
     const VectorXcd brought = (assembled.ground.B - plain.ground.B).topRows(n) * ground;
-    beyond += own.cast<Complex>().completeOrthogonalDecomposition().solve(brought);
+    beyond += numerics::smallest_solution(own.cast<Complex>(), brought);
   }
   return 0.5 * omega * omega * form(beyond, own);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/steady/body_dynamics.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::response {
 namespace {
@@ -14,11 +14,12 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
+using Factors = numerics::PivotedLu<Complex>;
 
 /// X of Z_ii X = −Z_ib with derivatives: how inner coordinates follow, Z_i· R = 0 for R = [I; X].
 Jet<MatrixXcd> follow(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
-  const Eigen::PartialPivLU<MatrixXcd> lu(z[0].bottomRightCorner(inner, inner));
+  const Factors lu(z[0].bottomRightCorner(inner, inner));
   const auto rows = [&](int k) { return z[static_cast<std::size_t>(k)].bottomRows(inner); };
   Jet<MatrixXcd> result;
   for (MatrixXcd& r : result) r = MatrixXcd::Zero(z[0].rows(), kept);
@@ -36,10 +37,11 @@ auto product(const Jet<A>& a, const Jet<B>& b) {
 }
 
 /// Z x = b with derivatives.
-Jet<VectorXcd> solution(const Eigen::PartialPivLU<MatrixXcd>& lu, const Jet<MatrixXcd>& z, const Jet<VectorXcd>& b) {
+Jet<VectorXcd> solution(const Factors& lu, const Jet<MatrixXcd>& z, const Jet<VectorXcd>& b) {
   const auto solve = [&](const VectorXcd& right) {
     VectorXcd x = lu.solve(right);
-    x += lu.solve(right - z[0] * x);
+    const VectorXcd reached = z[0] * x;
+    x += lu.solve(VectorXcd(right - reached));
     return x;
   };
   return numerics::solution_jet<double>(solve, z, b);
@@ -63,9 +65,9 @@ Dynamics scaled(const Dynamics& given, const Eigen::VectorXd& d) {
   return result;
 }
 
-Eigen::PartialPivLU<MatrixXcd> factors(const MatrixXcd& z) {
-  const Eigen::PartialPivLU<MatrixXcd> lu(z);
-  if (!(lu.rcond() > 4 * std::numeric_limits<double>::epsilon()))
+Factors factors(const MatrixXcd& z) {
+  const Factors lu(z);
+  if (!(lu.reciprocal_condition() > 4 * std::numeric_limits<double>::epsilon()))
     throw foundation::NotComputable("the dynamic stiffness is singular here: an undamped resonance or a free motion");
   return lu;
 }
@@ -167,7 +169,7 @@ Dynamics body_dynamics(const Dynamics& all, Eigen::Index kept) {
     inner_channel[k] = all.channel[k].tail(inner);
   }
   // Inner coordinates that a load moves by themselves while the bodies stand.
-  const Jet<Complex> direct = numerics::dot<double>(inner_channel, solution(inner_stiffness[0].partialPivLu(), inner_stiffness, inner_load));
+  const Jet<Complex> direct = numerics::dot<double>(inner_channel, solution(Factors(inner_stiffness[0]), inner_stiffness, inner_load));
   const auto channel = product(row, right);
   Dynamics result;
   result.stiffness = product(upper, right);

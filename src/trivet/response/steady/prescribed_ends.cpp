@@ -2,9 +2,10 @@
 #include "trivet/response/steady/prescribed_ends.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "trivet/numerics/linalg/orthogonal.h"
 
 namespace trivet::response {
 namespace {
@@ -17,7 +18,7 @@ using Matrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 Matrix beyond(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
   const Matrix s = shape.cast<Extended>();
   const Matrix gram = s.transpose() * s;
-  return Matrix::Identity(6, 6) - s * gram.colPivHouseholderQr().solve(Matrix(s.transpose()));
+  return Matrix::Identity(6, 6) - s * numerics::pivoted_qr_solution(gram, s.transpose());
 }
 
 }  // namespace

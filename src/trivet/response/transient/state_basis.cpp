@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/transient/state_basis.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,8 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::response {
 namespace {
@@ -31,15 +31,15 @@ void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::
   const auto count = static_cast<Eigen::Index>(rows.size());
   basis.lagging = count;
   if (!held.isApprox(held.transpose(), 1e-12) && !held.isZero(0)) return;  // unsymmetric: must be regular
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held);
-  const double none = 64 * static_cast<double>(count) * epsilon * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  const numerics::SymmetricEigen<Eigen::MatrixXd> eigen = numerics::symmetric_eigen(held);
+  const double none = 64 * static_cast<double>(count) * epsilon * eigen.values.cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> lagging, following;
-  for (Eigen::Index i = 0; i < count; ++i) (std::abs(eigen.eigenvalues()(i)) > none ? lagging : following).push_back(i);
+  for (Eigen::Index i = 0; i < count; ++i) (std::abs(eigen.values(i)) > none ? lagging : following).push_back(i);
   if (following.empty()) return;
   basis.lagging = static_cast<Eigen::Index>(lagging.size());
   basis.following = static_cast<Eigen::Index>(following.size());
   lagging.insert(lagging.end(), following.begin(), following.end());
-  R = (R * eigen.eigenvectors()(Eigen::all, lagging)).eval();
+  R = (R * eigen.vectors(Eigen::all, lagging)).eval();
 }
 
 /// Modes of the massive coordinates, if there are as many real ones as coordinates.
@@ -96,16 +96,16 @@ StateBasis state_basis(const numerics::DynamicMatrices& m) {
   } else {
     basis.speed = Eigen::VectorXd::Constant(count, std::sqrt(std::max(basis.K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min())));
   }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> inertia(basis.A);
-  if (count > 0 && inertia.rcond() < epsilon)
+  const numerics::PivotedLu<double> inertia(basis.A);
+  if (count > 0 && inertia.reciprocal_condition() < epsilon)
     throw foundation::NotComputable("the mass matrix of the moving coordinates is singular: some motion has no inertia");
   basis.from_coordinates.resize(n, n);
-  basis.from_coordinates.topRows(count) = inertia.solve(P.transpose() * m.A);
+  basis.from_coordinates.topRows(count) = inertia.solve(Eigen::MatrixXd(P.transpose() * m.A));
   if (!massless.empty()) {
     const Eigen::MatrixXd own = R(massless, Eigen::all), ridden = P(massless, Eigen::all);
     Eigen::MatrixXd rest = -ridden * basis.from_coordinates.topRows(count);
     for (std::size_t i = 0; i < massless.size(); ++i) rest(static_cast<Eigen::Index>(i), massless[i]) += 1;
-    basis.from_coordinates.bottomRows(n - count) = own.partialPivLu().solve(rest);
+    basis.from_coordinates.bottomRows(n - count) = numerics::lu_solution(own, rest);
   }
   return basis;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/transient/state_space.h"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/transient/state_basis.h"
 
 namespace trivet::response {
@@ -17,9 +17,9 @@ LinearRows operator*(const Eigen::MatrixXd& m, const LinearRows& a) { return {m 
 LinearRows solved(const Eigen::MatrixXd& matrix, const LinearRows& right, const char* otherwise) {
   constexpr double smallest_condition = 1e-14;
   if (matrix.rows() == 0) return right;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
-  if (!(lu.rcond() > smallest_condition)) throw foundation::NotComputable(otherwise);
-  return {lu.solve(right.on_state), right.on_input.cols() > 0 ? Eigen::MatrixXd(lu.solve(right.on_input)) : right.on_input};
+  const numerics::PivotedLu<double> lu(matrix);
+  if (!(lu.reciprocal_condition() > smallest_condition)) throw foundation::NotComputable(otherwise);
+  return {lu.solve(right.on_state), right.on_input.cols() > 0 ? lu.solve(right.on_input) : right.on_input};
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,6 +12,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/general_eigen.h"
 
 namespace trivet::response {
 namespace {
@@ -93,7 +93,8 @@ std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vecto
     if (courses[c].count() > 0) add([&](const StateMode& mode) { return ringing(mode, c, courses[c].smoothness()); });
   if (initial.size() > 0) add([&](const StateMode& mode) { return std::pow(initial(mode.place), 2) + std::pow(initial(mode.place + space.massive()), 2); });
   if (!space.modes().empty()) return result;
-  for (const std::complex<double>& lambda : space.F().eigenvalues())
+  const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(space.F()).values;
+  for (const std::complex<double>& lambda : eigenvalues)
     if (lambda.imag() > 1e-8 * std::abs(lambda)) result.push_back({lambda.imag(), 1});
   return result;
 }

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "trivet/assembly/answer_coordinates.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/response/transient/time_grid.h"
 #include "trivet/response/transient/transient_extremes.h"
 #include "trivet/response/transient/transient_record.h"
@@ -95,7 +95,8 @@ void go_to_first_point(TransientWalk& walk, const StateSpace& space, const assem
 void warn_of_growth(const StateSpace& space, double duration, foundation::Problems& warnings) {
   constexpr double visible = 1e-3;
   double growth = 0;
-  for (const std::complex<double>& lambda : space.F().eigenvalues()) growth = std::max(growth, lambda.real());
+  const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(space.F()).values;
+  for (const std::complex<double>& lambda : eigenvalues) growth = std::max(growth, lambda.real());
   if (growth * duration <= visible) return;
   warnings.warning("transient", fmt::format("a motion grows by itself and doubles every {:.4g} s", std::log(2.0) / growth),
                    "the system is unstable about its position of rest; the answers are those of the linear equations",
@@ -173,9 +174,11 @@ InitialState initial_state(const assembly::Assembled& assembled, const Eigen::Ve
   if (others == 0) return state;
   const Eigen::VectorXd d = numerics::unit_scale(assembled.matrices).tail(others);
   const Eigen::MatrixXd& K = assembled.matrices.K;
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> held(d.asDiagonal() * K.bottomRightCorner(others, others) * d.asDiagonal());
-  for (Eigen::VectorXd* each : {&state.displacement, &state.velocity})
-    each->tail(others) = -(d.asDiagonal() * held.solve(d.asDiagonal() * (K.bottomLeftCorner(others, bodies) * each->head(bodies)))).eval();
+  const Eigen::MatrixXd held = d.asDiagonal() * K.bottomRightCorner(others, others) * d.asDiagonal();
+  for (Eigen::VectorXd* each : {&state.displacement, &state.velocity}) {
+    const Eigen::VectorXd load = d.asDiagonal() * (K.bottomLeftCorner(others, bodies) * each->head(bodies));
+    each->tail(others) = -(d.asDiagonal() * numerics::smallest_solution(held, load)).eval();
+  }
   return state;
 }
 
