@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds every #include to the arrows between floors, and between the rooms of a floor, that CMake declares; a header that its
-floor calls private is included by no other floor."""
+floor calls private is included by no other floor. Decompositions of Eigen are compiled in numerics/linalg alone."""
 import pathlib
 import re
 import sys
@@ -17,6 +17,13 @@ for line in floors_file.read_text().splitlines():
         private |= {f"{rest}/{header}" for header in listed.split()}
     else:
         floors[name] = listed.split()
+
+# A second or two of every file that includes one (docs/decisions/rooms-and-a-quick-build.md).
+decompositions = {"Cholesky", "Dense", "Eigen", "Eigenvalues", "LU", "QR", "SVD"}
+may_decompose = {
+    "fem/element_kernel.cpp": {"LU"},  # inverses of 3×3 and 4×4 in the innermost loop
+    "fem/partial_elimination.cpp": {"Cholesky"},  # blocks of the elimination that all else waits for, optimised with sanitizers too
+}
 
 
 def below(floor):
@@ -44,6 +51,9 @@ for path in sorted((source / "trivet").rglob("*")):
         continue
     allowed = rooms.get(room)  # none beside the rooms: all of them
     for number, line in enumerate(path.read_text().splitlines(), 1):
+        eigen = re.match(r"\s*#\s*include\s*[<\"](?:eigen3/)?Eigen/(\w+)", line)
+        if eigen and eigen.group(1) in decompositions and room != "numerics/linalg" and eigen.group(1) not in may_decompose.get(name, ()):
+            wrong.append(f"{path}:{number}: Eigen/{eigen.group(1)} is for numerics/linalg alone, whose functions stand for it")
         found = re.match(r'\s*#\s*include\s*[<"]trivet/([^">]+\.h)', line)
         if not found:
             continue
