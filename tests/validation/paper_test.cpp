@@ -8,7 +8,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
-#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/project.h"
 #include "trivet/response/steady/frequency_response.h"
 
