@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_floor(NAME [OPTIMIZED|OPTIMIZED_UNLESS_DEBUG] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
+# add_floor(NAME [OPTIMIZED|OPTIMIZED_UNLESS_DEBUG|WORDS] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
 # All .cpp files of the folder are its sources; all headers are public and installed, but for kernels (-inl.h) and those that its
 # CMakeLists.txt names private. The arrows between floors and between the rooms of a floor, and the private headers, are
 # written to floors.txt for the test that holds all #include lines to them.
@@ -10,17 +10,34 @@ set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-s
   # False alarm of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-psabi>)
 
-# One precompiled header for all floors but those that are OPTIMIZED (compiled with -O3): GCC keeps options of optimisation with it.
+# One precompiled header for all floors but those that are OPTIMIZED (compiled with -O3): options of optimisation belong to it. With
+# sanitizers, floors of WORDS (reading, writing) are not optimised, and have another.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
-add_library(trivet_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-set_target_properties(trivet_precompiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
-target_compile_features(trivet_precompiled PRIVATE cxx_std_20)
-target_compile_options(trivet_precompiled PRIVATE ${TRIVET_WARNINGS})
-target_link_libraries(trivet_precompiled PRIVATE Eigen3::Eigen fmt::fmt tl::expected)
-target_precompile_headers(trivet_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+function(add_precompiled name)
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_compile_options(${name} PRIVATE ${TRIVET_WARNINGS} ${ARGN})
+  target_link_libraries(${name} PRIVATE Eigen3::Eigen fmt::fmt tl::expected)
+  target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+endfunction()
+add_precompiled(trivet_precompiled)
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  add_precompiled(trivet_precompiled_words -O0)
+endif()
+
+# The precompiled header and the options of a target that only reads and writes.
+function(compile_words target)
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(${target} PRIVATE -O0)
+    target_precompile_headers(${target} REUSE_FROM trivet_precompiled_words)
+  else()
+    target_precompile_headers(${target} REUSE_FROM trivet_precompiled)
+  endif()
+endfunction()
 
 function(add_floor name)
-  cmake_parse_arguments(FLOOR "OPTIMIZED;OPTIMIZED_UNLESS_DEBUG" "" "USES" ${ARGN})
+  cmake_parse_arguments(FLOOR "OPTIMIZED;OPTIMIZED_UNLESS_DEBUG;WORDS" "" "USES" ${ARGN})
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
@@ -31,6 +48,8 @@ function(add_floor name)
     # Finite elements would take minutes with sanitizers otherwise; kernels in lanes would take as long to compile.
     target_compile_options(trivet_${name} PRIVATE $<$<OR:$<BOOL:${FLOOR_OPTIMIZED}>,$<NOT:$<CONFIG:Debug>>>:-O3>)
     target_precompile_headers(trivet_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+  elseif(FLOOR_WORDS)
+    compile_words(trivet_${name})
   else()
     target_precompile_headers(trivet_${name} REUSE_FROM trivet_precompiled)
   endif()
