@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/signals.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/problems.h"
 #include "trivet/foundation/version.h"
 #include "trivet/project/schema.h"
 #include "trivet/project/text/embedded_text.h"
@@ -59,6 +60,14 @@ void add_picture(CLI::App& command, const std::string& drawn, Options& options) 
     return std::filesystem::path(path).extension() == ".svg" ? std::string() : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
   };
   command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
+}
+
+/// A word in the place of a command that is none.
+void refuse_command(CLI::App& app, const std::string& word) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  const std::string guess = trivet::foundation::nearest_name(word, commands);
+  trivet::cli::write_error("error: " + trivet::foundation::quoted(word) + " is no command; " + (guess.empty() ? "trivet --help lists them" : "did you mean \"" + guess + "\"?") + "\n");
 }
 
 /// Help and version as they are; of a wrong command line, what the user typed as printable text.
@@ -124,6 +133,10 @@ int main(int argc, char** argv) {
   app.add_subcommand("schema", "the JSON Schema of the project file");
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (!app.get_subcommands().empty() || argc < 2 || argv[1][0] == '-') return said_by_parser(app, error);
+    refuse_command(app, argv[1]);
+    return trivet::cli::wrong_input;
   } catch (const CLI::ParseError& error) {
     return said_by_parser(app, error);
   }

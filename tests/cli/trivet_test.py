@@ -139,6 +139,13 @@ class Contract(InTemporaryFolder):
         self.assertEqual(verdict["problems"][0]["severity"], "error")
         self.assertGreater(verdict["problems"][0]["line"], 0)
 
+    def test_a_word_that_is_no_command_is_named(self):
+        run = trivet("modess", PAPER)
+        self.assertEqual((run.returncode, run.stderr), (2, 'error: "modess" is no command; did you mean "modes"?\n'))
+        none = trivet()
+        self.assertEqual(none.returncode, 2)
+        self.assertIn("subcommand is required", none.stderr)
+
     def test_schema_holds_for_examples_and_catches_a_typing_error(self):
         import jsonschema
         schema = json.loads(trivet("schema").stdout)

@@ -12,9 +12,9 @@ using namespace trivet;
 
 TEST(QuestionTables, WriteEveryAnswerThatCanBeAskedFor) {
   std::vector<std::string> written;
-  for (const results::AnswerWriter* writer : results::answer_writers()) {
-    written.emplace_back(writer->name);
-    EXPECT_FALSE(writer->tables.empty()) << writer->name << " has no table for --csv";
+  for (const results::AnswerWriter& writer : results::answer_writers()) {
+    written.emplace_back(writer.name);
+    EXPECT_FALSE(writer.tables.empty()) << writer.name << " has no table for --csv";
   }
   for (const study::AskedQuestion& question : study::asked_questions()) {
     EXPECT_THAT(written, testing::Contains(question.name));
@@ -30,7 +30,7 @@ const std::vector<std::string> table = {TRIVET_QUESTIONS(TRIVET_NAME)};
 template <typename Rows>
 std::vector<std::string> names(const Rows& rows) {
   std::vector<std::string> result;
-  for (const auto* row : rows) result.emplace_back(row->name);
+  for (const auto& row : rows) result.emplace_back(row.name);
   return result;
 }
 
@@ -39,8 +39,8 @@ TEST(QuestionTables, ReadAnswerAndWriteEachQuestionUnderItsNameInTheTable) {
   EXPECT_EQ(names(study::question_answers()), table);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto& writers = results::answer_writers();
-    EXPECT_TRUE(std::any_of(writers.begin(), writers.end(), [&](const auto* writer) { return writer->name == table[i] && !writer->has_answer; })) << table[i];
-    EXPECT_NE(study::question_answers()[i]->by_default(), nullptr);
+    EXPECT_TRUE(std::any_of(writers.begin(), writers.end(), [&](const results::AnswerWriter& writer) { return writer.name == table[i] && !writer.has_answer; })) << table[i];
+    EXPECT_NE(study::question_answers()[i].by_default(), nullptr);
   }
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file of tests/samples, at least one per element type, is read without an error and keeps its element.
+// Every file of tests/samples, at least one per element law, is read without an error and keeps its element.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
+#include "trivet/project/elements/element_law.h"
 #include "trivet/project/project.h"
 
 namespace {
@@ -31,6 +35,18 @@ std::vector<fs::path> files() {
     if (entry.path().extension() == ".toml") all.push_back(entry.path());
   std::sort(all.begin(), all.end());
   return all;
+}
+
+TEST(SampleProjects, HoldEveryElementLaw) {
+  std::string all;
+  for (const fs::path& file : files()) {
+    std::ifstream text(file);
+    all.append(std::istreambuf_iterator<char>(text), {});
+  }
+  for (const project::ElementLaw* law : project::element_laws()) {
+    const std::string type = law->type;
+    EXPECT_THAT(all, testing::HasSubstr("type = \"" + type.substr(0, type.find(':')))) << "tests/samples has none";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, SampleProject, testing::ValuesIn(files()), [](const auto& info) { return info.param.stem().string(); });

@@ -30,13 +30,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string place(const Origin& origin) { return origin.line > 0 ? origin.source + ":" + std::to_string(origin.line) : origin.source; }
+
 std::string message(const Problem& problem) {
   std::string text;
-  if (!problem.origin.source.empty()) {
-    text += problem.origin.source;
-    if (problem.origin.line > 0) text += ":" + std::to_string(problem.origin.line);
-    text += ": ";
-  }
+  if (!problem.origin.source.empty()) text += place(problem.origin) + ": ";
   text += problem.severity == Severity::error ? "error: " : "warning: ";
   text += problem.subject;
   if (!problem.finding.empty()) text += (problem.subject.empty() ? "" : ": ") + problem.finding;

@@ -15,6 +15,9 @@ struct Origin {
   int column = 0;
 };
 
+/// "genset.toml:12"; the file alone where the line is unknown.
+[[nodiscard]] std::string place(const Origin& origin);
+
 enum class Severity { error, warning };
 
 /// One thing wrong with data from outside.

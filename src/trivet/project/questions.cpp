@@ -47,7 +47,7 @@ bool is_wanted(const std::string& question, const Questions& questions, const st
   if (std::find(wanted.begin(), wanted.end(), question) != wanted.end()) return true;
   const bool known =
       std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
-      std::any_of(question_readers().begin(), question_readers().end(), [&](const auto* one) { return one->name == question; });
+      std::any_of(question_readers().begin(), question_readers().end(), [&](const QuestionReader& one) { return one.name == question; });
   // A misspelt name may be any question, so that it matters to each of them.
   return !known && !is_outside_analysis(question) && !wanted.empty();
 }
@@ -69,8 +69,8 @@ class Asking {
     };
     of_wanted(a.response, harmonic);
     of_wanted(a.peaks, harmonic);
-    for (const QuestionReader* reader : question_readers())
-      if (const Question* question = a.find<Question>(reader->name)) of_question(*question, reader->drive);
+    for (const QuestionReader& reader : question_readers())
+      if (const Question* question = a.find<Question>(reader.name)) of_question(*question, reader.drive);
     if (a.static_of)
       for (const model::ConstantForce& force : variant_.system.description().constant_forces)
         asked_.excitations.insert(force.name);

@@ -2,6 +2,7 @@
 #include "trivet/project/schema.h"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "trivet/project/analyses/question_reader.h"
@@ -14,6 +15,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json reference(const char* name) { return {{"$ref", std::string("#/$defs/") + name}}; }
+
+Json parsed(const char* of, const char* keys) {
+  try {
+    return Json::parse(keys);
+  } catch (const Json::parse_error& wrong) {
+    throw std::logic_error(std::string("the schema of ") + of + ": " + wrong.what());
+  }
+}
 
 /// An object that has these keys and no others.
 Json closed(Json own, const Json& shared, const std::vector<std::string>& required) {
@@ -47,14 +56,14 @@ void add_element_laws(Json& definitions) {
     keys["type"] = type_of(*law);
     keys["from_at"] = reference(law->sized ? "element_from_at_of_length" : "element_from_at");
     if (law->placed) keys["from_orientation"] = reference("element_from_orientation");
-    const Json variants = Json::parse(law->keys);
+    const Json variants = parsed(law->type, law->keys);
     for (const Json& own : variants.is_array() ? variants : Json::array({variants})) elements.push_back(closed(own, keys, {"type", "on", "at"}));
   }
 }
 
 void add_questions(Json& analyses) {
-  for (const QuestionReader* question : question_readers())
-    analyses[question->name] = closed(Json::parse(question->keys), {{"accept", reference("accept")}}, {});
+  for (const QuestionReader& question : question_readers())
+    analyses[question.name] = closed(parsed(question.name, question.keys), {{"accept", reference("accept")}}, {});
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
     if (band) stated.windows.push_back({"analyses." + question + ".band", band->from, band->to});
   };
   if (asked.response) add("response", asked.response->band);
-  for (const QuestionReader* reader : question_readers())
-    if (const auto* question = asked.find<BandQuestion>(reader->name)) add(reader->name, question->band);
+  for (const QuestionReader& reader : question_readers())
+    if (const auto* question = asked.find<BandQuestion>(reader.name)) add(reader.name, question->band);
   const assembly::Quantity quantity = asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
   for (const Limit& limit : asked.limits)
     if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)

@@ -23,7 +23,7 @@ struct CsvWriter {
 
 /// How the answer to one question is written. Each is defined in NAME_results.cpp.
 struct AnswerWriter {
-  const char* name;   ///< of the question in [analyses], of its command, and its key in results.json
+  const char* name = nullptr;  ///< of the question in [analyses], of its command, and its key in results.json; given by answer_writers()
   /// None: where `answers` has one of this name, as of all questions of project/analyses/question_table.h.
   bool (*has_answer)(const project::Case& variant, const study::Answers& answers) = nullptr;
   json::Json (*json)(const project::Case& variant, const study::Answers& answers);
@@ -41,8 +41,8 @@ extern const AnswerWriter modes_results, roots_results, response_results, peaks_
 TRIVET_QUESTIONS(TRIVET_WRITER)
 #undef TRIVET_WRITER
 
-/// All of them, in the order of the result file.
-[[nodiscard]] const std::vector<const AnswerWriter*>& answer_writers();
+/// All of them by their names, in the order of the result file.
+[[nodiscard]] const std::vector<AnswerWriter>& answer_writers();
 
 [[nodiscard]] inline double hertz(double omega) { return omega / foundation::two_pi; }
 [[nodiscard]] inline std::string mode_words(const std::optional<int>& mode) { return mode ? std::to_string(*mode) : "–"; }

@@ -34,19 +34,25 @@ namespace {
 
 /// The command `map` writes a map by its own options; here it is one of the answers of a run.
 const AnswerWriter map_results = {
-    .name = "map",
     .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.map.has_value(); },
     .json = [](const project::Case&, const study::Answers& answers) { return json::design_map(*answers.map); },
     .tables = {{"map.csv", [](const project::Case&, const study::Answers& answers) { return map_csv(*answers.map); }}},
     .text = [](const project::Case&, const study::Answers& answers) { return map_text(*answers.map); },
 };
 
+AnswerWriter named(const char* name, AnswerWriter writer) {
+  writer.name = name;
+  return writer;
+}
+
 }  // namespace
 
-const std::vector<const AnswerWriter*>& answer_writers() {
-#define TRIVET_WRITER(name) &name##_results,
-  static const std::vector<const AnswerWriter*> list = {&modes_results, &roots_results, &response_results, &peaks_results, &static_results,
-                                                        TRIVET_QUESTIONS(TRIVET_WRITER) &limit_lines_results, &map_results, &load_sharing_results};
+const std::vector<AnswerWriter>& answer_writers() {
+#define TRIVET_WRITER(name) named(#name, name##_results),
+  static const std::vector<AnswerWriter> list = {
+      TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
+      TRIVET_QUESTIONS(TRIVET_WRITER)
+      TRIVET_WRITER(limit_lines) TRIVET_WRITER(map) TRIVET_WRITER(load_sharing)};
 #undef TRIVET_WRITER
   return list;
 }
@@ -55,9 +61,9 @@ namespace {
 
 const AnswerWriter& writer_of(const std::string& question) {
   const auto& list = answer_writers();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const AnswerWriter* one) { return one->name == question; });
+  const auto found = std::find_if(list.begin(), list.end(), [&](const AnswerWriter& one) { return one.name == question; });
   if (found == list.end()) throw foundation::InvalidInput("no answer is called \"" + question + "\"");
-  return **found;
+  return *found;
 }
 
 }  // namespace
@@ -76,17 +82,17 @@ std::string answer_text(const std::string& question, const project::Case& varian
 
 std::vector<AnswerFile> answer_files(const project::Case& variant, const study::Answers& answers) {
   std::vector<AnswerFile> files;
-  for (const AnswerWriter* writer : answer_writers())
-    if (writer->is_there(variant, answers))
-      for (const CsvWriter& table : writer->tables) files.push_back({table.file, table.csv(variant, answers)});
+  for (const AnswerWriter& writer : answer_writers())
+    if (writer.is_there(variant, answers))
+      for (const CsvWriter& table : writer.tables) files.push_back({table.file, table.csv(variant, answers)});
   return files;
 }
 
 std::string answers_summary(const project::Case& variant, const study::Answers& answers) {
   std::string text;
-  for (const AnswerWriter* writer : answer_writers()) {
-    if (!writer->is_there(variant, answers)) continue;
-    const std::string one = (writer->summary ? writer->summary : writer->text)(variant, answers);
+  for (const AnswerWriter& writer : answer_writers()) {
+    if (!writer.is_there(variant, answers)) continue;
+    const std::string one = (writer.summary ? writer.summary : writer.text)(variant, answers);
     if (!one.empty()) text += one + "\n";
   }
   return text;

@@ -54,7 +54,6 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
 }  // namespace
 
 const AnswerWriter earthquake_results = {
-    .name = "earthquake",
     .json = json::earthquake,
     .tables = {{"earthquake.csv", earthquake_csv}},
     .text = earthquake_text,

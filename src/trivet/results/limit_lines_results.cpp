@@ -55,7 +55,6 @@ std::string limit_lines_table(const project::Case&, const study::Answers& answer
 }  // namespace
 
 const AnswerWriter limit_lines_results = {
-    .name = "limit_lines",
     .has_answer = [](const project::Case&, const study::Answers& answers) { return !answers.limit_lines.empty(); },
     .json = limit_lines_json,
     .tables = {{"limit_lines.csv", limit_lines_csv}},

@@ -103,7 +103,6 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
 }  // namespace
 
 const AnswerWriter modes_results = {
-    .name = "modes",
     .has_answer = [](const project::Case& variant, const study::Answers&) { return variant.analyses.modes; },
     .json = json::modes,
     .tables = {{"modes.csv", modes_csv}},

@@ -100,7 +100,6 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
 }  // namespace
 
 const AnswerWriter orders_results = {
-    .name = "orders",
     .json = json::orders,
     .tables = {{"orders.csv", orders_csv}, {"critical_speeds.csv", critical_speeds_csv}},
     .text = orders_text,

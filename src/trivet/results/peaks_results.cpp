@@ -83,7 +83,6 @@ std::string peaks_text(const project::Case& variant, const study::Answers& answe
 }  // namespace
 
 const AnswerWriter peaks_results = {
-    .name = "peaks",
     .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.peaks.has_value(); },
     .json = json::peaks,
     .tables = {{"peaks.csv", peaks_csv}},

@@ -56,7 +56,6 @@ std::string power_text(const project::Case&, const study::Answers& answers) {
 }  // namespace
 
 const AnswerWriter power_results = {
-    .name = "power",
     .json = json::power,
     .tables = {{"power.csv", power_csv}},
     .text = power_text,

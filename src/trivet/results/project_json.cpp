@@ -112,14 +112,14 @@ Json case_json(const project::Case& variant, const study::Answers& answers, Read
                       {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
   Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
               {"free_motions", answers.free_motions}, {"not_computed", answers.failures}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
-  for (const AnswerWriter* writer : answer_writers()) {
-    if (!writer->is_there(variant, answers)) continue;
-    const std::string name = writer->name;
+  for (const AnswerWriter& writer : answer_writers()) {
+    if (!writer.is_there(variant, answers)) continue;
+    const std::string name = writer.name;
     if (name == "response") result["band"] = {answers.response->band.from, answers.response->band.to};
-    if (reader == Reader::file) result[name] = writer->json(variant, answers);
+    if (reader == Reader::file) result[name] = writer.json(variant, answers);
     else if (name == "response") result[name] = json::drawn_response(answers);
     else if (name == "map") result[name] = json::map_marks(*answers.map);
-    else if (std::find(drawn_by_page.begin(), drawn_by_page.end(), name) != drawn_by_page.end()) result[name] = writer->json(variant, answers);
+    else if (std::find(drawn_by_page.begin(), drawn_by_page.end(), name) != drawn_by_page.end()) result[name] = writer.json(variant, answers);
   }
   return result;
 }

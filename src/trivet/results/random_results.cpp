@@ -121,7 +121,6 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
 }  // namespace
 
 const AnswerWriter random_results = {
-    .name = "random",
     .json = json::random,
     .tables = {{"random.csv", random_csv}, {"densities.csv", random_densities_csv}},
     .text = random_text,

@@ -178,7 +178,6 @@ json::Json response_json(const project::Case&, const study::Answers& answers) { 
 }  // namespace
 
 const AnswerWriter response_results = {
-    .name = "response",
     .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.response.has_value(); },
     .json = response_json,
     .tables = {{"response.csv", response_csv}},

@@ -57,7 +57,6 @@ std::string roots_text(const project::Case&, const study::Answers& answers) {
 }  // namespace
 
 const AnswerWriter roots_results = {
-    .name = "roots",
     .has_answer = [](const project::Case& variant, const study::Answers&) { return variant.analyses.roots; },
     .json = json::roots,
     .tables = {{"roots.csv", roots_csv}},

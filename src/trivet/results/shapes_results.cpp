@@ -71,7 +71,6 @@ std::string shapes_text(const project::Case&, const study::Answers& answers) {
 }  // namespace
 
 const AnswerWriter shapes_results = {
-    .name = "shapes",
     .json = json::shapes,
     .tables = {{"shapes.csv", shapes_csv}},
     .text = shapes_text,

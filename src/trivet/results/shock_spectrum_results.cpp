@@ -57,7 +57,6 @@ std::string shock_spectrum_text(const project::Case&, const study::Answers& answ
 }  // namespace
 
 const AnswerWriter shock_spectrum_results = {
-    .name = "shock_spectrum",
     .json = json::shock_spectrum,
     .tables = {{"shock_spectrum.csv", shock_spectrum_csv}},
     .text = shock_spectrum_text,

@@ -57,7 +57,6 @@ std::string static_text(const project::Case&, const study::Answers& answers) {
 }  // namespace
 
 const AnswerWriter static_results = {
-    .name = "static",
     .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.statics.has_value(); },
     .json = json::statics,
     .tables = {{"static.csv", static_csv}},
@@ -65,7 +64,6 @@ const AnswerWriter static_results = {
 };
 
 const AnswerWriter load_sharing_results = {
-    .name = "load_sharing",
     .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.load_sharing.has_value(); },
     .json = json::load_sharing,
     .tables = {{"load_sharing.csv", load_sharing_csv}},

@@ -51,7 +51,6 @@ std::string transient_text(const project::Case&, const study::Answers& answers) 
 }  // namespace
 
 const AnswerWriter transient_results = {
-    .name = "transient",
     .json = json::transient,
     .tables = {{"transient.csv", transient_csv}},
     .text = transient_text,

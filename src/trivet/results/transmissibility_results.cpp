@@ -72,7 +72,6 @@ std::string transmissibility_text(const project::Case&, const study::Answers& an
 }  // namespace
 
 const AnswerWriter transmissibility_results = {
-    .name = "transmissibility",
     .json = json::transmissibility,
     .tables = {{"transmissibility.csv", transmissibility_csv}},
     .text = transmissibility_text,

@@ -164,9 +164,9 @@ class CaseStudy {
       } catch (const foundation::NotComputable&) {  // nobody asked for it: a model without mounts under its weight shares no load
       }
     }
-    for (const QuestionAnswer* question : question_answers())
-      if (const auto* asked = analyses.find<project::Question>(question->name))
-        attempt([&] { result.of_questions[question->name] = question->answer(c, *asked, result.warnings); });
+    for (const QuestionAnswer& question : question_answers())
+      if (const auto* asked = analyses.find<project::Question>(question.name))
+        attempt([&] { result.of_questions[question.name] = question.answer(c, *asked, result.warnings); });
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] { result.limit_lines = limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band); });
   }

@@ -75,11 +75,12 @@ struct Answers {
   std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
   std::map<std::string, std::any> of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name
 
-  /// The answer to such a question, whose type is that of its NAME_answer.cpp; none if there is no such answer.
+  /// The answer to such a question, whose type is that of its NAME_answer.cpp; none if there is no such answer. @throws std::bad_any_cast
+  /// for another type
   template <typename Answer>
   [[nodiscard]] const Answer* find(const std::string& question) const {
     const auto found = of_questions.find(question);
-    return found == of_questions.end() ? nullptr : std::any_cast<Answer>(&found->second);
+    return found == of_questions.end() ? nullptr : &std::any_cast<const Answer&>(found->second);
   }
 };
 

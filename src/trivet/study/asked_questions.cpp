@@ -78,8 +78,8 @@ const std::vector<AskedQuestion>& asked_questions() {
         {"peaks", "exact resonance peaks", {"peaks", "response"}, peaks_of},
         {"static", "static displacements and forces", {"static"}, static_of},
     };
-    for (const QuestionAnswer* question : question_answers())
-      all.push_back({question->name, question->about, {question->name}, [question](const Case& variant) { return own_question(*question, variant); }});
+    for (const QuestionAnswer& question : question_answers())
+      all.push_back({question.name, question.about, {question.name}, [&question](const Case& variant) { return own_question(question, variant); }});
     all.push_back({"limit_lines", "answers of the response against lines over frequency", {"response", "limit_lines"}, limit_lines_of});
     return all;
   }();

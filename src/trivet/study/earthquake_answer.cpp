@@ -19,7 +19,7 @@ response::EarthquakeResponse answer_earthquake(const CaseContext& c, const proje
 
 }  // namespace
 
-const QuestionAnswer earthquake_answer = answered_by<answer_earthquake>("earthquake", "largest answers to an earthquake by its response spectrum",
+const QuestionAnswer earthquake_answer = answered_by<answer_earthquake>("largest answers to an earthquake by its response spectrum",
     "earthquake: say by which spectrum: add earthquake = {direction = \"x\", rows = [[0.02, 3], [0.1, 9], …]} to [analyses]");
 
 }  // namespace trivet::study

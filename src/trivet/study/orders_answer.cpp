@@ -19,7 +19,7 @@ OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& 
 
 }  // namespace
 
-const QuestionAnswer orders_answer = answered_by<answer_orders>("orders", "run-up: response over shaft speed, critical speeds",
+const QuestionAnswer orders_answer = answered_by<answer_orders>("run-up: response over shaft speed, critical speeds",
     "orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
 
 }  // namespace trivet::study

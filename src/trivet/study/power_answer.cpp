@@ -23,6 +23,6 @@ response::PowerFlow answer_power(const CaseContext& c, const project::BandQuesti
 
 }  // namespace
 
-const QuestionAnswer power_answer = answered_by<answer_power>("power", "mean power into the ground at each mount");
+const QuestionAnswer power_answer = answered_by<answer_power>("mean power into the ground at each mount");
 
 }  // namespace trivet::study

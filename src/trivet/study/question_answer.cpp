@@ -3,9 +3,18 @@
 
 namespace trivet::study {
 
-const std::vector<const QuestionAnswer*>& question_answers() {
-#define TRIVET_ANSWER(name) &name##_answer,
-  static const std::vector<const QuestionAnswer*> list = {TRIVET_QUESTIONS(TRIVET_ANSWER)};
+namespace {
+
+QuestionAnswer named(const char* name, QuestionAnswer answer) {
+  answer.name = name;
+  return answer;
+}
+
+}  // namespace
+
+const std::vector<QuestionAnswer>& question_answers() {
+#define TRIVET_ANSWER(name) named(#name, name##_answer),
+  static const std::vector<QuestionAnswer> list = {TRIVET_QUESTIONS(TRIVET_ANSWER)};
 #undef TRIVET_ANSWER
   return list;
 }

@@ -11,7 +11,7 @@ namespace trivet::study {
 
 /// How one question of project/analyses/question_table.h is answered. Each is defined in NAME_answer.cpp.
 struct QuestionAnswer {
-  const char* name;
+  const char* name = nullptr;  ///< given by question_answers()
   const char* about;   ///< one line of help for its command
   const char* to_add;  ///< what the file must say; none: the question asks for something sensible by itself
   std::shared_ptr<const project::Question> (*by_default)();
@@ -39,15 +39,15 @@ struct Signature<answer> {
 
 /// A question that is answered by a function of its own types: Answer (const CaseContext&, const Asked&, foundation::Problems& warnings).
 template <auto answer>
-[[nodiscard]] constexpr QuestionAnswer answered_by(const char* name, const char* about, const char* to_add = nullptr) {
-  return {name, about, to_add, detail::Signature<answer>::by_default, detail::Signature<answer>::any};
+[[nodiscard]] constexpr QuestionAnswer answered_by(const char* about, const char* to_add = nullptr) {
+  return {nullptr, about, to_add, detail::Signature<answer>::by_default, detail::Signature<answer>::any};
 }
 
 #define TRIVET_ANSWER(name) extern const QuestionAnswer name##_answer;
 TRIVET_QUESTIONS(TRIVET_ANSWER)
 #undef TRIVET_ANSWER
 
-/// All of them, in the order of the table.
-[[nodiscard]] const std::vector<const QuestionAnswer*>& question_answers();
+/// All of them by their names, in the order of the table.
+[[nodiscard]] const std::vector<QuestionAnswer>& question_answers();
 
 }  // namespace trivet::study

@@ -66,6 +66,6 @@ RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& 
 
 }  // namespace
 
-const QuestionAnswer random_answer = answered_by<answer_random>("random", "root mean squares under random excitations");
+const QuestionAnswer random_answer = answered_by<answer_random>("root mean squares under random excitations");
 
 }  // namespace trivet::study

@@ -36,7 +36,7 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c, con
 
 }  // namespace
 
-const QuestionAnswer shock_spectrum_answer = answered_by<answer_shock_spectrum>("shock_spectrum", "shock response spectra of ground motions in time",
+const QuestionAnswer shock_spectrum_answer = answered_by<answer_shock_spectrum>("shock response spectra of ground motions in time",
     "shock_spectrum: say over which natural frequencies: add shock_spectrum = {band = [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

@@ -38,7 +38,7 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
 
 }  // namespace
 
-const QuestionAnswer transmissibility_answer = answered_by<answer_transmissibility>("transmissibility", "force or motion that the mounts let through",
+const QuestionAnswer transmissibility_answer = answered_by<answer_transmissibility>("force or motion that the mounts let through",
     "transmissibility: say of what: add transmissibility = {force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
 
 }  // namespace trivet::study

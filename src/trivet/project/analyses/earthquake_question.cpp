@@ -48,7 +48,7 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
 
 }  // namespace
 
-const QuestionReader earthquake_question = {.name = "earthquake", .read = read_earthquake, .keys = R"json({"properties": {
+const QuestionReader earthquake_question = {.read = read_earthquake, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "direction": {"$ref": "#/$defs/direction"},

@@ -17,7 +17,7 @@ std::unique_ptr<Question> read_orders(TableReader& reader, const ResultNames& na
 
 }  // namespace
 
-const QuestionReader orders_question = {.name = "orders", .drive = Drive::orders, .read = read_orders, .searches_peaks = true, .keys = R"json({"properties": {
+const QuestionReader orders_question = {.drive = Drive::orders, .read = read_orders, .searches_peaks = true, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},

@@ -23,32 +23,37 @@ Needed needed(Drive drive, const Mentioned& mentioned) {
   return {mentioned.harmonic_excitations, "harmonic", "add [excitations.NAME] with type = \"harmonic\", \"unbalance\" or \"base\""};
 }
 
+QuestionReader named(const char* name, QuestionReader reader) {
+  reader.name = name;
+  return reader;
+}
+
 }  // namespace
 
-const std::vector<const QuestionReader*>& question_readers() {
-#define TRIVET_READER(name) &name##_question,
-  static const std::vector<const QuestionReader*> list = {TRIVET_QUESTIONS(TRIVET_READER)};
+const std::vector<QuestionReader>& question_readers() {
+#define TRIVET_READER(name) named(#name, name##_question),
+  static const std::vector<QuestionReader> list = {TRIVET_QUESTIONS(TRIVET_READER)};
 #undef TRIVET_READER
   return list;
 }
 
 void read_questions(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result) {
-  for (const QuestionReader* question : question_readers()) {
-    const Node* table = analyses.table(question->name);
+  for (const QuestionReader& question : question_readers()) {
+    const Node* table = analyses.table(question.name);
     if (!table) continue;
-    const Needed excitation = needed(question->drive, mentioned);
-    const bool driven = question->drive == Drive::none || (question->moves_by_itself && question->moves_by_itself(*table));
+    const Needed excitation = needed(question.drive, mentioned);
+    const bool driven = question.drive == Drive::none || (question.moves_by_itself && question.moves_by_itself(*table));
     if (!driven && excitation.names.empty())
-      analyses.error(question->name, std::string("no ") + excitation.kind + " excitation in the model", "this answer needs one", excitation.remedy);
-    TableReader reader(*table, std::string("analyses.") + question->name, analyses.problems());
-    result.questions[question->name] = question->read(reader, names, mentioned);
+      analyses.error(question.name, std::string("no ") + excitation.kind + " excitation in the model", "this answer needs one", excitation.remedy);
+    TableReader reader(*table, std::string("analyses.") + question.name, analyses.problems());
+    result.questions[question.name] = question.read(reader, names, mentioned);
     reader.finish();
   }
 }
 
 void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  for (const QuestionReader* reader : question_readers())
-    if (const Question* question = asked.find<Question>(reader->name); question && reader->check) reader->check(*question, system, problems);
+  for (const QuestionReader& reader : question_readers())
+    if (const Question* question = asked.find<Question>(reader.name); question && reader.check) reader.check(*question, system, problems);
 }
 
 }  // namespace trivet::project

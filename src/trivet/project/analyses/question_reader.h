@@ -16,22 +16,22 @@ enum class Drive { none, harmonic, random, time, orders };
 
 /// How one question is read. Each is defined in NAME_question.cpp.
 struct QuestionReader {
-  const char* name;            ///< of its table in [analyses]
+  const char* name = nullptr;  ///< of its table in [analyses]; given by question_readers()
   Drive drive = Drive::none;   ///< the model must have an excitation of this kind
-  std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names, const Mentioned& mentioned);
+  std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) = nullptr;
   bool searches_peaks = false; ///< its cost is that of a search for peaks
   double (*curves)(const Question& asked) = nullptr;   ///< how many curves it computes, where `wanted.of` does not say
   bool (*moves_by_itself)(const Node& table) = nullptr;  ///< needs no excitation after all
   void (*check)(const Question& asked, const model::System& system, foundation::Problems& problems) = nullptr;  ///< against a model that is right in itself
-  const char* keys;            ///< JSON Schema of its keys: `properties`, `required` …
+  const char* keys = nullptr;  ///< JSON Schema of its keys: `properties`, `required` …
 };
 
 #define TRIVET_READER(name) extern const QuestionReader name##_question;
 TRIVET_QUESTIONS(TRIVET_READER)
 #undef TRIVET_READER
 
-/// All of them, in the order of the table.
-[[nodiscard]] const std::vector<const QuestionReader*>& question_readers();
+/// All of them by their names, in the order of the table.
+[[nodiscard]] const std::vector<QuestionReader>& question_readers();
 
 /// Reads those that the file asks into `result`, and reports excitations that they lack.
 void read_questions(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result);

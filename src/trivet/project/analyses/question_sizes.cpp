@@ -131,11 +131,11 @@ foundation::Problems too_large(const model::Description& description, const Anal
   if (asked.response) check_response(sizes, *asked.response);
   if (asked.peaks) sizes.check_search("analyses.peaks", sizes.curves(asked.peaks->wanted.of));
   if (asked.static_of) sizes.check_curves("analyses.static", sizes.curves(*asked.static_of));
-  for (const QuestionReader* reader : question_readers())
-    if (const Question* question = asked.find<Question>(reader->name)) {
-      const double count = reader->curves ? reader->curves(*question) : sizes.curves(question->wanted.of);
-      const std::string subject = std::string("analyses.") + reader->name;
-      if (reader->searches_peaks)
+  for (const QuestionReader& reader : question_readers())
+    if (const Question* question = asked.find<Question>(reader.name)) {
+      const double count = reader.curves ? reader.curves(*question) : sizes.curves(question->wanted.of);
+      const std::string subject = std::string("analyses.") + reader.name;
+      if (reader.searches_peaks)
         sizes.check_search(subject, count);
       else
         sizes.check_curves(subject, count);

@@ -37,7 +37,7 @@ std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& na
 
 }  // namespace
 
-const QuestionReader random_question = {.name = "random", .drive = Drive::random, .read = read_random, .keys = R"json({"properties": {
+const QuestionReader random_question = {.drive = Drive::random, .read = read_random, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},

@@ -24,7 +24,7 @@ std::unique_ptr<Question> read_shapes(TableReader& reader, const ResultNames&, c
 
 }  // namespace
 
-const QuestionReader shapes_question = {.name = "shapes", .drive = Drive::harmonic, .read = read_shapes, .keys = R"json({"properties": {
+const QuestionReader shapes_question = {.drive = Drive::harmonic, .read = read_shapes, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1}},
   "required": ["at"]})json"};

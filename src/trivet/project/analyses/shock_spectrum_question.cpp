@@ -23,7 +23,7 @@ std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultN
 
 }  // namespace
 
-const QuestionReader shock_spectrum_question = {.name = "shock_spectrum", .drive = Drive::time, .read = read_shock_spectrum, .keys = R"json({"properties": {
+const QuestionReader shock_spectrum_question = {.drive = Drive::time, .read = read_shock_spectrum, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "damping": {"$ref": "#/$defs/number"},
    "band": {"$ref": "#/$defs/band"}},

@@ -51,7 +51,7 @@ bool starts_from_initial_values(const Node& table) { return table.find("initial_
 
 }  // namespace
 
-const QuestionReader transient_question = {.name = "transient", .drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values, .keys = R"json({"properties": {
+const QuestionReader transient_question = {.drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},

@@ -13,12 +13,13 @@ namespace {
 
 std::unique_ptr<Question> read_transmissibility(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
   auto asked = std::make_unique<TransmissibilityQuestion>();
-  asked->force = reader.text("force").value_or("");
+  const auto force = reader.text("force");
+  asked->force = force.value_or("");
   const auto base = reader.direction("base");
   if (reader.has("force") == reader.has("base"))
     reader.error(reader.has("force") ? "base" : "force", reader.has("force") ? "force and base" : "neither force nor base", "a transmissibility is that of a force excitation or of a motion of the ground",
                  reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
-  if (reader.has("force") && !asked->force.empty() && std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), asked->force) == mentioned.harmonic_excitations.end()) {
+  if (force && std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), asked->force) == mentioned.harmonic_excitations.end()) {
     const std::string guess = foundation::nearest_name(asked->force, mentioned.harmonic_excitations);
     reader.error("force", foundation::quoted(asked->force), "no harmonic excitation has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
@@ -30,7 +31,7 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
   asked->wanted.of = reader.texts("of", R"(["BODY"])").value_or(mentioned.bodies);
   for (const std::string& name : asked->wanted.of)
-    if (std::find(places.begin(), places.end(), name) == places.end()) {
+    if (!mentioned.bodies_unknown && std::find(places.begin(), places.end(), name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);
       reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
@@ -58,7 +59,7 @@ double curves_of_transmissibility(const Question& asked) {
 }  // namespace
 
 const QuestionReader transmissibility_question = {
-    .name = "transmissibility", .read = read_transmissibility, .searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"properties": {
+    .read = read_transmissibility, .searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"properties": {
    "force": {"type": "string", "description": "a harmonic force excitation"},
    "base": {"$ref": "#/$defs/direction"},
    "rotation": {"type": "boolean"},

@@ -14,8 +14,6 @@ namespace {
 
 using elements::Matrix12;
 
-/// Negative eigenvalue of the scaled loss matrix that its rounding explains, and that noise does.
-constexpr double rounded_loss = 1e-6, noisy_loss = 0.02;
 /// Files keep six digits and more of a structural damping that is the same everywhere.
 constexpr double one_factor = 1e-6;
 

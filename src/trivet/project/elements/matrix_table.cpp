@@ -11,6 +11,7 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/elements/piecewise_stiffness.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/elements/complex_stiffness.h"
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/elements/stiffness_column.h"
 
@@ -19,8 +20,6 @@ namespace {
 
 constexpr std::string_view loss_ending = "_loss";
 constexpr const char* column_rule = "columns are frequency_hz and, per entry of a matrix, k_I_J and k_I_J_loss with I, J from 1 to 6 (of the moved end) or 12 (N, then K)";
-/// Scaled negative eigenvalue of a loss matrix that noise of a measurement explains, and the one that rounding does.
-constexpr double noisy_loss = 0.02, rounded_loss = 1e-6;
 
 /// (I, J) of "k_I_J" or "k_I_J_loss", from 1.
 std::optional<std::pair<int, int>> entry_of(std::string_view column) {

@@ -17,8 +17,6 @@ constexpr std::array<const char*, 12> of_element = {"type", "on", "at", "from", 
 
 bool is_of_element(const std::string& key) { return std::find(of_element.begin(), of_element.end(), key) != of_element.end(); }
 
-std::string place(const foundation::Origin& origin) { return origin.line > 0 ? fmt::format("{}:{}", origin.source, origin.line) : origin.source; }
-
 void set(Node& table, const std::string& key, Node value) {
   if (Node* old = table.find(key)) {
     *old = std::move(value);
@@ -50,7 +48,7 @@ class Types {
       else if (key == "scale") multiply_scale(result, shared.items[i]);
       else if (is_of_element(key)) continue;  // a problem of the type
       else if (const Node* own = element.find(key))
-        problems_.error(path + "." + key, shown(*own), fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type, place(shared.items[i].origin)),
+        problems_.error(path + "." + key, shown(*own), fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type, foundation::place(shared.items[i].origin)),
                         "remove it here, change the type, or give this element a type of its own").origin = own->origin;
       else set(result, key, shared.items[i]);
     }

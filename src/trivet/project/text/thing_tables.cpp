@@ -36,8 +36,6 @@ Node table_node(const foundation::Origin& origin) {
   return node;
 }
 
-std::string place(const foundation::Origin& origin) { return fmt::format("{}:{}", origin.source, origin.line); }
-
 /// "at.x [mm]" → the keys at, x and the unit mm.
 struct Column {
   std::vector<std::string> keys;
@@ -219,7 +217,7 @@ class ThingTable {
     const std::string path = kind_ == "points" ? "points." + called : kind_ + "." + called;
     VectorsOfRow(path, problems_).make_arrays(row);
     if (const Node* other = things->find(called)) {
-      problems_.error(path, fmt::format("a second one, in {}", place(origin)), fmt::format("the name is that of another one, in {}", place(other->origin)), "names are unique: rename one of them").origin = origin;
+      problems_.error(path, fmt::format("a second one, in {}", foundation::place(origin)), fmt::format("the name is that of another one, in {}", foundation::place(other->origin)), "names are unique: rename one of them").origin = origin;
       return;
     }
     if (kind_ == "points") {
