@@ -24,17 +24,24 @@ Json parsed(const char* of, const char* keys) {
   }
 }
 
-/// An object that has these keys and no others.
-Json closed(Json own, const Json& shared, const std::vector<std::string>& required) {
-  Json properties = shared;
-  properties.update(own["properties"]);
-  Json all = {{"type", "object"}, {"properties", std::move(properties)}, {"required", required}, {"additionalProperties", false}};
-  for (auto& [key, value] : own.items()) {
-    if (key == "required")
-      for (const auto& name : value) all["required"].push_back(name);
-    else if (key != "properties")
-      all[key] = value;
+/// Adds keys and what is required of them; other constraints as they are.
+void add_keys(Json& object, const Json& keys) {
+  for (const auto& [key, value] : keys.items()) {
+    if (key == "properties")
+      object[key].update(value);
+    else if (key == "required")
+      object[key].insert(object[key].end(), value.begin(), value.end());
+    else if (key != "with")
+      object[key] = value;
   }
+}
+
+/// An object that has these keys, those of the groups that they name under `with`, and no others.
+Json closed(const Json& own, const Json& common, const std::vector<std::string>& required, const Json& groups) {
+  Json all = {{"type", "object"}, {"properties", common}, {"required", required}, {"additionalProperties", false}};
+  add_keys(all, own);
+  if (own.contains("with"))
+    for (const auto& group : own["with"]) add_keys(all, groups.at(group.get<std::string>()));
   return all;
 }
 
@@ -46,8 +53,9 @@ Json type_of(const ElementLaw& law) {
 }
 
 void add_element_laws(Json& definitions) {
-  const Json shared = definitions["element_of_any_law"]["properties"];
+  const Json shared = definitions["element_of_any_law"]["properties"], groups = definitions["shared_keys"];
   definitions.erase("element_of_any_law");
+  definitions.erase("shared_keys");
   Json& elements = definitions["element"]["anyOf"];
   Json& built_in = elements[0]["properties"]["type"]["not"]["anyOf"];
   for (const ElementLaw* law : element_laws()) {
@@ -57,13 +65,13 @@ void add_element_laws(Json& definitions) {
     keys["from_at"] = reference(law->sized ? "element_from_at_of_length" : "element_from_at");
     if (law->placed) keys["from_orientation"] = reference("element_from_orientation");
     const Json variants = parsed(law->type, law->keys);
-    for (const Json& own : variants.is_array() ? variants : Json::array({variants})) elements.push_back(closed(own, keys, {"type", "on", "at"}));
+    for (const Json& own : variants.is_array() ? variants : Json::array({variants})) elements.push_back(closed(own, keys, {"type", "on", "at"}, groups));
   }
 }
 
 void add_questions(Json& analyses) {
   for (const QuestionReader& question : question_readers())
-    analyses[question.name] = closed(parsed(question.name, question.keys), {{"accept", reference("accept")}}, {});
+    analyses[question.name] = closed(parsed(question.name, question.keys), {{"accept", reference("accept")}}, {}, {});
 }
 
 }  // namespace

@@ -40,15 +40,10 @@ const AnswerWriter map_results = {
     .text = [](const project::Case&, const study::Answers& answers) { return map_text(*answers.map); },
 };
 
-AnswerWriter named(const char* name, AnswerWriter writer) {
-  writer.name = name;
-  return writer;
-}
-
 }  // namespace
 
 const std::vector<AnswerWriter>& answer_writers() {
-#define TRIVET_WRITER(name) named(#name, name##_results),
+#define TRIVET_WRITER(name) project::named(#name, name##_results),
   static const std::vector<AnswerWriter> list = {
       TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
       TRIVET_QUESTIONS(TRIVET_WRITER)

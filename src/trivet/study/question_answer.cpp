@@ -3,17 +3,8 @@
 
 namespace trivet::study {
 
-namespace {
-
-QuestionAnswer named(const char* name, QuestionAnswer answer) {
-  answer.name = name;
-  return answer;
-}
-
-}  // namespace
-
 const std::vector<QuestionAnswer>& question_answers() {
-#define TRIVET_ANSWER(name) named(#name, name##_answer),
+#define TRIVET_ANSWER(name) project::named(#name, name##_answer),
   static const std::vector<QuestionAnswer> list = {TRIVET_QUESTIONS(TRIVET_ANSWER)};
 #undef TRIVET_ANSWER
   return list;

@@ -23,11 +23,6 @@ Needed needed(Drive drive, const Mentioned& mentioned) {
   return {mentioned.harmonic_excitations, "harmonic", "add [excitations.NAME] with type = \"harmonic\", \"unbalance\" or \"base\""};
 }
 
-QuestionReader named(const char* name, QuestionReader reader) {
-  reader.name = name;
-  return reader;
-}
-
 }  // namespace
 
 const std::vector<QuestionReader>& question_readers() {

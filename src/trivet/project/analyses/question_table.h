@@ -19,3 +19,14 @@
   row(shapes) \
   row(shock_spectrum) \
   row(earthquake)
+
+namespace trivet::project {
+
+/// A row of a list of such objects, under its name.
+template <typename Row>
+[[nodiscard]] Row named(const char* name, Row row) {
+  row.name = name;
+  return row;
+}
+
+}  // namespace trivet::project

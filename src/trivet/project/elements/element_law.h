@@ -25,7 +25,9 @@ struct ElementLaw {
   void (*placed)(TableReader& reader, Placement& ends, model::Element& element) = nullptr;
 
   bool takes_damping = true; ///< has the table `damping` of all elements
-  const char* keys;          ///< JSON Schema of its own keys: `properties`, `required` …; or a list of variants
+  /// JSON Schema of its own keys: `properties`, `required`, `with` for groups of keys that several laws share (`shared_keys` in
+  /// project.schema.json) …; or a list of variants.
+  const char* keys;
 
   [[nodiscard]] bool is(const std::string& word) const;
 };

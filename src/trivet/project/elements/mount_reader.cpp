@@ -120,76 +120,17 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
 
 }  // namespace
 
-const ElementLaw rubber_disc_law = {.type = "rubber_disc", .sized = read_rubber_disc, .keys = R"json({"properties": {
-   "diameter": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "hole_diameter": {"$ref": "#/$defs/number", "description": "m, >= 0, below diameter (default: 0)"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "method": {"enum": ["formulas", "finite_elements"], "description": "default: formulas"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["diameter", "thickness", "material"]})json"};
-
-const ElementLaw rubber_block_law = {.type = "rubber_block", .sized = read_rubber_block, .keys = R"json({"properties": {
-   "width_x": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "width_y": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "method": {"enum": ["formulas", "finite_elements"], "description": "default: formulas"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["width_x", "width_y", "thickness", "material"]})json"};
-
-const ElementLaw rubber_bush_law = {.type = "rubber_bush", .sized = read_rubber_bush, .keys = R"json({"properties": {
-   "inner_diameter": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "outer_diameter": {"$ref": "#/$defs/number", "description": "m, above inner_diameter"},
-   "length": {"$ref": "#/$defs/number", "description": "along the axis, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "method": {"enum": ["formulas", "finite_elements"], "description": "default: formulas"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["inner_diameter", "outer_diameter", "length", "material"]})json"};
+const ElementLaw rubber_disc_law = {.type = "rubber_disc", .sized = read_rubber_disc, .keys = R"json({"with": ["disc", "rubber", "method", "mesh", "large_strain"]})json"};
+const ElementLaw rubber_block_law = {.type = "rubber_block", .sized = read_rubber_block, .keys = R"json({"with": ["block", "rubber", "method", "mesh", "large_strain"]})json"};
+const ElementLaw rubber_bush_law = {.type = "rubber_bush", .sized = read_rubber_bush, .keys = R"json({"with": ["bush", "rubber", "method", "mesh", "large_strain"]})json"};
 
 const ElementLaw sandwich_law = {.type = "sandwich", .sized = read_sandwich, .keys = R"json([
- {"properties": {
-   "diameter": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "hole_diameter": {"$ref": "#/$defs/number", "description": "m, >= 0, below diameter (default: 0)"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "layers": {"type": "integer", "minimum": 1, "maximum": 1000, "description": "number of rubber layers"},
-   "plate_thickness": {"$ref": "#/$defs/number", "description": "of the metal plates between them, m, >= 0"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "method": {"enum": ["formulas", "finite_elements"], "description": "default: formulas"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["diameter", "layers", "thickness", "plate_thickness", "material"]},
- {"properties": {
-   "width_x": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "width_y": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "layers": {"type": "integer", "minimum": 1, "maximum": 1000, "description": "number of rubber layers"},
-   "plate_thickness": {"$ref": "#/$defs/number", "description": "of the metal plates between them, m, >= 0"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "method": {"enum": ["formulas", "finite_elements"], "description": "default: formulas"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["width_x", "width_y", "layers", "thickness", "plate_thickness", "material"]}])json"};
+ {"with": ["disc", "layers", "rubber", "method", "mesh", "large_strain"]},
+ {"with": ["block", "layers", "rubber", "method", "mesh", "large_strain"]}])json"};
 
 const ElementLaw solid_mount_law = {.type = "solid_mount", .sized = read_solid_mount, .keys = R"json([
- {"properties": {
+ {"with": ["large_strain"],
+  "properties": {
    "step": {"type": "string", "description": "STEP file, relative to the project file"},
    "mesh_size": {"$ref": "#/$defs/number", "description": "size of the elements, m, > 0"},
    "rim_size": {"$ref": "#/$defs/number", "description": "size of the elements at bonded rims, m (default: mesh_size/4)"},
@@ -197,75 +138,14 @@ const ElementLaw solid_mount_law = {.type = "solid_mount", .sized = read_solid_m
    "plate_n": {"$ref": "#/$defs/plate", "description": "faces on the plate of end N (default: furthest along -z)"},
    "plate_k": {"$ref": "#/$defs/plate", "description": "faces on the plate of end K (default: furthest along z)"},
    "step_axis": {"$ref": "#/$defs/direction", "description": "e3 in the axes of the file (default: z)"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"},
    "material": {"$ref": "#/$defs/rubber"},
    "materials": {"type": "array", "items": {"anyOf": [{"$ref": "#/$defs/rubber"}, {"$ref": "#/$defs/metal"}]}, "minItems": 1, "description": "one per solid, in the order of the file"}},
   "required": ["step", "mesh_size"],
   "oneOf": [{"required": ["material"]}, {"required": ["materials"]}]},
- {"properties": {
-   "shape": {"const": "disc"},
-   "diameter": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "hole_diameter": {"$ref": "#/$defs/number", "description": "m, >= 0, below diameter (default: 0)"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["shape", "material", "diameter", "thickness"]},
- {"properties": {
-   "shape": {"const": "block"},
-   "width_x": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "width_y": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["shape", "material", "width_x", "width_y", "thickness"]},
- {"properties": {
-   "shape": {"const": "bush"},
-   "inner_diameter": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "outer_diameter": {"$ref": "#/$defs/number", "description": "m, above inner_diameter"},
-   "length": {"$ref": "#/$defs/number", "description": "along the axis, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["shape", "material", "inner_diameter", "outer_diameter", "length"]},
- {"properties": {
-   "shape": {"const": "sandwich"},
-   "diameter": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "hole_diameter": {"$ref": "#/$defs/number", "description": "m, >= 0, below diameter (default: 0)"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "layers": {"type": "integer", "minimum": 1, "maximum": 1000, "description": "number of rubber layers"},
-   "plate_thickness": {"$ref": "#/$defs/number", "description": "of the metal plates between them, m, >= 0"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["shape", "material", "diameter", "layers", "thickness", "plate_thickness"]},
- {"properties": {
-   "shape": {"const": "sandwich"},
-   "width_x": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "width_y": {"$ref": "#/$defs/number", "description": "m, > 0"},
-   "formulas": {"enum": ["measured", "textbook"], "description": "stiffness of the layer: fitted to finite elements, or the textbook's (default: measured)"},
-   "layers": {"type": "integer", "minimum": 1, "maximum": 1000, "description": "number of rubber layers"},
-   "plate_thickness": {"$ref": "#/$defs/number", "description": "of the metal plates between them, m, >= 0"},
-   "thickness": {"$ref": "#/$defs/number", "description": "of one rubber layer, m, > 0"},
-   "material": {"$ref": "#/$defs/rubber"},
-   "mesh_level": {"type": "integer", "minimum": 1, "maximum": 8, "description": "fineness of the mesh (default: 3); finite elements only"},
-   "mooney_rivlin": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "c10, c01 of large strain, Pa"},
-   "yeoh": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 3, "maxItems": 3, "description": "c10, c20, c30 of large strain, Pa"},
-   "preload": {"$ref": "#/$defs/preload"}},
-  "required": ["shape", "material", "width_x", "width_y", "layers", "thickness", "plate_thickness"]}])json"};
+ {"properties": {"shape": {"const": "disc"}}, "required": ["shape"], "with": ["disc", "rubber", "mesh", "large_strain"]},
+ {"properties": {"shape": {"const": "block"}}, "required": ["shape"], "with": ["block", "rubber", "mesh", "large_strain"]},
+ {"properties": {"shape": {"const": "bush"}}, "required": ["shape"], "with": ["bush", "rubber", "mesh", "large_strain"]},
+ {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["disc", "layers", "rubber", "mesh", "large_strain"]},
+ {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["block", "layers", "rubber", "mesh", "large_strain"]}])json"};
 
 }  // namespace trivet::project
