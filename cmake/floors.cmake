@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_floor(NAME [OPTIMIZED|OPTIMIZED_UNLESS_DEBUG|WORDS] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
+# add_floor(NAME [WORDS] [OPTIMIZED RELEASE|DEBUG] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
 # All .cpp files of the folder are its sources; all headers are public and installed, but for kernels (-inl.h) and those that its
 # CMakeLists.txt names private. The arrows between floors and between the rooms of a floor, and the private headers, are
 # written to floors.txt for the test that holds all #include lines to them.
@@ -10,7 +10,7 @@ set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-s
   # False alarm of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-psabi>)
 
-# One precompiled header for all floors but those that are OPTIMIZED (compiled with -O3): options of optimisation belong to it. With
+# One precompiled header for all floors, but for those that are OPTIMIZED (-O3) in this build: options of optimisation belong to it. With
 # sanitizers, floors of WORDS (reading, writing) are not optimised, and have another.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
 function(add_precompiled name)
@@ -37,16 +37,16 @@ function(compile_words target)
 endfunction()
 
 function(add_floor name)
-  cmake_parse_arguments(FLOOR "OPTIMIZED;OPTIMIZED_UNLESS_DEBUG;WORDS" "" "USES" ${ARGN})
+  cmake_parse_arguments(FLOOR "WORDS" "OPTIMIZED" "USES" ${ARGN})
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
-    UNITY_BUILD ${TRIVET_BATCHES} UNITY_BUILD_BATCH_SIZE 8)
+    UNITY_BUILD ${TRIVET_BATCHES} UNITY_BUILD_BATCH_SIZE 16)
   target_compile_features(trivet_${name} PUBLIC cxx_std_20)
   target_compile_options(trivet_${name} PRIVATE ${TRIVET_WARNINGS})
-  if(FLOOR_OPTIMIZED OR FLOOR_OPTIMIZED_UNLESS_DEBUG)
-    # Finite elements would take minutes with sanitizers otherwise; kernels in lanes would take as long to compile.
-    target_compile_options(trivet_${name} PRIVATE $<$<OR:$<BOOL:${FLOOR_OPTIMIZED}>,$<NOT:$<CONFIG:Debug>>>:-O3>)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
+  if(FLOOR_OPTIMIZED STREQUAL configuration)
+    target_compile_options(trivet_${name} PRIVATE -O3)
     target_precompile_headers(trivet_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
   elseif(FLOOR_WORDS)
     compile_words(trivet_${name})

@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-double in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
+double modulus_in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
 
 /// I_{n+1}(x)/I_n(x) by its continued fraction, from below where it has converged.
 double bessel_ratio(int n, double x) {
@@ -81,11 +81,11 @@ double block_shape_factor(double width_1, double width_2, double thickness) {
 }
 
 double gent_lindley_modulus(const Rubber& rubber, double shape_factor) {
-  return in_series(3 * rubber.shear_modulus * (1 + 2 * shape_factor * shape_factor), rubber.bulk_modulus);
+  return modulus_in_series(3 * rubber.shear_modulus * (1 + 2 * shape_factor * shape_factor), rubber.bulk_modulus);
 }
 
 double gent_meinecke_bending_modulus(const Rubber& rubber, double shape_factor) {
-  return in_series(3 * rubber.shear_modulus * (1 + 2 * shape_factor * shape_factor / 3), rubber.bulk_modulus);
+  return modulus_in_series(3 * rubber.shear_modulus * (1 + 2 * shape_factor * shape_factor / 3), rubber.bulk_modulus);
 }
 
 double disc_pressure_modulus(const Rubber& rubber, double radius, double thickness) {

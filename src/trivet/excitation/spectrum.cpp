@@ -16,7 +16,7 @@ namespace {
 
 using foundation::two_pi;
 
-double density(const SpectrumPiece& p, double omega) {
+double density_of(const SpectrumPiece& p, double omega) {
   const double factor = p.factor == 0 ? 1 : std::pow(omega, p.factor);
   if (p.linear) return factor * (p.density_from + (p.density_to - p.density_from) * ((omega - p.from) / (p.to - p.from)));
   return factor * p.density_from * std::pow(omega / p.from, p.exponent());
@@ -29,7 +29,7 @@ double power_integral(double p, double reference, double a, double b) {
   return a * std::pow(a / reference, p) * span * (x == 0 ? 1 : std::expm1(x) / x);
 }
 
-double mean_square(const SpectrumPiece& p, double a, double b) {
+double mean_square_of(const SpectrumPiece& p, double a, double b) {
   if (!p.linear) return p.density_from * std::pow(p.from, p.factor) * power_integral(p.exponent() + p.factor, p.from, a, b);
   const double slope = (p.density_to - p.density_from) / (p.to - p.from), at_a = p.density_from + slope * (a - p.from);
   if (p.factor == 0) return (at_a + 0.5 * slope * (b - a)) * (b - a);
@@ -49,7 +49,7 @@ double density(const Spectrum& spectrum, double omega) {
   if (pieces.empty() || !(omega >= pieces.front().from && omega <= pieces.back().to)) return 0;
   const auto after = std::upper_bound(pieces.begin(), pieces.end(), omega, [](double w, const SpectrumPiece& p) { return w < p.from; });
   const SpectrumPiece& piece = *(after - 1);
-  return omega <= piece.to ? density(piece, omega) : 0;
+  return omega <= piece.to ? density_of(piece, omega) : 0;
 }
 
 std::vector<double> breakpoints(const Spectrum& spectrum) {
@@ -67,7 +67,7 @@ double mean_square(const Spectrum& spectrum, double from, double to) {
   double sum = 0;
   for (const SpectrumPiece& piece : spectrum.pieces) {
     const double a = std::max(from, piece.from), b = std::min(to, piece.to);
-    if (a < b) sum += mean_square(piece, a, b);
+    if (a < b) sum += mean_square_of(piece, a, b);
   }
   return sum;
 }

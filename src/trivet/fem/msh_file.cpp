@@ -51,7 +51,7 @@ class Reader {
 };
 
 /// Elements of one kind with the entity that they mesh.
-struct Block {
+struct ElementBlock {
   int size;
   std::vector<int> nodes, entity;
   [[nodiscard]] Eigen::MatrixXi matrix() const {
@@ -74,11 +74,11 @@ MshFile parse(const std::string& text) {
   }
 
   reader.find("$Elements");
-  Block triangles{6, {}, {}}, tetrahedra{10, {}, {}};
+  ElementBlock triangles{6, {}, {}}, tetrahedra{10, {}, {}};
   for (std::size_t i = reader.count(); i > 0; --i) {
     reader.number<int>();  // its own number
     const int kind = reader.number<int>(), tags = reader.number<int>();
-    Block* block = kind == triangle_6 ? &triangles : kind == tetrahedron_10 ? &tetrahedra : nullptr;
+    ElementBlock* block = kind == triangle_6 ? &triangles : kind == tetrahedron_10 ? &tetrahedra : nullptr;
     if (!block || tags < 2) {
       reader.skip_line();
       continue;

@@ -18,12 +18,12 @@ constexpr const char* shapes_known =
     "a solid is one of {box = [x, y, z]}, {cylinder = [diameter, length]}, {tube = [outer, inner, length]}, {sphere = diameter}, {cone = [start, end, length]}, "
     "{file = \"….step\"}, {file = \"….stl\", unit = \"1 mm\"}";
 
-constexpr const char* shape_keys[] = {"box", "cylinder", "tube", "sphere", "cone", "file"};
+constexpr const char* solid_keys[] = {"box", "cylinder", "tube", "sphere", "cone", "file"};
 
 /// The key behind a finding: the shape's, where the part names one of its lengths.
 std::string key_of(const Node& part, const std::string& found) {
   if (part.find(found)) return found;
-  for (const char* key : shape_keys)
+  for (const char* key : solid_keys)
     if (part.find(key)) return std::string(key) + " (" + found + ")";
   return found;
 }
@@ -66,7 +66,7 @@ Part read_part(TableReader& reader, const std::string& name) {
   part.pose.position = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   part.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
   int shapes = 0;
-  for (const char* key : shape_keys) shapes += reader.has(key) ? 1 : 0;
+  for (const char* key : solid_keys) shapes += reader.has(key) ? 1 : 0;
   if (shapes != 1) reader.error("density", shapes == 0 ? "no shape" : fmt::format("{} shapes", shapes), shapes_known, "give exactly one").subject = reader.path();
   if (const auto l = lengths(reader, "box", 3)) part.shape = solids::Box{(*l)[0], (*l)[1], (*l)[2]};
   if (const auto l = lengths(reader, "cylinder", 2)) part.shape = solids::Cylinder{(*l)[0], (*l)[1]};

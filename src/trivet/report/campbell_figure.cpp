@@ -15,7 +15,7 @@ namespace {
 
 using foundation::two_pi;
 using foundation::rpm_per_rad_s;
-constexpr const char* halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"";
+constexpr const char* wide_halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"";
 
 /// As high as an order or a natural frequency reaches, whichever is lower.
 double top_hertz(const response::Campbell& campbell) {
@@ -57,7 +57,7 @@ void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
     if (std::abs(at.x - last_x) < 22 && std::abs(at.y - last_y) < 11) continue;
     canvas.text(
         at, fmt::format("{:g}", order),
-        fmt::format("text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" {}", leaves_above ? "middle" : "end", series_colour(0), halo));
+        fmt::format("text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" {}", leaves_above ? "middle" : "end", series_colour(0), wide_halo));
     last_x = at.x;
     last_y = at.y;
   }

@@ -62,7 +62,7 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
   return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
 }
 
-void draw_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label, const std::string& y_label) {
+void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label, const std::string& y_label) {
   for (const Tick& tick : linear_ticks(p.x_from, p.x_to, std::max(3, static_cast<int>(p.width / 70)))) {
     const PixelPoint low = p.at(tick.value, p.y_from);
     canvas.line({low.x, p.top}, low, "stroke=\"#e4e4e4\"");
@@ -90,7 +90,7 @@ void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCur
 }
 
 /// The parts of a curve between the lower and upper edge of its panel, cut where it crosses them.
-std::vector<std::vector<PixelPoint>> visible_pieces(const Panel& p, const std::vector<double>& x, const Eigen::VectorXd& y) {
+std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::vector<double>& x, const Eigen::VectorXd& y) {
   const auto height = [&](double value) { return p.logarithmic ? std::log(value) : value; };
   const auto inside = [&](double value) { return value >= p.y_from && value <= p.y_to; };
   std::vector<std::vector<PixelPoint>> pieces(1);
@@ -112,7 +112,7 @@ void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& an
   const auto& omega = answers.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto& values = answers.response->curves.curves[series[i].curve].value;
-    for (const auto& piece : visible_pieces(p, omega, factor * values.cwiseAbs())) canvas.polyline(piece, series_stroke(i));
+    for (const auto& piece : pieces_of_curve(p, omega, factor * values.cwiseAbs())) canvas.polyline(piece, series_stroke(i));
     if (!answers.peaks) continue;
     for (const response::Peak& peak : answers.peaks->peaks.list) {
       const bool mine = answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
@@ -197,12 +197,12 @@ Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
     const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
     Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
-    draw_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
+    draw_curve_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
     const Panel phase{556, top, panel_width, row_height, answer.band.from, answer.band.to, low, high};
-    draw_frame(canvas, phase, angle_ticks(low, high), "ω [rad/s]", "phase [°]");
+    draw_curve_frame(canvas, phase, angle_ticks(low, high), "ω [rad/s]", "phase [°]");
     draw_phases(canvas, phase, answers, series);
   }
   return {title, file_part(group.name) + ".svg", canvas.svg("Amplitude and phase of " + title)};
@@ -251,7 +251,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
       const UnitPrefix unit = unit_prefix(range.largest, answers.response->curves.curves[series->front().curve].unit);
       Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, 1};
       set_amplitude_axis(panel, range, unit.factor);
-      draw_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
+      draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
                  fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);

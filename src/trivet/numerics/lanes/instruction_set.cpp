@@ -21,18 +21,17 @@ namespace trivet::numerics {
 namespace {
 
 TRIVET_VARIANTS(name_of_target);
-constexpr int variants = 4;
+constexpr int variants = 3;
 
 /// Does this processor have what the compiler was told to use for a variant?
 bool has_instructions(int variant) {
   if (name_of_target_variants[variant] == nullptr) return false;
 #if HWY_ARCH_X86
-  const bool sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul");
-  const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c") &&
-                    __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul") &&
+                    __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
   const bool avx3 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
                     __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
-  const bool has[variants] = {avx3, avx2, sse4, true};
+  const bool has[variants] = {avx3, avx2, true};
   return has[variant];
 #else
   return true;

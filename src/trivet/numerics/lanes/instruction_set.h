@@ -6,7 +6,7 @@
 
 namespace trivet::numerics {
 
-/// The instruction set whose kernels run on this processor: "AVX3" (AVX-512), "AVX2", "SSE4", "NEON", or "SCALAR" …
+/// The instruction set whose kernels run on this processor: "AVX3" (AVX-512), "AVX2", "NEON", or "SCALAR" …
 [[nodiscard]] std::string instruction_set();
 
 /// All that were compiled and that this processor has, best first.

@@ -60,8 +60,6 @@ template <typename Scalar>
 using ByRows = Eigen::Matrix<Scalar, 6, 6, Eigen::RowMajor>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Complex = std::complex<double>;
-using ExtendedMatrix = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic>;
-using ExtendedVector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;
 }  // namespace
 
 template Eigen::MatrixXd lu_solution(Plain<Eigen::MatrixXd>, Plain<Eigen::MatrixXd>);

@@ -7,6 +7,9 @@
 
 namespace trivet::numerics {
 
+using ExtendedMatrix = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic>;
+using ExtendedVector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;
+
 /// A X = B by LU with partial pivoting, the factors kept for several right sides. Scalar: double or std::complex<double>. A singular A
 /// shows in its pivots and its condition; solutions are not finite then.
 template <typename Scalar>

@@ -17,8 +17,6 @@ namespace {
 using foundation::epsilon;
 using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
-using ExtendedMatrix = Eigen::Matrix<ExtendedComplex, Eigen::Dynamic, Eigen::Dynamic>;
-using ExtendedVector = Eigen::Matrix<ExtendedComplex, Eigen::Dynamic, 1>;
 
 void eigen(const Eigen::MatrixXcd& matrix, bool real, Eigen::VectorXcd& values, Eigen::MatrixXcd& vectors) {
   GeneralEigen found = real ? general_eigen(Eigen::MatrixXd(matrix.real())) : general_eigen(matrix);

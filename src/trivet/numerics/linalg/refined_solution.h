@@ -8,9 +8,6 @@
 
 namespace trivet::numerics {
 
-using ExtendedVector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;
-using ExtendedMatrix = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic>;
-
 /// Solves Z x = b to nearly extended precision: pivoted LU in double, residuals in long double, refined until they
 /// settle; where they do not, LU in long double. Right even at a resonance with damping ratio 1e-6, where plain double keeps ten digits.
 class RefinedSolver {

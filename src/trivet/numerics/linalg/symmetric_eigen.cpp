@@ -2,37 +2,42 @@
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 
 #include <Eigen/Eigenvalues>
+#include <type_traits>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
-
-template <typename Matrix>
-SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(S.derived());
-  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
-}
-
-template <typename Matrix>
-SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(S.derived(), P.derived());
-  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
-}
-
-template <typename Matrix>
-Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S) {
-  return Eigen::SelfAdjointEigenSolver<Matrix>(S.derived(), Eigen::EigenvaluesOnly).eigenvalues();
-}
-
-template <typename Matrix>
-Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(S.derived(), P.derived(), Eigen::EigenvaluesOnly).eigenvalues();
-}
-
 namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 template <typename Matrix>
 using Plain = const Eigen::PlainObjectBase<Matrix>&;
+/// Compiled once for all sizes that are known.
+template <typename Matrix>
+using Computed = std::conditional_t<Matrix::RowsAtCompileTime == Eigen::Dynamic, Matrix, UpToTwelve<double>>;
 }  // namespace
+
+template <typename Matrix>
+SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) {
+  const Eigen::SelfAdjointEigenSolver<Computed<Matrix>> solver(S.derived());
+  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+}
+
+template <typename Matrix>
+SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Computed<Matrix>> solver(S.derived(), P.derived());
+  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+}
+
+template <typename Matrix>
+Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S) {
+  return Eigen::SelfAdjointEigenSolver<Computed<Matrix>>(S.derived(), Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+template <typename Matrix>
+Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Computed<Matrix>>(S.derived(), P.derived(), Eigen::EigenvaluesOnly).eigenvalues();
+}
 
 template SymmetricEigen<Eigen::MatrixXd> symmetric_eigen(Plain<Eigen::MatrixXd>);
 template SymmetricEigen<Eigen::Matrix2d> symmetric_eigen(Plain<Eigen::Matrix2d>);

@@ -14,7 +14,7 @@ struct SymmetricEigen {
 };
 
 /// S φ = λ φ of a symmetric S, of which the lower triangle is read. Only a plain matrix is taken, of the size that its type
-/// says: MatrixXd, Matrix2d, Matrix3d, 6×6 or 12×12. A fixed and a dynamic size may round differently.
+/// says: MatrixXd, Matrix2d, Matrix3d, 6×6 or 12×12.
 template <typename Matrix>
 [[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S);
 

@@ -57,7 +57,7 @@ Laurent sum(const Laurent& a, const Laurent& b, const Panel& panel) {
 }
 
 /// What terms make of coordinates.
-Laurent weighted(const CurveTerms& terms, const Panel& panel, const SeriesAtInfinity& of) {
+Laurent weighted_series(const CurveTerms& terms, const Panel& panel, const SeriesAtInfinity& of) {
   const Complex i(0, 1);
   Laurent y{terms.on_displacement.transpose() * of.coefficients, of.power};
   if (!terms.on_velocity.isZero(0)) {
@@ -103,8 +103,8 @@ CurveSeries squared_modulus(const Eigen::RowVectorXcd& y, int power) {
 }
 
 CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates) {
-  Laurent y = weighted(curve.of_response, panel, coordinates.response);
-  if (!curve.of_given.empty() && coordinates.given.coefficients.size() > 0) y = sum(y, weighted(curve.of_given, panel, coordinates.given), panel);
+  Laurent y = weighted_series(curve.of_response, panel, coordinates.response);
+  if (!curve.of_given.empty() && coordinates.given.coefficients.size() > 0) y = sum(y, weighted_series(curve.of_given, panel, coordinates.given), panel);
   const Complex i(0, 1);
   if (panel.at_infinity) {
     y.power -= curve.derivative;

@@ -39,7 +39,7 @@ void check_key(const std::string& path, const std::string& key, const foundation
         .origin = origin;
 }
 
-void check(const Node& node, const std::string& path, foundation::Problems& problems) {
+void check_names(const Node& node, const std::string& path, foundation::Problems& problems) {
   if (node.kind == Node::Kind::text) {
     if (const auto found = foundation::unprintable(node.text, false))
       problems.error(path, *found, "a text holds printable characters, blanks and line breaks", "remove it").origin =
@@ -54,7 +54,7 @@ void check(const Node& node, const std::string& path, foundation::Problems& prob
     const bool table = node.kind == Node::Kind::table;
     if (table) check_key(path, node.keys[i], node.items[i].origin, problems);
     if (node.items[i].kind == Node::Kind::integer || node.items[i].kind == Node::Kind::real) continue;
-    check(node.items[i],
+    check_names(node.items[i],
           !table         ? path
           : path.empty() ? node.keys[i]
                          : path + "." + foundation::shortened(node.keys[i]),
@@ -66,7 +66,7 @@ void check(const Node& node, const std::string& path, foundation::Problems& prob
 
 foundation::Problems check_names_and_texts(const Node& document) {
   foundation::Problems problems;
-  check(document, "", problems);
+  check_names(document, "", problems);
   return problems;
 }
 

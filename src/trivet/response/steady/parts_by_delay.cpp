@@ -7,7 +7,7 @@
 namespace trivet::response {
 namespace {
 
-numerics::Load undelayed(const numerics::Load& load, double delay) {
+numerics::Load undelayed_load(const numerics::Load& load, double delay) {
   numerics::Load part(load.size());
   for (const numerics::LoadTerm& term : load.terms())
     if (term.delay == delay) part.add({term.power, 0, term.value});
@@ -16,7 +16,7 @@ numerics::Load undelayed(const numerics::Load& load, double delay) {
 
 }  // namespace
 
-assembly::Loading undelayed(const assembly::Loading& loading, double delay) { return {undelayed(loading.force, delay), undelayed(loading.motion, delay)}; }
+assembly::Loading undelayed(const assembly::Loading& loading, double delay) { return {undelayed_load(loading.force, delay), undelayed_load(loading.motion, delay)}; }
 
 std::vector<double> delays_of(const assembly::Loading& loading) {
   std::vector<double> delays;
