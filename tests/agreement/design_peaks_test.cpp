@@ -10,6 +10,7 @@
 #include "support/random_designs.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/system_roots.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_count.h"
@@ -68,7 +69,7 @@ void expect_heights_at_their_places(const numerics::Designs& designs, const nume
   for (Eigen::Index d = 0; d < designs.count(); ++d)
     for (Eigen::Index j = 0; j < designs.coordinates(); ++j) {
       const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
-      const double there = std::abs(numerics::matrices_of(designs, d).at(peaks.highest_at(d, j)).partialPivLu().solve(load)(j));
+      const double there = std::abs(numerics::lu_solution(numerics::matrices_of(designs, d).at(peaks.highest_at(d, j)), load)(j));
       EXPECT_NEAR(there, peaks.highest(d, j), tolerance * there) << "design " << d << ", coordinate " << j;
     }
 }
@@ -107,7 +108,7 @@ TEST(DesignPeaks, OfManyCoordinatesAreThoseOfDirectSolutions) {
     const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
     const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
     for (double omega = 0.01; omega < 1000; omega *= 1.002)
-      ASSERT_TRUE((m.at(omega).partialPivLu().solve(load).array().abs().transpose() <= (1 + 1e-9) * peaks.highest.row(d)).all()) << d << " " << omega;
+      ASSERT_TRUE((numerics::lu_solution(m.at(omega), load).array().abs().transpose() <= (1 + 1e-9) * peaks.highest.row(d)).all()) << d << " " << omega;
   }
 }
 
@@ -161,7 +162,7 @@ TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
       for (double away = 1e-8; away < 0.1; away *= 3)
         for (const double side : {-1.0, 1.0}) all.push_back(std::sqrt(lambda) * (1 + side * away));
     for (const double omega : all) {
-      const Eigen::VectorXcd q = m.at(omega).partialPivLu().solve(load);
+      const Eigen::VectorXcd q = numerics::lu_solution(m.at(omega), load);
       for (Eigen::Index j = 0; j < 6; ++j) ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
     }
     ASSERT_NE(peaks.status[static_cast<std::size_t>(d)], numerics::DesignStatus::undecided) << d;

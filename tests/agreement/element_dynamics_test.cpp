@@ -12,6 +12,7 @@
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/roots.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/steady/deep_check.h"
 #include "trivet/response/steady/exact_response.h"
 #include "trivet/response/steady/frequency_response.h"
@@ -50,7 +51,7 @@ Eigen::VectorXcd condensed_response(const model::System& system, const assembly:
         z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
   }
   const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0).head(n);
-  return z.partialPivLu().solve(load);
+  return numerics::lu_solution(z, load);
 }
 
 TEST(RelaxingElements, InternalCoordinatesGiveTheComplexStiffness) {

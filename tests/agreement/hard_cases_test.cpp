@@ -7,6 +7,7 @@
 #include "support/hard_cases.h"
 #include "support/matchers.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/peaks/peak_refinement.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"

@@ -2,11 +2,14 @@
 // A sweep from poles and residues against LU with pivoting in quadruple precision, at resonances and beside them.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <string>
 
 #include "support/hard_cases.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/pole_sweep.h"
 

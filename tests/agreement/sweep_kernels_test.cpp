@@ -2,7 +2,6 @@
 // Every solver of a frequency sweep against LU in extended precision: all instruction sets, any size, load, tail and number of threads.
 #include <gmock/gmock.h>
 
-#include <Eigen/LU>
 #include <cstring>
 #include <random>
 
