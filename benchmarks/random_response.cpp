@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "trivet/numerics/linalg/lyapunov.h"
+#include "support/lyapunov.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 
@@ -124,7 +124,7 @@ Eigen::VectorXd by_lyapunov(double density) {
   state.bottomRightCorner(n, n) = -mass.solve(m.B);
   const Eigen::VectorXd push = mass.solve(machine.force().force.at(0).real());
   intensity.bottomRightCorner(n, n) = std::numbers::pi * density * push * push.transpose();
-  return numerics::lyapunov_covariance(state, intensity).diagonal().head(n).cwiseSqrt();
+  return test::lyapunov_covariance(state, intensity).diagonal().head(n).cwiseSqrt();
 }
 
 void compare(const char* what, const Eigen::VectorXd& mine, const Eigen::VectorXd& other, double allowed) {

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_floor(NAME [WORDS] [OPTIMIZED RELEASE|DEBUG] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
+# add_floor(NAME [WORDS] [OPTIMIZED Release|Debug] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
 # All .cpp files of the folder are its sources; all headers are public and installed, but for kernels (-inl.h) and those that its
 # CMakeLists.txt names private. The arrows between floors and between the rooms of a floor, and the private headers, are
 # written to floors.txt for the test that holds all #include lines to them.
 file(WRITE ${PROJECT_BINARY_DIR}/floors.txt "")
 set_property(GLOBAL PROPERTY TRIVET_FLOORS "")
 
-set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
-  # False alarm of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-psabi>)
+set(TRIVET_BATCH_SIZE 16)  # files; the largest batch takes 2.2 GB of memory
+set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
+  # In a batch, a constant of one file is "global" to the next.
+  $<IF:$<AND:$<BOOL:${TRIVET_BATCHES}>,$<CXX_COMPILER_ID:GNU>>,-Wshadow=local,-Wshadow>
+  # False alarms of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-free-nonheap-object;-Wno-psabi>)
 
-# One precompiled header for all floors, but for those that are OPTIMIZED (-O3) in this build: options of optimisation belong to it. With
-# sanitizers, floors of WORDS (reading, writing) are not optimised, and have another.
+# One precompiled header for all floors, but for those that are OPTIMIZED (-O3) in this type of build: options of optimisation belong to it. In
+# debug builds, which have sanitizers, floors of WORDS (reading, writing) are not optimised, and have another.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
 function(add_precompiled name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
@@ -41,11 +44,10 @@ function(add_floor name)
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
-    UNITY_BUILD ${TRIVET_BATCHES} UNITY_BUILD_BATCH_SIZE 16)
+    UNITY_BUILD ${TRIVET_BATCHES} UNITY_BUILD_BATCH_SIZE ${TRIVET_BATCH_SIZE})
   target_compile_features(trivet_${name} PUBLIC cxx_std_20)
   target_compile_options(trivet_${name} PRIVATE ${TRIVET_WARNINGS})
-  string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
-  if(FLOOR_OPTIMIZED STREQUAL configuration)
+  if(FLOOR_OPTIMIZED STREQUAL CMAKE_BUILD_TYPE)
     target_compile_options(trivet_${name} PRIVATE -O3)
     target_precompile_headers(trivet_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
   elseif(FLOOR_WORDS)

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <random>
-
 #include <string>
 
 #include "support/hard_cases.h"

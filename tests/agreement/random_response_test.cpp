@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/lyapunov.h"
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/linalg/lyapunov.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 
@@ -168,7 +168,7 @@ Eigen::MatrixXd white_noise_covariance(const Case& c, const assembly::Loading& l
   state.bottomRightCorner(n, n) = -inverse * m.B;
   const Eigen::VectorXd push = inverse * load.force.at(0).real();
   intensity.bottomRightCorner(n, n) = std::numbers::pi * density * push * push.transpose();
-  return numerics::lyapunov_covariance(state, intensity);
+  return test::lyapunov_covariance(state, intensity);
 }
 
 TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {

@@ -59,6 +59,12 @@ class MapWarnings(unittest.TestCase):
         self.assertIn(words, (self.folder / "out" / "report.html").read_text())
         return done
 
+    def test_a_range_in_another_unit_than_the_model(self):
+        text = BODY.replace('"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 0.5, to = 1.5')
+        self.warned(text, "the model itself has 1e+06, far from all designs of the map")
+        near = BODY.replace('"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 5e7, to = 2e8')
+        self.assertNotIn("far from all designs", self.map(near).stderr)
+
     def test_a_map_without_doubts_warns_of_nothing(self):
         self.assertEqual(self.map(BODY).stderr, "")
 

@@ -18,7 +18,7 @@ struct HardCase {
 
 std::vector<HardCase> hard_cases();
 
-/// Six complex components.
+/// A load on six coordinates, with real and complex amplitudes.
 Eigen::VectorXcd load();
 
 /// Resonances, close to them and far from them.

@@ -12,6 +12,7 @@
 #include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/up_to_twelve.h"
 
 namespace {
 
@@ -91,12 +92,17 @@ TEST(SymmetricEigenvalues, MakeTheMatrixSingularAndAddUpToItsTrace) {
   expect_eigenvalues<Eigen::Matrix<double, 12, 12>>(12);
 }
 
-TEST(SymmetricEigen, OfTwoMatricesSatisfiesTheirEquation) {
-  const Eigen::Matrix2d S = definite<Eigen::Matrix2d>(2), P = S + Eigen::Matrix2d(Eigen::Vector2d(1, 4).asDiagonal());
-  const numerics::SymmetricEigen<Eigen::Matrix2d> found = numerics::symmetric_eigen(S, P);
+template <typename Matrix>
+void expect_modes_of_two(int n) {
+  const Matrix S = definite<Matrix>(n), P = definite<Matrix>(n) + Matrix(Eigen::VectorXd::LinSpaced(n, 1, 4).asDiagonal());
+  const numerics::SymmetricEigen<Matrix> found = numerics::symmetric_eigen(S, P);
   EXPECT_LE(rest(S * found.vectors - P * found.vectors * found.values.asDiagonal()), round_off);
-  EXPECT_LE(rest(found.vectors.transpose() * P * found.vectors - Eigen::Matrix2d::Identity()), round_off);
-  EXPECT_LE(rest(numerics::symmetric_eigenvalues(Eigen::MatrixXd(S), Eigen::MatrixXd(P)) - found.values), round_off);
+  EXPECT_LE(rest(found.vectors.transpose() * P * found.vectors - Matrix::Identity(n, n)), round_off);
+}
+
+TEST(SymmetricEigen, OfTwoMatricesSatisfiesTheirEquation) {
+  expect_modes_of_two<Eigen::Matrix2d>(2);
+  expect_modes_of_two<Eigen::MatrixXd>(7);
 }
 
 template <typename Matrix>

@@ -101,6 +101,18 @@ TEST(Roots, OfALossFactorAreThoseOfThePositiveHalfPlane) {
   EXPECT_LE(std::abs(roots.list[0].eigenvalue - (expected.imag() > 0 ? expected : -expected)), 1e-13 * 30);
 }
 
+TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
+  // 10 rad/s along x with the loss factor 0.8 makes |λ| = 10 (1 + 0.8²)^¼ = 11.3 rad/s, beyond the 11 rad/s along z.
+  const std::string text = "trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
+                           "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, 0]\nrotation = [0, 0, 0]\ndamping = {loss_factor = 0.8}\n"
+                           "[elements.z]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [0, 0, 121]\nrotation = [0, 0, 0]\n";
+  const modal::Roots roots = modal::roots(test::project(text).base().system);
+  ASSERT_EQ(roots.list.size(), 2u);
+  EXPECT_NEAR(*roots.list[1].angular_frequency, 10 * std::pow(1.64, 0.25), 1e-12);
+  EXPECT_EQ(roots.list[0].nearest_mode, 2);
+  EXPECT_EQ(roots.list[1].nearest_mode, 1);
+}
+
 TEST(Roots, ADashpotToTheWallLeavesOneDriftAndOneDecay) {
   const modal::Roots roots = modal::roots(test::project(test::chain({2, 1}, {0, 100, 0}, {}) +
                                                         "[elements.d]\ntype = \"damper\"\non = \"m1\"\nat = [0, 0, 0]\naxis = \"x\"\ncoefficient = 5\n").base().system);

@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
+#include "support/lyapunov.h"
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/lyapunov.h"
 #include "trivet/numerics/linalg/pole_residue.h"
 #include "trivet/numerics/linalg/polynomial_roots.h"
 #include "trivet/response/random/integration_panels.h"
@@ -246,12 +246,12 @@ TEST(PoleResidueForm, IsTheInverseOfTheDynamicStiffnessAlsoWithCoordinatesHeldBy
 TEST(LyapunovCovariance, OfOneMassIsItsEquipartitionAndGrowthIsRefused) {
   Eigen::Matrix2d state, intensity = Eigen::Vector2d(0, 3).asDiagonal();
   state << 0, 1, -16, -0.5;
-  const Eigen::MatrixXd covariance = numerics::lyapunov_covariance(state, intensity);
+  const Eigen::MatrixXd covariance = test::lyapunov_covariance(state, intensity);
   EXPECT_NEAR(covariance(1, 1), 3 / (2 * 0.5), 1e-13);
   EXPECT_NEAR(covariance(0, 0), covariance(1, 1) / 16, 1e-13);
   EXPECT_NEAR(covariance(0, 1), 0, 1e-13);
-  EXPECT_THROW((void)numerics::lyapunov_covariance(-state, intensity), foundation::NotComputable);
-  EXPECT_THROW((void)numerics::lyapunov_covariance(state, Eigen::MatrixXd::Zero(3, 3)), foundation::InvalidInput);
+  EXPECT_THROW((void)test::lyapunov_covariance(-state, intensity), foundation::NotComputable);
+  EXPECT_THROW((void)test::lyapunov_covariance(state, Eigen::MatrixXd::Zero(3, 3)), foundation::InvalidInput);
 }
 
 TEST(IntegrationPanels, IntegrateANarrowResonanceAndAWaveToRoundOff) {

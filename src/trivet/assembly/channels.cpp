@@ -9,6 +9,7 @@
 
 #include "trivet/assembly/following.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/problems.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {
@@ -329,7 +330,13 @@ std::vector<Channel> channels(const model::System& system, const Assembled& asse
         if (word.starts_with(group + "."))
           for (Channel& channel : builder.word(group))
             if (channel.name == word) found.push_back(std::move(channel));
-    if (found.empty()) throw foundation::InvalidInput("\"" + word + "\" names no result of this model");
+    if (found.empty()) {
+      std::vector<std::string> names;
+      for (const std::string& group : channel_words(system.description()))
+        for (const Channel& channel : builder.word(group)) names.push_back(channel.name);
+      const std::string guess = foundation::nearest_name(word, names);
+      throw foundation::InvalidInput("\"" + word + "\" names no result of this model" + (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+    }
     append_new(found);
   }
   return result;

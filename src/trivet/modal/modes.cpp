@@ -119,6 +119,17 @@ std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n
   return best->number;
 }
 
+Eigen::VectorXcd modal_forces(const assembly::Layout& layout, const Modes& modes, const Eigen::VectorXcd& forces) {
+  Eigen::VectorXcd result = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(modes.list.size()));
+  for (std::size_t m = 0; m < modes.list.size(); ++m) {
+    const Eigen::VectorXd& shape = modes.list[m].shape;
+    for (Eigen::Index j = 0; j < shape.size(); ++j)
+      if (const Eigen::Index row = layout.row(static_cast<std::size_t>(j / 6), static_cast<int>(j % 6)); row >= 0)
+        result(static_cast<Eigen::Index>(m)) += shape(j) * forces(row);
+  }
+  return result;
+}
+
 bool has_rigid_motion(const Modes& modes) {
   return std::any_of(modes.list.begin(), modes.list.end(), [](const Mode& m) { return m.eigenvalue_squared == 0; });
 }

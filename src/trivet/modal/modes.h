@@ -45,6 +45,9 @@ struct Modes {
 /// within 1 % counts: the true neighbour may be among the missing.
 [[nodiscard]] std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n);
 
+/// φᵀf of every mode, for generalized forces on all coordinates, of which those on bodies count.
+[[nodiscard]] Eigen::VectorXcd modal_forces(const assembly::Layout& layout, const Modes& modes, const Eigen::VectorXcd& forces);
+
 /// Does any mode stand at ω = 0?
 [[nodiscard]] bool has_rigid_motion(const Modes& modes);
 

@@ -20,7 +20,9 @@ struct Root {
   std::optional<double> damped_angular_frequency;   ///< |Im λ| [rad/s]
   std::optional<double> damping_ratio;              ///< −Re λ/|λ|
   Eigen::VectorXcd shape;                           ///< six per body at the poles, largest (mass-weighted) component 1
-  std::optional<int> nearest_mode;                  ///< number of the undamped mode nearest in |λ|
+  /// Number of the undamped mode that the shape has most of: more than half of the mass-weighted square that all modes have of it. Where
+  /// damping couples modes so that none has, the mode nearest in |λ|.
+  std::optional<int> nearest_mode;
   bool exact = true;                                ///< false: of the nearest linear system, where elements depend on ω in their own way
 };
 

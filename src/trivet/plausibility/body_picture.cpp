@@ -100,7 +100,7 @@ spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d&
 
 /// Positive eigenvalues of K φ = λ M φ, held directions only.
 std::vector<double> held_eigenvalues(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m) {
-  const Eigen::VectorXd eigenvalues = numerics::symmetric_eigenvalues(Eigen::MatrixXd(0.5 * (k + k.transpose())), m);
+  const Eigen::VectorXd eigenvalues = numerics::symmetric_eigen(Eigen::MatrixXd(0.5 * (k + k.transpose())), m).values;
   std::vector<double> held;
   for (const double lambda : eigenvalues)
     if (lambda > hardly_held * eigenvalues.maxCoeff()) held.push_back(lambda);

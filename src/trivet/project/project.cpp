@@ -141,7 +141,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   read_excitations(root, description, mentioned);
   for (const auto& adjust : mentioned.adjustments) adjust(description);
   Analyses analyses = read_analyses(root, mentioned);
-  root.also_known({"cases", "accept", "element_types"});
+  root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
 
   const bool every_body_was_read = !mentioned.bodies_unknown && description.bodies.size() == mentioned.bodies.size();

@@ -37,6 +37,7 @@ void add_keys(Json& object, const Json& keys) {
 }
 
 /// An object that has these keys, those of the groups that they name under `with`, and no others.
+/// @throws std::out_of_range if there is no such group
 Json closed(const Json& own, const Json& common, const std::vector<std::string>& required, const Json& groups) {
   Json all = {{"type", "object"}, {"properties", common}, {"required", required}, {"additionalProperties", false}};
   add_keys(all, own);
@@ -53,19 +54,20 @@ Json type_of(const ElementLaw& law) {
 }
 
 void add_element_laws(Json& definitions) {
-  const Json shared = definitions["element_of_any_law"]["properties"], groups = definitions["shared_keys"];
+  const Json common = definitions["element_of_any_law"]["properties"], groups = definitions["shared_keys"];
   definitions.erase("element_of_any_law");
   definitions.erase("shared_keys");
   Json& elements = definitions["element"]["anyOf"];
   Json& built_in = elements[0]["properties"]["type"]["not"]["anyOf"];
   for (const ElementLaw* law : element_laws()) {
     built_in.push_back(type_of(*law));
-    Json keys = shared;
+    Json keys = common;
     keys["type"] = type_of(*law);
     keys["from_at"] = reference(law->sized ? "element_from_at_of_length" : "element_from_at");
     if (law->placed) keys["from_orientation"] = reference("element_from_orientation");
     const Json variants = parsed(law->type, law->keys);
-    for (const Json& own : variants.is_array() ? variants : Json::array({variants})) elements.push_back(closed(own, keys, {"type", "on", "at"}, groups));
+    for (const Json& own : variants.is_array() ? variants : Json::array({variants}))
+      elements.push_back(closed(own, keys, {"type", "on", "at"}, groups));
   }
 }
 

@@ -197,7 +197,8 @@ Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
     const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
     Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
-    draw_curve_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]", fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
+    draw_curve_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]",
+                     fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
@@ -252,7 +253,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
       Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, 1};
       set_amplitude_axis(panel, range, unit.factor);
       draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
-                 fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
+                       fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);
     }

@@ -73,12 +73,13 @@ std::string limit_line_table(const study::Answers& answers) {
           fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / (2 * std::numbers::pi), band.to / (2 * std::numbers::pi));
     rows.push_back({{l.of},
                     {l.line.name},
+                    {fmt::format("{:.4g} … {:.4g}", c.compared.from / (2 * std::numbers::pi), c.compared.to / (2 * std::numbers::pi))},
                     number_cell(response::margin_level(c.least_margin)),
                     hertz_cell(c.least_margin_at),
                     {bands.empty() ? "–" : bands},
                     {c.kept() ? "✓ kept" : "✗ EXCEEDED", false, !c.kept()}});
   }
-  return html_table({{"answer"}, {"limit line"}, right("least margin [dB]"), right("at [Hz]"), {"exceeded [Hz]"}, {"verdict"}}, rows);
+  return html_table({{"answer"}, {"limit line"}, {"compared [Hz]"}, right("least margin [dB]"), right("at [Hz]"), {"exceeded [Hz]"}, {"verdict"}}, rows);
 }
 
 std::string load_sharing_table(const study::Answers& answers) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/project/model_number.h"
 #include "trivet/spatial/mass_properties.h"
 #include "trivet/study/influence.h"
 
@@ -47,6 +48,19 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
   if (all_still) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
     if (!changes) warnings.warning("map: " + axis->name, "the axis changes no answer", "amplitudes of all rules are the same along it", "take a number that the answers depend on");
+}
+
+/// A range that was typed in another unit than the number of the model.
+void warn_of_another_scale(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
+  constexpr double unlikely = 100;  // a design that differs as much is another machine
+  for (const project::MapAxis* axis : {&map.request.x, &map.request.y}) {
+    const std::optional<double> own = project::ModelNumber(*axis).read(variant);
+    if (!own || *own == 0) continue;
+    const double low = std::min(std::abs(axis->from), std::abs(axis->to)), high = std::max(std::abs(axis->from), std::abs(axis->to));
+    if (std::abs(*own) <= unlikely * high && std::abs(*own) * unlikely >= low) continue;
+    warnings.warning("map: " + axis->name, fmt::format("{:.6g} … {:.6g}", axis->from, axis->to), fmt::format("the model itself has {:.6g}, far from all designs of the map", *own),
+                     "look at the unit of the range");
+  }
 }
 
 /// A motion of the ground given by its velocity or acceleration drifts off at rest.
@@ -93,6 +107,7 @@ foundation::Problems map_warnings(const project::Case& variant, const DesignMap&
   warn_of_unphysical(variant, warnings);
   warn_of_contradictions(map, warnings);
   warn_of_passages(map, warnings);
+  warn_of_another_scale(variant, map, warnings);
   warn_of_idle(variant, map, warnings);
   warn_of_drift(variant, map, warnings);
   return warnings;

@@ -10,7 +10,7 @@ namespace trivet::study {
 [[nodiscard]] bool contradicts(const DesignMap& map, const MapMark& mark);
 
 /// What a reader must know before trusting a map: bodies that cannot be, marks that contradict the designs around them, resonances that pass unseen between
-/// designs, answers that do not move, axes that change nothing, limits that no design can keep at rest.
+/// designs, ranges far from the model itself, answers that do not move, axes that change nothing, limits that no design can keep at rest.
 /// @param variant  whose model it is
 [[nodiscard]] foundation::Problems map_warnings(const project::Case& variant, const DesignMap& map);
 

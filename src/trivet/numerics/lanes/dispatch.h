@@ -12,5 +12,6 @@ namespace trivet::numerics {
 
 /// Once for each kernel, in its namespace: best first; the last is what every processor of this kind has.
 #define TRIVET_VARIANTS(kernel) \
-  constexpr decltype(HWY_CHOOSE_FALLBACK(kernel)) kernel##_variants[] = {HWY_CHOOSE_AVX3(kernel), HWY_CHOOSE_AVX2(kernel), HWY_CHOOSE_FALLBACK(kernel)}
+  constexpr decltype(HWY_CHOOSE_FALLBACK(kernel)) kernel##_variants[] = {HWY_CHOOSE_AVX3(kernel), HWY_CHOOSE_AVX2(kernel), \
+                                                                         HWY_CHOOSE_FALLBACK(kernel)}
 #define TRIVET_DISPATCH(kernel) (kernel##_variants[chosen_variant()])

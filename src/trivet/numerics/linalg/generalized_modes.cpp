@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/generalized_modes.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,17 +19,12 @@ namespace {
 
 using foundation::epsilon;
 
-/// Shapes y and values of S y = μ P y with P positive definite, by Cholesky of P.
+/// Shapes y and values of S y = μ P y with P positive definite.
 void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::VectorXd& mu, Eigen::MatrixXd& y) {
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(P);
-  const auto L = cholesky.matrixL();
-  const Eigen::MatrixXd half = L.solve(S);
-  Eigen::MatrixXd reduced = L.solve(half.transpose());
-  reduced = (0.5 * (reduced + reduced.transpose())).eval();
-  const SymmetricEigen<Eigen::MatrixXd> eigen = symmetric_eigen(reduced);
+  const SymmetricEigen<Eigen::MatrixXd> eigen = symmetric_eigen(S, P);
   if (!eigen.converged) throw foundation::NotComputable("the symmetric eigensolver did not converge");
   mu = eigen.values;
-  y = cholesky.matrixU().solve(eigen.vectors);
+  y = eigen.vectors;
 }
 
 /// Each shape to φᵀAφ = ±1, λ as Rayleigh quotient in extended precision, largest component positive.

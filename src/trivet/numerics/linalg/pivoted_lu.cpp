@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include "trivet/numerics/linalg/up_to_twelve.h"
+
 namespace trivet::numerics {
 
 template <typename Scalar>

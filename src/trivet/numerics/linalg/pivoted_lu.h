@@ -44,8 +44,4 @@ template <typename Matrix, typename Right>
 template <typename Matrix>
 [[nodiscard]] Matrix inverse(const Eigen::PlainObjectBase<Matrix>& A);
 
-/// A matrix of up to 12 rows and columns without memory of its own on the heap.
-template <typename Scalar>
-using UpToTwelve = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
-
 }  // namespace trivet::numerics

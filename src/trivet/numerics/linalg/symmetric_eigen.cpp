@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <type_traits>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/up_to_twelve.h"
 
 namespace trivet::numerics {
 namespace {
@@ -25,18 +26,18 @@ SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) 
 
 template <typename Matrix>
 SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Computed<Matrix>> solver(S.derived(), P.derived());
-  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+  const Eigen::LLT<Computed<Matrix>> cholesky(P.derived());
+  const auto L = cholesky.matrixL();
+  const Computed<Matrix> half = L.solve(Computed<Matrix>(S.derived()));
+  Computed<Matrix> reduced = L.solve(half.transpose());
+  reduced = (0.5 * (reduced + reduced.transpose())).eval();
+  const Eigen::SelfAdjointEigenSolver<Computed<Matrix>> solver(reduced);
+  return {solver.eigenvalues(), cholesky.matrixU().solve(solver.eigenvectors()), solver.info() == Eigen::Success};
 }
 
 template <typename Matrix>
 Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S) {
   return Eigen::SelfAdjointEigenSolver<Computed<Matrix>>(S.derived(), Eigen::EigenvaluesOnly).eigenvalues();
-}
-
-template <typename Matrix>
-Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Computed<Matrix>>(S.derived(), P.derived(), Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 template SymmetricEigen<Eigen::MatrixXd> symmetric_eigen(Plain<Eigen::MatrixXd>);
@@ -45,10 +46,10 @@ template SymmetricEigen<Eigen::Matrix3d> symmetric_eigen(Plain<Eigen::Matrix3d>)
 template SymmetricEigen<Matrix6> symmetric_eigen(Plain<Matrix6>);
 template SymmetricEigen<Matrix12> symmetric_eigen(Plain<Matrix12>);
 template SymmetricEigen<Eigen::Matrix2d> symmetric_eigen(Plain<Eigen::Matrix2d>, Plain<Eigen::Matrix2d>);
+template SymmetricEigen<Eigen::MatrixXd> symmetric_eigen(Plain<Eigen::MatrixXd>, Plain<Eigen::MatrixXd>);
 template Eigen::VectorXd symmetric_eigenvalues(Plain<Eigen::MatrixXd>);
 template Eigen::VectorXd symmetric_eigenvalues(Plain<Eigen::MatrixXcd>);
 template Eigen::Matrix<double, 6, 1> symmetric_eigenvalues(Plain<Matrix6>);
 template Eigen::Matrix<double, 12, 1> symmetric_eigenvalues(Plain<Matrix12>);
-template Eigen::VectorXd symmetric_eigenvalues(Plain<Eigen::MatrixXd>, Plain<Eigen::MatrixXd>);
 
 }  // namespace trivet::numerics

@@ -18,16 +18,12 @@ struct SymmetricEigen {
 template <typename Matrix>
 [[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S);
 
-/// S φ = λ P φ with P positive definite; φᵀ P φ = 1. Matrix2d.
+/// S φ = λ P φ with P positive definite, by its Cholesky factor; φᵀ P φ = 1. MatrixXd, Matrix2d.
 template <typename Matrix>
 [[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P);
 
 /// Eigenvalues of a symmetric or Hermitian matrix, ascending: MatrixXd, MatrixXcd, 6×6 or 12×12.
 template <typename Matrix>
 [[nodiscard]] Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S);
-
-/// Eigenvalues λ of S φ = λ P φ with P positive definite, ascending. MatrixXd.
-template <typename Matrix>
-[[nodiscard]] Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P);
 
 }  // namespace trivet::numerics

@@ -104,7 +104,8 @@ CurveSeries squared_modulus(const Eigen::RowVectorXcd& y, int power) {
 
 CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates) {
   Laurent y = weighted_series(curve.of_response, panel, coordinates.response);
-  if (!curve.of_given.empty() && coordinates.given.coefficients.size() > 0) y = sum(y, weighted_series(curve.of_given, panel, coordinates.given), panel);
+  if (!curve.of_given.empty() && coordinates.given.coefficients.size() > 0)
+    y = sum(y, weighted_series(curve.of_given, panel, coordinates.given), panel);
   const Complex i(0, 1);
   if (panel.at_infinity) {
     y.power -= curve.derivative;

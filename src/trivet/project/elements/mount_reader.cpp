@@ -120,13 +120,22 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
 
 }  // namespace
 
-const ElementLaw rubber_disc_law = {.type = "rubber_disc", .sized = read_rubber_disc, .keys = R"json({"with": ["disc", "rubber", "method", "mesh", "large_strain"]})json"};
-const ElementLaw rubber_block_law = {.type = "rubber_block", .sized = read_rubber_block, .keys = R"json({"with": ["block", "rubber", "method", "mesh", "large_strain"]})json"};
-const ElementLaw rubber_bush_law = {.type = "rubber_bush", .sized = read_rubber_bush, .keys = R"json({"with": ["bush", "rubber", "method", "mesh", "large_strain"]})json"};
+const ElementLaw rubber_disc_law = {
+    .type = "rubber_disc", .sized = read_rubber_disc,
+    .keys = R"json({"with": ["disc", "layer", "rubber", "method", "large_strain"]})json",
+};
+const ElementLaw rubber_block_law = {
+    .type = "rubber_block", .sized = read_rubber_block,
+    .keys = R"json({"with": ["block", "layer", "rubber", "method", "large_strain"]})json",
+};
+const ElementLaw rubber_bush_law = {
+    .type = "rubber_bush", .sized = read_rubber_bush,
+    .keys = R"json({"with": ["bush", "rubber", "method", "large_strain"]})json",
+};
 
 const ElementLaw sandwich_law = {.type = "sandwich", .sized = read_sandwich, .keys = R"json([
- {"with": ["disc", "layers", "rubber", "method", "mesh", "large_strain"]},
- {"with": ["block", "layers", "rubber", "method", "mesh", "large_strain"]}])json"};
+ {"with": ["disc", "layer", "layers", "rubber", "method", "large_strain"]},
+ {"with": ["block", "layer", "layers", "rubber", "method", "large_strain"]}])json"};
 
 const ElementLaw solid_mount_law = {.type = "solid_mount", .sized = read_solid_mount, .keys = R"json([
  {"with": ["large_strain"],
@@ -142,10 +151,10 @@ const ElementLaw solid_mount_law = {.type = "solid_mount", .sized = read_solid_m
    "materials": {"type": "array", "items": {"anyOf": [{"$ref": "#/$defs/rubber"}, {"$ref": "#/$defs/metal"}]}, "minItems": 1, "description": "one per solid, in the order of the file"}},
   "required": ["step", "mesh_size"],
   "oneOf": [{"required": ["material"]}, {"required": ["materials"]}]},
- {"properties": {"shape": {"const": "disc"}}, "required": ["shape"], "with": ["disc", "rubber", "mesh", "large_strain"]},
- {"properties": {"shape": {"const": "block"}}, "required": ["shape"], "with": ["block", "rubber", "mesh", "large_strain"]},
- {"properties": {"shape": {"const": "bush"}}, "required": ["shape"], "with": ["bush", "rubber", "mesh", "large_strain"]},
- {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["disc", "layers", "rubber", "mesh", "large_strain"]},
- {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["block", "layers", "rubber", "mesh", "large_strain"]}])json"};
+ {"properties": {"shape": {"const": "disc"}}, "required": ["shape"], "with": ["disc", "layer", "rubber", "large_strain"]},
+ {"properties": {"shape": {"const": "block"}}, "required": ["shape"], "with": ["block", "layer", "rubber", "large_strain"]},
+ {"properties": {"shape": {"const": "bush"}}, "required": ["shape"], "with": ["bush", "rubber", "large_strain"]},
+ {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["disc", "layer", "layers", "rubber", "large_strain"]},
+ {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["block", "layer", "layers", "rubber", "large_strain"]}])json"};
 
 }  // namespace trivet::project

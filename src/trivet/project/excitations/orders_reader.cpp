@@ -192,7 +192,8 @@ void read_unbalance(TableReader& reader, model::Action& action) {
   const bool backward = reader.choice("direction", {"forward", "backward"}) == "backward";
   const double phase = reader.number("phase", Quantity::angle).value_or(0);
   double mass_eccentricity = 0;
-  if (reader.has("grade")) {
+  const bool part_of_grade = reader.has("rotor_mass") || reader.has("service_speed");
+  if (reader.has("grade") || (part_of_grade && !reader.has("mass_eccentricity"))) {
     const std::size_t before = reader.errors();
     const double grade = reader.required_number("grade", Quantity::pure), mass = reader.required_number("rotor_mass", Quantity::mass),
                  speed = reader.required_number("service_speed", Quantity::angular_frequency);

@@ -44,13 +44,13 @@ class Types {
     Node result = element;
     for (std::size_t i = 0; i < shared.keys.size(); ++i) {
       const std::string& key = shared.keys[i];
+      if (key == "scale") multiply_scale(result, shared.items[i]);
       if (key == "type") set(result, key, shared.items[i]);
-      else if (key == "scale") multiply_scale(result, shared.items[i]);
-      else if (is_of_element(key)) continue;  // a problem of the type
-      else if (const Node* own = element.find(key))
+      if (is_of_element(key)) continue;  // others than these two are a problem of the type
+      if (const Node* own = element.find(key))
         problems_.error(path + "." + key, shown(*own), fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type, foundation::place(shared.items[i].origin)),
-                        "remove it here, change the type, or give this element a type of its own").origin = own->origin;
-      else set(result, key, shared.items[i]);
+                        fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one a type of its own", type, key)).origin = own->origin;
+      set(result, key, shared.items[i]);
     }
     return result;
   }
@@ -107,6 +107,19 @@ bool holds(const Node& node, const foundation::Origin& origin) {
   return std::any_of(node.items.begin(), node.items.end(), [&](const Node& item) { return holds(item, origin); });
 }
 
+/// Of "known here: …" what a type may have.
+std::string without_keys_of_elements(const std::string& rule) {
+  constexpr std::string_view start = "known here: ", between = ", ";
+  std::string kept;
+  for (std::size_t at = start.size(); rule.starts_with(start) && at < rule.size();) {
+    const std::size_t end = std::min(rule.find(between, at), rule.size());
+    const std::string key = rule.substr(at, end - at);
+    if (!is_of_element(key) || key == "type" || key == "scale") kept += (kept.empty() ? std::string(start) : std::string(between)) + key;
+    at = end + between.size();
+  }
+  return kept.empty() ? rule : kept;
+}
+
 /// The type of an element that lacks a key of its law.
 std::optional<std::string> type_that_lacks(const Node& document, const Node& types, const std::string& subject, const std::string& finding) {
   if (finding != "missing") return std::nullopt;
@@ -161,6 +174,7 @@ void name_element_types(const Node& document, foundation::Problems& problems) {
     for (std::size_t i = 0; i < types->keys.size(); ++i)
       if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(), [&](const Node& item) { return holds(item, problem.origin); })) {
         problem.subject = "element_types." + types->keys[i] + problem.subject.substr(end_of_name);
+        problem.rule = without_keys_of_elements(problem.rule);
         break;
       }
   }

@@ -9,20 +9,6 @@
 namespace trivet::response {
 namespace {
 
-/// φᵀF of every mode: forces act on bodies only.
-Eigen::VectorXd modal_forces(const assembly::Layout& layout, const modal::Modes& modes, const Eigen::VectorXcd& force) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(modes.list.size()));
-  for (std::size_t m = 0; m < modes.list.size(); ++m) {
-    const Eigen::VectorXd& shape = modes.list[m].shape;
-    std::complex<double> sum = 0;
-    for (Eigen::Index j = 0; j < shape.size(); ++j)
-      if (const Eigen::Index row = layout.row(static_cast<std::size_t>(j / 6), static_cast<int>(j % 6)); row >= 0)
-        sum += shape(j) * force(row);
-    result(static_cast<Eigen::Index>(m)) = std::abs(sum);
-  }
-  return result;
-}
-
 std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
   std::vector<NaturalLine> lines;
   for (const modal::Root& root : roots.list)
@@ -46,7 +32,8 @@ Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderL
       const NaturalLine& line = result.natural[i];
       Interference point{i, order.order, line.angular_frequency / order.order, line.angular_frequency, line.nearest_mode, {}, false};
       if (point.speed < speed.from || point.speed > speed.to) continue;
-      const Eigen::VectorXd forces = modal_forces(assembled.layout, modes, order.loading.force.at(line.angular_frequency));
+      const Eigen::VectorXd forces =
+          modal::modal_forces(assembled.layout, modes, order.loading.force.at(line.angular_frequency)).cwiseAbs();
       const auto mode = std::find_if(modes.list.begin(), modes.list.end(), [&](const modal::Mode& m) { return m.number == point.mode; });
       if (mode != modes.list.end() && forces.squaredNorm() > 0) {
         point.modal_force_share = std::pow(forces(mode - modes.list.begin()), 2) / forces.squaredNorm();

@@ -23,7 +23,7 @@ struct Interference {
   double order = 0;
   double speed = 0;                    ///< Ω [rad/s]
   double angular_frequency = 0;        ///< [rad/s]
-  std::optional<int> mode;             ///< nearest undamped mode
+  std::optional<int> mode;             ///< of the natural line
   /// |φᵀF|² / Σ |φ_iᵀF|² of that mode for the force F of the order at this speed: 0 … 1, and 1 over all modes. With φᵀAφ = 1 it is the
   /// share of the kinetic energy that a short push by F brings into the mode. None without mode, or if the order rests.
   std::optional<double> modal_force_share;

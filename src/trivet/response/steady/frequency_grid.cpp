@@ -108,15 +108,15 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
     const Eigen::MatrixXcd found = model.at(inner);
     std::vector<Interval> halves;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      const Eigen::MatrixXcd values = found.middleCols(static_cast<Eigen::Index>(parts.size() * i), std::ssize(parts));
+      const Eigen::MatrixXcd inside = found.middleCols(static_cast<Eigen::Index>(parts.size() * i), std::ssize(parts));
       bool straight = true;
       for (std::size_t k = 0; k < parts.size(); ++k)
-        straight = straight && !bends(open[i].at_from, values.col(static_cast<Eigen::Index>(k)), open[i].at_to, parts[k], top);
+        straight = straight && !bends(open[i].at_from, inside.col(static_cast<Eigen::Index>(k)), open[i].at_to, parts[k], top);
       if (straight || open[i].to - open[i].from <= least_step * open[i].to) continue;
       const double middle = inner[parts.size() * i + 1];
       grid.push_back(middle);
-      halves.push_back({open[i].from, middle, open[i].at_from, values.col(1)});
-      halves.push_back({middle, open[i].to, values.col(1), open[i].at_to});
+      halves.push_back({open[i].from, middle, open[i].at_from, inside.col(1)});
+      halves.push_back({middle, open[i].to, inside.col(1), open[i].at_to});
     }
     open = std::move(halves);
   }

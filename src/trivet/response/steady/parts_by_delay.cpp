@@ -16,7 +16,9 @@ numerics::Load undelayed_load(const numerics::Load& load, double delay) {
 
 }  // namespace
 
-assembly::Loading undelayed(const assembly::Loading& loading, double delay) { return {undelayed_load(loading.force, delay), undelayed_load(loading.motion, delay)}; }
+assembly::Loading undelayed(const assembly::Loading& loading, double delay) {
+  return {undelayed_load(loading.force, delay), undelayed_load(loading.motion, delay)};
+}
 
 std::vector<double> delays_of(const assembly::Loading& loading) {
   std::vector<double> delays;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace trivet::numerics {
+namespace trivet::test {
 
 /// Covariance P of the states of x' = state · x + w under white noise of intensity E[w(t) wᵀ(t′)] = intensity · δ(t − t′): the solution of
 /// state P + P stateᵀ + intensity = 0, by the Schur form of `state`. [Bartels and Stewart, Communications of the ACM 15 (1972) 820–826]
@@ -11,4 +11,4 @@ namespace trivet::numerics {
 /// @throws foundation::NotComputable unless every eigenvalue of `state` has a negative real part
 [[nodiscard]] Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::MatrixXd& intensity);
 
-}  // namespace trivet::numerics
+}  // namespace trivet::test

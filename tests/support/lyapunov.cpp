@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/linalg/lyapunov.h"
+#include "support/lyapunov.h"
 
 #include <Eigen/Eigenvalues>
 #include <complex>
 
 #include "trivet/foundation/invalid_input.h"
 
-namespace trivet::numerics {
+namespace trivet::test {
 
 Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::MatrixXd& intensity) {
+  using Complex = std::complex<double>;
   using Complex = std::complex<double>;
   if (state.rows() != state.cols() || intensity.rows() != state.rows() || intensity.cols() != state.rows())
     throw foundation::InvalidInput("covariance: the state matrix and the intensity must be square and of one size");
@@ -32,4 +33,4 @@ Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::M
   return 0.5 * (P + P.transpose());
 }
 
-}  // namespace trivet::numerics
+}  // namespace trivet::test
