@@ -101,7 +101,7 @@ inline study::Answers answers_of_everything() {
   const auto by_order = response::order_loadings(system, assembled);
   const response::Band speed{turn * 5, turn * 50};
   a.of_questions["orders"] = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
-                                 response::campbell(assembled, by_order, a.modes, a.roots, speed),
+                                 response::campbell(by_order, a.modes, a.roots, speed),
                                  {}};
 
   const response::Band band{turn * 1, turn * 100};

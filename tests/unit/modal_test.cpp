@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "support/machine_on_deck.h"
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/modal/free_motions.h"
@@ -111,6 +112,15 @@ TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
   EXPECT_NEAR(*roots.list[1].angular_frequency, 10 * std::pow(1.64, 0.25), 1e-12);
   EXPECT_EQ(roots.list[0].nearest_mode, 2);
   EXPECT_EQ(roots.list[1].nearest_mode, 1);
+}
+
+TEST(Roots, OfAnUndampedMachineOnADeckBelongToTheModesInTheirOrder) {
+  const modal::Roots roots = modal::roots(test::project(test::machine_on_deck("[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 40, modal_mass = 5000, damping = 0, shapes = {m1 = [0, 0, 1], m2 = [0, 0, 1], m3 = [0, 0, 1]}}]\n", ""),
+                                                        {"elements.m1.damping.proportional=0", "elements.m2.damping.proportional=0", "elements.m3.damping.proportional=0"}).base().system);
+  int number = 0;
+  for (const modal::Root& root : roots.list)
+    if (root.eigenvalue.imag() > 0) EXPECT_EQ(root.nearest_mode, ++number);
+  EXPECT_EQ(number, 7);
 }
 
 TEST(Roots, ADashpotToTheWallLeavesOneDriftAndOneDecay) {

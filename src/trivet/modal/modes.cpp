@@ -98,7 +98,7 @@ Modes modes(const model::System& system, const assembly::Assembled& assembled) {
     mode.eigenvalue_squared = raw.lambda(i);
     if (raw.lambda(i) >= 0) mode.angular_frequency = std::sqrt(raw.lambda(i));
     mode.modal_mass = raw.norm(i);
-    const Eigen::VectorXd phi = massive.recovery * raw.shapes.col(i);
+    const Eigen::VectorXd& phi = mode.coordinates = massive.recovery * raw.shapes.col(i);
     describe_bodies(system, assembled, phi, mode);
     share_energy(system, assembled, phi, mode);
     mode.name = mode_name(system, mode);
@@ -119,13 +119,11 @@ std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n
   return best->number;
 }
 
-Eigen::VectorXcd modal_forces(const assembly::Layout& layout, const Modes& modes, const Eigen::VectorXcd& forces) {
-  Eigen::VectorXcd result = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(modes.list.size()));
-  for (std::size_t m = 0; m < modes.list.size(); ++m) {
-    const Eigen::VectorXd& shape = modes.list[m].shape;
-    for (Eigen::Index j = 0; j < shape.size(); ++j)
-      if (const Eigen::Index row = layout.row(static_cast<std::size_t>(j / 6), static_cast<int>(j % 6)); row >= 0)
-        result(static_cast<Eigen::Index>(m)) += shape(j) * forces(row);
+Eigen::VectorXcd modal_forces(const Modes& modes, const Eigen::VectorXcd& forces) {
+  Eigen::VectorXcd result(static_cast<Eigen::Index>(modes.list.size()));
+  for (Eigen::Index m = 0; m < result.size(); ++m) {
+    const Eigen::VectorXd& phi = modes.list[static_cast<std::size_t>(m)].coordinates;
+    result(m) = {phi.dot(forces.real()), phi.dot(forces.imag())};
   }
   return result;
 }

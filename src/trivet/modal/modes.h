@@ -20,6 +20,7 @@ struct Mode {
   std::optional<double> angular_frequency;   ///< [rad/s]; 0 for a rigid motion, none if ω² < 0
   double modal_mass = 1;                     ///< φᵀAφ: +1, or −1 where the mass is indefinite
   bool repeated = false;                     ///< one of an A-orthonormal basis of equal roots
+  Eigen::VectorXd coordinates;               ///< φ in all coordinates of the assembled system, also of foundations and inside elements
   Eigen::VectorXd shape;                     ///< at the poles
   Eigen::VectorXd shape_at_centre;           ///< at the centres of mass
   Eigen::VectorXd kinetic_energy_share;      ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1 with the next, single terms may leave 0 … 1
@@ -45,8 +46,8 @@ struct Modes {
 /// within 1 % counts: the true neighbour may be among the missing.
 [[nodiscard]] std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n);
 
-/// φᵀf of every mode, for generalized forces on all coordinates, of which those on bodies count.
-[[nodiscard]] Eigen::VectorXcd modal_forces(const assembly::Layout& layout, const Modes& modes, const Eigen::VectorXcd& forces);
+/// φᵀf of every mode, for generalized forces on all coordinates.
+[[nodiscard]] Eigen::VectorXcd modal_forces(const Modes& modes, const Eigen::VectorXcd& forces);
 
 /// Does any mode stand at ω = 0?
 [[nodiscard]] bool has_rigid_motion(const Modes& modes);

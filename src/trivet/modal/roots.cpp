@@ -82,10 +82,9 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
                      "use the frequency response, which is exact, where these matter");
 }
 
-std::optional<int> mode_like(const Modes& modes, const assembly::Layout& layout, const Eigen::MatrixXd& A, const Eigen::VectorXcd& shape, double size,
-                             Eigen::Index massive) {
+std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const Eigen::VectorXcd& shape, double size, Eigen::Index massive) {
   if (modes.list.empty()) return std::nullopt;
-  const Eigen::VectorXd parts = modal_forces(layout, modes, A * shape).cwiseAbs2();
+  const Eigen::VectorXd parts = modal_forces(modes, A * shape).cwiseAbs2();
   Eigen::Index largest = 0;
   if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[static_cast<std::size_t>(largest)].number;
   return nearest_mode(modes, size, massive);
@@ -121,7 +120,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * static_cast<Eigen::Index>(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
-    root.nearest_mode = mode_like(modes, assembled.layout, m.A, raw.vectors.col(k), std::abs(raw.lambda(k)), massive);
+    root.nearest_mode = mode_like(modes, m.A, raw.vectors.col(k), std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));
   }
   std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {

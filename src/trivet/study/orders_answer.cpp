@@ -14,7 +14,7 @@ OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& 
   response::RunUpOptions options;
   options.speed = asked.speed;
   return {response::run_up(c.assembled, channels_of(c, asked.wanted), orders, c.modes, c.roots, options, c.progress),
-          response::campbell(c.assembled, orders, c.modes, c.roots, asked.speed), asked.wanted.quantity};
+          response::campbell(orders, c.modes, c.roots, asked.speed), asked.wanted.quantity};
 }
 
 }  // namespace

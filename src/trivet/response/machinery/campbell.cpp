@@ -21,8 +21,7 @@ std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
 
 }  // namespace
 
-Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes,
-                  const modal::Roots& roots, const Band& speed) {
+Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots, const Band& speed) {
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
     throw foundation::InvalidInput("campbell: a range of speed needs 0 ≤ from < to");
   Campbell result{speed, {}, natural_lines(roots), {}};
@@ -33,7 +32,7 @@ Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderL
       Interference point{i, order.order, line.angular_frequency / order.order, line.angular_frequency, line.nearest_mode, {}, false};
       if (point.speed < speed.from || point.speed > speed.to) continue;
       const Eigen::VectorXd forces =
-          modal::modal_forces(assembled.layout, modes, order.loading.force.at(line.angular_frequency)).cwiseAbs();
+          modal::modal_forces(modes, order.loading.force.at(line.angular_frequency)).cwiseAbs();
       const auto mode = std::find_if(modes.list.begin(), modes.list.end(), [&](const modal::Mode& m) { return m.number == point.mode; });
       if (mode != modes.list.end() && forces.squaredNorm() > 0) {
         point.modal_force_share = std::pow(forces(mode - modes.list.begin()), 2) / forces.squaredNorm();

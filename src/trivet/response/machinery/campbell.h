@@ -42,7 +42,6 @@ struct Campbell {
 };
 
 /// @throws foundation::InvalidInput for a band that is none
-[[nodiscard]] Campbell campbell(const assembly::Assembled& assembled, const std::vector<OrderLoading>& order_loadings,
-                                const modal::Modes& modes, const modal::Roots& roots, const Band& speed);
+[[nodiscard]] Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots, const Band& speed);
 
 }  // namespace trivet::response
