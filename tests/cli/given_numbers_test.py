@@ -197,6 +197,12 @@ class Unused(InTemporaryFolder):
                 '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1e-9], [1000, 1e-9]]\n')
         self.assertIn("severe", self.warnings(line, "response"))
 
+    def test_limit_lines_name_the_range_that_was_compared(self):
+        line = ('[analyses]\nresponse = {of = ["machine.seat"], band = ["5 Hz", "12 Hz"]}\n'
+                '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1], [1000, 1]]\n')
+        self.assertIn("5 … 12", trivet("limit_lines", self.file(MACHINE + line)).stdout)
+        self.assertIn(",5 to 12,", trivet("limit_lines", self.file(MACHINE + line), "--csv").stdout)
+
     def test_the_deep_check_in_json(self):
         done = trivet("check", self.file(MACHINE), "--deep", "--json")
         self.assertEqual(json.loads(done.stdout)["deep"][0]["verdict"], "agrees")
