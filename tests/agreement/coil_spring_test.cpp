@@ -2,15 +2,15 @@
 // The coil spring by a second way: flexibility summed numerically, straight beam elements, its own limits.
 #include <gmock/gmock.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 
 #include "support/coil_springs.h"
 #include "support/matchers.h"
 #include "trivet/elements/coil_dynamics.h"
 #include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {
@@ -67,7 +67,7 @@ Matrix6 stiffness_by_quadrature(const CoilSpring& s) {
       const Matrix6 to_section = spatial::both_blocks(axes_at(p).transpose()) * spatial::rigid_motion(seat - p.place).transpose();
       flexibility += 0.5 * weight[k / 2] / panels * p.tangent.norm() * to_section.transpose() * section_flexibility(s).asDiagonal() * to_section;
     }
-  return flexibility.ldlt().solve(Matrix6::Identity());
+  return numerics::inverse(flexibility);
 }
 
 TEST(CoilSpring, ClosedFormIsTheQuadratureOfItsFlexibility) {
@@ -100,7 +100,7 @@ Matrix6 stiffness_of_chords(const CoilSpring& s, int count) {
     moved_end = carry * moved_end * carry.transpose() + turn * at_end * turn.transpose();
   }
   const Matrix6 to_seat = spatial::rigid_motion(Eigen::Vector3d(0, 0, seat_distance(s)) - on_wire(s, 1).place);
-  return (to_seat * moved_end * to_seat.transpose()).ldlt().solve(Matrix6::Identity());
+  return numerics::inverse(Matrix6(to_seat * moved_end * to_seat.transpose()));
 }
 
 TEST(CoilSpring, StraightBeamElementsConvergeToItWithSecondOrder) {
@@ -176,7 +176,7 @@ TEST(CoilSpring, LossAlwaysTakesEnergy) {
       const Matrix12 loss = dynamic_stiffness(coil, std::complex<double>(ratio * surge, 0)).imag();
       const spatial::Vector12 scale = loss.diagonal().cwiseSqrt().cwiseInverse();
       const Matrix12 unit = scale.asDiagonal() * loss * scale.asDiagonal();
-      EXPECT_GE(Eigen::SelfAdjointEigenSolver<Matrix12>(unit).eigenvalues()(0), -round_off) << i << ", " << ratio;
+      EXPECT_GE(numerics::symmetric_eigenvalues(unit)(0), -round_off) << i << ", " << ratio;
     }
   }
 }
@@ -194,7 +194,7 @@ TEST(CoilSpring, CountedFrequenciesAreZerosOfTheFreeEndsDeterminant) {
       const Matrix6 d = dynamic_stiffness(coil, free[k]).bottomRightCorner<6, 6>();
       const elements::Vector6 scale = d.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
       const Matrix6 unit = scale.asDiagonal() * d * scale.asDiagonal();
-      EXPECT_LE(Eigen::SelfAdjointEigenSolver<Matrix6>(unit).eigenvalues().cwiseAbs().minCoeff(), 1e-6) << i << ", " << k;
+      EXPECT_LE(numerics::symmetric_eigenvalues(unit).cwiseAbs().minCoeff(), 1e-6) << i << ", " << k;
     }
   }
 }
@@ -263,7 +263,7 @@ TEST(ReducedCoil, ExtendedMatricesHaveTheFrequenciesOfTheFreeSpring) {
     const elements::ReducedCoil r = reduced(literature_spring(), modes);
     const Eigen::MatrixXd k = r.extended_stiffness().bottomRightCorner(6 + modes, 6 + modes);
     const Eigen::MatrixXd a = r.extended_mass().bottomRightCorner(6 + modes, 6 + modes);
-    const Eigen::VectorXd lambda = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(k, a, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd lambda = numerics::symmetric_eigen(k, a).values;
     return lambda.head<6>().cwiseSqrt().cwiseQuotient(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(exact.data())).array() - 1;
   };
   const Eigen::VectorXd few = errors(16), many = errors(32);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/hard_cases.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 #include <utility>
 
 #include "trivet/numerics/linalg/quadratic_roots.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::test {
 namespace {
@@ -19,8 +20,7 @@ Eigen::MatrixXd mixing(Eigen::Index n) {
   Eigen::MatrixXd g(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) g(i, j) = normal(generator);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(g + g.transpose());
-  return solver.eigenvectors();
+  return numerics::symmetric_eigen(Eigen::MatrixXd(g + g.transpose())).vectors;
 }
 
 DynamicMatrices mixed(const Eigen::VectorXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& k) {

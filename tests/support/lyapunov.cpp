@@ -10,7 +10,6 @@ namespace trivet::test {
 
 Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::MatrixXd& intensity) {
   using Complex = std::complex<double>;
-  using Complex = std::complex<double>;
   if (state.rows() != state.cols() || intensity.rows() != state.rows() || intensity.cols() != state.rows())
     throw foundation::InvalidInput("covariance: the state matrix and the intensity must be square and of one size");
   const Eigen::ComplexSchur<Eigen::MatrixXcd> schur(state.cast<Complex>());
