@@ -11,7 +11,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/response/steady/peaks.h"
+#include "trivet/response/steady/resonant_mode.h"
 
 namespace {
 
@@ -23,8 +23,11 @@ constexpr double frequency_digits = 1e-8;
 response::Peaks peaks_of(const model::System& system, const std::vector<std::string>& of, assembly::Quantity quantity) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  return response::peaks(assembled, assembly::channels(system, assembled, of, quantity), assembly::harmonic_loading(system, assembled), modes,
-                         modal::roots(system, assembled, modes));
+  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, of, quantity);
+  const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
+  response::Peaks found = response::peaks(assembled, channels, loading, modes, modal::roots(system, assembled, modes));
+  response::set_nearest_modes(assembled, channels, loading, modes, found);
+  return found;
 }
 
 /// m = 2 kg, ω0 = 30 rad/s, F = 5 N.
@@ -43,6 +46,25 @@ TEST(PeaksOfOneMass, DisplacementForEveryDamping) {
     EXPECT_THAT(*found.list[0].ratio_to_static, RelativelyNear(1 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits));
     EXPECT_EQ(found.list[0].nearest_mode, 1);
   }
+}
+
+TEST(PeaksOfTwoModes, BelongToTheModeThatResonatesNotToTheNearestInFrequency) {
+  // 11 rad/s along z with ζ = 0.35 peaks at 11 √(1 − 2ζ²) = 9.56 rad/s, below the 10 rad/s along x, which no force along z drives. At a point a
+  // little off the vertical both are seen.
+  const auto found = [](const std::string& force, const std::string& of) {
+    return peaks_of(test::project("trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
+                                  "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, 0]\nrotation = [0, 0, 0]\ndamping = {translation = [0.01, 0, 0], rotation = [0, 0, 0]}\n"
+                                  "[elements.z]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [0, 0, 121]\nrotation = [0, 0, 0]\ndamping = {translation = [0, 0, 7.7], rotation = [0, 0, 0]}\n"
+                                  "[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = " + force + "\n").base().system,
+                    {of}, assembly::Quantity::displacement);
+  };
+  const response::Peaks z = found("[0, 0, 1]", "b.z");
+  ASSERT_EQ(z.list.size(), 1u);
+  EXPECT_THAT(z.list[0].angular_frequency, RelativelyNear(11 * std::sqrt(1 - 2 * 0.35 * 0.35), frequency_digits));
+  EXPECT_EQ(z.list[0].nearest_mode, 2);
+  const response::Peaks x = found("[1, 0, 1]", "b.x");
+  ASSERT_EQ(x.list.size(), 1u);
+  EXPECT_EQ(x.list[0].nearest_mode, 1);
 }
 
 TEST(PeaksOfOneMass, NoneAboveTheKnownDamping) {

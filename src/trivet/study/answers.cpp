@@ -17,6 +17,7 @@
 #include "trivet/project/analyses/earthquake_question.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/response/steady/resonant_mode.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
@@ -141,7 +142,7 @@ class CaseStudy {
       }
     };
     if (analyses.peaks)
-      attempt([&] { result.peaks = PeaksAnswer{peaks_of(analyses.peaks->wanted, analyses.peaks->min_prominence), analyses.peaks->min_prominence, analyses.peaks->peak_tolerance}; });
+      attempt([&] { result.peaks = peaks_asked(*analyses.peaks); });
     if (analyses.response) attempt([&] { result.response = response_of(*analyses.response); });
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
@@ -254,6 +255,13 @@ class CaseStudy {
     const Loaded asked = loaded(system_, assembled_, wanted);
     searched_.push_back({wanted, min_prominence, response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {min_prominence, search_to_}, progress_)});
     return searched_.back().peaks;
+  }
+
+  PeaksAnswer peaks_asked(const project::PeaksRequest& request) {
+    PeaksAnswer result{peaks_of(request.wanted, request.min_prominence), request.min_prominence, request.peak_tolerance};
+    const Loaded asked = loaded(system_, assembled_, request.wanted);
+    response::set_nearest_modes(assembled_, asked.channels, asked.load, modes_, result.peaks);
+    return result;
   }
 
   ResponseAnswer response_of(const project::ResponseRequest& request) {

@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/response/steady/resonant_mode.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
@@ -30,6 +31,7 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
   result.band = asked.band ? *asked.band : default_band(c);
   if (!(result.band.from < result.band.to)) throw foundation::NotComputable("transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
   result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots, {response::PeakOptions{}.min_prominence, result.band.to}, c.progress);
+  response::set_nearest_modes(c.assembled, transmission.channels, transmission.loading, c.modes, result.peaks);
   result.curves = response::frequency_response(c.assembled, transmission.channels, transmission.loading,
                                                grid_over(c, transmission.channels, transmission.loading, result.peaks, result.band));
   result.crossovers = response::crossovers(c.assembled, transmission, result.peaks);

@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/resonant_mode.h"
 
 namespace trivet::response {
 namespace {
@@ -20,13 +21,9 @@ void sort_apart(std::vector<double>& speed) {
   speed.erase(std::unique(speed.begin(), speed.end(), [](double a, double b) { return b - a <= same * b; }), speed.end());
 }
 
-/// Peaks of one order within the range of speed.
-void note_critical(const Peaks& found, double order, const Band& speed, std::vector<CriticalSpeed>& critical) {
-  for (const Peak& peak : found.list) {
-    const double at = peak.angular_frequency / order;
-    if (at < speed.from || at > speed.to) continue;
-    critical.push_back({peak.curve, order, at, peak.angular_frequency, peak.amplitude, peak.prominence, 0, peak.nearest_mode});
-  }
+void note_critical(const Peaks& found, double order, std::vector<CriticalSpeed>& critical) {
+  for (const Peak& peak : found.list)
+    critical.push_back({peak.curve, order, peak.angular_frequency / order, peak.angular_frequency, peak.amplitude, peak.prominence, 0, peak.nearest_mode});
 }
 
 void set_relative_heights(std::size_t curves, std::vector<CriticalSpeed>& critical) {
@@ -86,9 +83,12 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
   if (order_loadings.empty()) throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
   if (options.points < 2) throw foundation::InvalidInput("run-up: fewer than two speeds");
   RunUp result;
-  for (const OrderLoading& order : order_loadings)
-    note_critical(peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false},
-                        progress), order.order, speed, result.critical);
+  for (const OrderLoading& order : order_loadings) {
+    Peaks found = peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false}, progress);
+    std::erase_if(found.list, [&](const Peak& peak) { return peak.angular_frequency < order.order * speed.from || peak.angular_frequency > order.order * speed.to; });
+    set_nearest_modes(assembled, channels, order.loading, modes, found);
+    note_critical(found, order.order, result.critical);
+  }
   set_relative_heights(channels.size(), result.critical);
   result.speed = linear_grid(speed, options.points);
   for (const CriticalSpeed& critical : result.critical) {

@@ -92,7 +92,6 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
     const FrequencyResponse still = frequency_response(assembled, channels, loading, {0.0});
     for (std::size_t c = 0; c < channels.size(); ++c) found.curves[c].at_start = std::abs(still.curves[c].value(0));
   }
-  const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(assembled.matrices.A).size());
   for (std::size_t c = 0; c < channels.size(); ++c) {
     CurveSummary& summary = result.curves.emplace_back(CurveSummary{channels[c].name, channels[c].unit, {}, 0, 0, false, 0});
     numerics::SearchedCurve& curve = found.curves[c];
@@ -126,7 +125,6 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
         peak.refined = true;
       }
       if (summary.static_amplitude && *summary.static_amplitude > numerics::vanishing_share * peak.amplitude) peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
-      peak.nearest_mode = modal::nearest_mode(modes, peak.angular_frequency, massive);
       ++summary.peaks;
       result.list.push_back(peak);
     }

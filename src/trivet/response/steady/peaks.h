@@ -24,7 +24,7 @@ struct Peak {
   double amplitude = 0;                     ///< infinite at an undamped natural frequency
   double prominence = 0;                    ///< height above the higher of the two minima that part it from higher ground
   std::optional<double> ratio_to_static;    ///< amplitude / |y(0)|; none where that is 0 or undefined
-  std::optional<int> nearest_mode;
+  std::optional<int> nearest_mode;          ///< see set_nearest_modes; none until then
   double frequency_uncertainty = 0;         ///< [rad/s], see RefinedPeak
   double amplitude_uncertainty = 0;
   bool refined = true;                      ///< false: Newton did not settle (a very flat maximum); values are those of the series
