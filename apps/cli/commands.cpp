@@ -122,7 +122,11 @@ std::string case_check_text(const study::CaseCheck& found) {
 }  // namespace
 
 std::string warnings_text(const study::Answers& answers) {
-  std::string text = foundation::message_list(answers.warnings);
+  foundation::Problems warnings;
+  for (const foundation::Problem& warning : answers.warnings.list())
+    if (std::find(answers.failures.begin(), answers.failures.end(), warning.subject) == answers.failures.end()) warnings.add(warning);
+  std::string text = foundation::message_list(warnings);
+  for (const std::string& failure : answers.failures) text += "NOT COMPUTED: " + failure + "\n";
   for (const std::string& motion : answers.free_motions) text += "note: " + motion + "\n";
   return text.empty() ? text : text + "\n";
 }

@@ -45,7 +45,6 @@ std::string case_text(const project::Case& variant, const study::Answers& answer
   std::string text = variant.name.empty() ? "== Base model ==\n" : "== Case " + variant.name + " ==\n";
   for (const std::string& change : variant.changes) text += "  " + change + "\n";
   text += warnings_text(answers);
-  for (const std::string& failure : answers.failures) text += "NOT COMPUTED: " + failure + "\n";
   return text + results::answers_summary(variant, answers) + "\n";
 }
 

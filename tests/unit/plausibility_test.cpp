@@ -238,9 +238,9 @@ TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"900 Hz\", \"2000 Hz\"]}\n"}.text()), ElementsAre("band"));
   const std::string shock = "[excitations.shock]\ntype = \"time\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = \"1 N\", duration = \"20 ms\", start = \"10 ms\"}}\n[analyses]\n";
-  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"29 ms\"}\n"}.text()), ElementsAre("transient"));
-  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"50 ms\"}\n"}.text()), ElementsAre("transient"));  // half a period of the lowest mode is 0.2 s
-  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"1 s\"}\n"}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"29 ms\"}\n", .damping = "damping = {proportional = 0.003}"}.text()), ElementsAre("transient"));
+  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"50 ms\"}\n", .damping = "damping = {proportional = 0.003}"}.text()), ElementsAre("transient"));  // half a period of the lowest mode is 0.2 s
+  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"1 s\"}\n", .damping = "damping = {proportional = 0.003}"}.text()), IsEmpty());
 }
 
 TEST(Plausibility, KnowsProductsOfInertiaAboutThePoleWithTheOtherSign) {

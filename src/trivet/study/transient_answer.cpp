@@ -3,18 +3,11 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/transient_question.h"
+#include "trivet/response/transient/transient_refusals.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
-
-std::vector<response::TimeInput> time_inputs(const CaseContext& c, const std::vector<std::string>& names) {
-  std::vector<response::TimeInput> inputs;
-  for (const model::Excitation& excitation : c.system.description().excitations)
-    if (const auto* history = std::get_if<model::History>(&excitation.course); history && selected(names, excitation.name))
-      inputs.push_back({excitation.name, history->signal, assembly::loading(c.assembled, excitation.action)});
-  return inputs;
-}
 
 /// Row of a coordinate by its full name.
 Eigen::Index row_of(const CaseContext& c, const std::string& name) {
@@ -33,7 +26,7 @@ std::optional<response::InitialState> initial_state(const CaseContext& c, const 
 }
 
 TransientResult answer_transient(const CaseContext& c, const project::TransientQuestion& asked, foundation::Problems& warnings) {
-  const std::vector<response::TimeInput> inputs = time_inputs(c, asked.wanted.excitations);
+  const std::vector<response::TimeInput> inputs = response::time_inputs(c.system, c.assembled, asked.wanted.excitations);
   response::TransientOptions options;
   options.from = asked.from;
   options.to = asked.to;

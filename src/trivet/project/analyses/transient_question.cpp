@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "trivet/project/analyses/question_reader.h"
+#include "trivet/response/transient/transient_refusals.h"
 
 namespace trivet::project {
 namespace {
@@ -49,9 +50,16 @@ std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames&
 
 bool starts_from_initial_values(const Node& table) { return table.find("initial_displacement") || table.find("initial_velocity"); }
 
+void check_transient(const Question& asked, const model::System& system, foundation::Problems& problems) {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const auto problem = response::without_motion_in_time(system, assembled, response::time_inputs(system, assembled, asked.wanted.excitations),
+                                                        static_cast<const TransientQuestion&>(asked).nearest_linear_system);
+  if (problem) problems.error("analyses.transient", problem->finding, problem->rule, problem->remedy);
+}
+
 }  // namespace
 
-const QuestionReader transient_question = {.drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values, .keys = R"json({"properties": {
+const QuestionReader transient_question = {.drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values, .check = check_transient, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 
@@ -55,40 +56,50 @@ std::string zener_offer(double eta, double omega) {
 
 }  // namespace
 
-void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs,
-                                   bool nearest_linear_system) {
-  std::string lossy, offers, dependent, laws;
-  const double omega = assembled.matrices.lossy() ? dominant_frequency(assembled, inputs) : 0;
-  std::vector<double> offered;
+std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& names) {
+  std::vector<TimeInput> inputs;
+  for (const model::Excitation& excitation : system.description().excitations)
+    if (const auto* history = std::get_if<model::History>(&excitation.course); history && (names.empty() || std::find(names.begin(), names.end(), excitation.name) != names.end()))
+      inputs.push_back({excitation.name, history->signal, assembly::loading(assembled, excitation.action)});
+  return inputs;
+}
+
+std::optional<foundation::Problem> without_motion_in_time(const model::System& system, const assembly::Assembled& assembled,
+                                                          const std::vector<TimeInput>& inputs, bool nearest_linear_system) {
+  std::string dependent, laws;
+  std::map<double, std::string> lossy;  // names by loss factor
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const std::string& name = system.elements()[e].name;
-    const double eta = assembled.elements[e].matrices.loss_factor;
-    if (eta > 0) lossy += fmt::format("{}\"{}\" (loss factor {:.4g})", lossy.empty() ? "" : ", ", name, eta);
-    if (eta > 0 && omega > 0 && std::find(offered.begin(), offered.end(), eta) == offered.end()) {
-      offered.push_back(eta);
-      offers += fmt::format("; for {:.4g}: damping = {{proportional = \"{:.4g} s\"}}, or {}", eta, eta / omega, zener_offer(eta, omega));
-    }
+    const auto list = [&](std::string& names) { names += (names.empty() ? "\"" : ", \"") + name + "\""; };
+    if (const double eta = assembled.elements[e].matrices.loss_factor; eta > 0) list(lossy[eta]);
     if (!assembled.elements[e].frequency_dependent()) continue;
-    dependent += (dependent.empty() ? "\"" : ", \"") + name + "\"";
+    list(dependent);
     if (const std::string law = constant_law(system.elements()[e]); !law.empty()) laws += ", or " + law;
   }
-  if (!lossy.empty() && offers.empty()) offers = ": damping = {proportional = …}, or {zener = {ratio, time}}";
-  if (!lossy.empty())
-    throw foundation::NotComputable(
-        fmt::format("transient: {}: a loss factor holds for steady harmonic motion only and has no motion in time (it "
-                    "would answer before its cause). Give its key damping an equivalent "
-                    "with the same stiffness and loss at one frequency{}{}",
-                    lossy,
-                    omega > 0 ? fmt::format(", here that of the mode that the inputs drive most, {:.4g} Hz",
-                                            omega / (2 * std::numbers::pi))
-                              : "",
-                    offers));
+  if (!lossy.empty()) {
+    const double omega = dominant_frequency(assembled, inputs);
+    std::string factors, offers;
+    for (const auto& [eta, names] : lossy) {
+      factors += fmt::format("{}loss factor {:.4g} of {}", factors.empty() ? "" : ", ", eta, names);
+      if (omega > 0) offers += fmt::format("; for {:.4g}: damping = {{proportional = \"{:.4g} s\"}}, or {}", eta, eta / omega, zener_offer(eta, omega));
+    }
+    return foundation::Problem{.subject = "transient", .finding = factors,
+        .rule = "a loss factor holds for steady harmonic motion only and has no motion in time (it would answer before its cause)",
+        .remedy = omega > 0 ? fmt::format("give their key damping an equivalent with the same stiffness and loss at one frequency, here that of the mode that the inputs drive "
+                                          "most, {:.4g} Hz{}", omega / (2 * std::numbers::pi), offers)
+                            : "give their key damping an equivalent: damping = {proportional = …}, or {zener = {ratio, time}}"};
+  }
   if (!dependent.empty() && !nearest_linear_system)
-    throw foundation::NotComputable(
-        fmt::format("transient: {}: the stiffness depends on frequency in a way that no constant matrices can say, so "
-                    "there is no exact motion in time; have it "
-                    "computed with the nearest linear system by nearest_linear_system = true in analyses.transient{}",
-                    dependent, laws));
+    return foundation::Problem{.subject = "transient", .finding = dependent,
+        .rule = "the stiffness depends on frequency in a way that no constant matrices can say, so there is no exact motion in time",
+        .remedy = "have it computed with the nearest linear system by nearest_linear_system = true in analyses.transient" + laws};
+  return std::nullopt;
+}
+
+void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs,
+                                   bool nearest_linear_system) {
+  if (const auto problem = without_motion_in_time(system, assembled, inputs, nearest_linear_system))
+    throw foundation::NotComputable(fmt::format("{}: {}; {}; {}", problem->subject, problem->finding, problem->rule, problem->remedy));
 }
 
 assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/channels.h"
 #include "trivet/model/system.h"
@@ -8,8 +12,15 @@
 
 namespace trivet::response {
 
-/// Elements whose motion in time is that of a linear system with constant coefficients.
-/// @throws foundation::NotComputable otherwise, naming the elements, the reason, and equivalents with their numbers
+/// The time histories of these names (all, if none is named) and what they drive.
+[[nodiscard]] std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& names);
+
+/// Why the motion in time is not that of a linear system with constant coefficients: the elements, the reason, and equivalents with their
+/// numbers. Nothing if it is.
+[[nodiscard]] std::optional<foundation::Problem> without_motion_in_time(const model::System& system, const assembly::Assembled& assembled,
+                                                                        const std::vector<TimeInput>& inputs, bool nearest_linear_system);
+
+/// @throws foundation::NotComputable with the message of without_motion_in_time
 void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs,
                                    bool nearest_linear_system);
 
