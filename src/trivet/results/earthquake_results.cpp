@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <string>
+
 #include "trivet/response/transient/earthquake.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
@@ -46,7 +50,10 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
   TextTable modes({"f [Hz]", "damping ratio", "effective mass [kg]", "S_a [m/s²]"});
   for (const response::ModalShare& m : e.modes) modes.add({shown(hertz(m.angular_frequency), 5), shown(m.damping_ratio, 3), shown(m.effective_mass, 5), shown(m.spectral_acceleration, 5)});
   TextTable table({"answer", "CQC", "SRSS", "unit"});
-  for (const response::CombinedAnswer& a : e.answers) table.add({a.name, shown(a.complete_quadratic), shown(a.square_root_of_sum_of_squares), a.unit});
+  std::map<std::string, double> largest;  // by unit
+  for (const response::CombinedAnswer& a : e.answers) largest[a.unit] = std::max({largest[a.unit], a.complete_quadratic, a.square_root_of_sum_of_squares});
+  for (const response::CombinedAnswer& a : e.answers)
+    table.add({a.name, shown(without_round_off(a.complete_quadratic, largest[a.unit])), shown(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
   return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() + table.text() +
          fmt::format("  the spectrum reaches modes with {} of the effective mass\n", percent(e.effective_mass_share));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "trivet/response/machinery/power.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
@@ -39,18 +41,19 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string power_text(const project::Case&, const study::Answers& answers) {
+std::string power_text(const project::Case& variant, const study::Answers& answers) {
   const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   if (p.angular_frequency.empty()) return "";
   TextTable table({"mount", "highest power into the ground [W]", "at [Hz]"});
+  const double most = std::max({p.by_forces.cwiseAbs().maxCoeff(), p.by_ground.cwiseAbs().maxCoeff(), p.into_ground.cwiseAbs().maxCoeff()});
   const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
-    const double highest = power.maxCoeff(&at);
-    table.add({name, shown(highest), shown(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
+    const double highest = without_round_off(power.maxCoeff(&at), most);
+    table.add({name, shown(highest), highest == 0 ? "–" : shown(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
   };
   for (std::size_t m = 0; m < p.mounts.size(); ++m) add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());
   add("in total", p.into_ground_in_total);
-  return "Mean power into the ground (negative: out of it)\n" + table.text();
+  return excited_at_once(variant, "power") + "Mean power into the ground (negative: out of it)\n" + table.text();
 }
 
 }  // namespace

@@ -12,22 +12,6 @@
 /// Amplitude- and phase-frequency characteristics, and the limits on them.
 namespace trivet::results {
 
-/// Which excitations act together in the response or the peaks, if there are several.
-std::string excited_at_once(const project::Case& variant, const std::string& question) {
-  const project::Analyses& asked = variant.analyses;
-  const std::vector<std::string> chosen = question == "peaks" && asked.peaks ? asked.peaks->wanted.excitations
-                                          : asked.response                   ? asked.response->wanted.excitations
-                                                                             : std::vector<std::string>();
-  std::string names;
-  int count = 0;
-  for (const model::Excitation& excitation : variant.system.description().excitations) {
-    const bool acts = chosen.empty() || std::find(chosen.begin(), chosen.end(), excitation.name) != chosen.end();
-    if (!acts || !std::holds_alternative<model::Harmonic>(excitation.course)) continue;
-    names += (count++ > 0 ? ", " : "") + excitation.name;
-  }
-  return count > 1 ? "Excited at once by " + names + " (`excitations` of the question selects some)\n" : "";
-}
-
 namespace json {
 namespace {
 

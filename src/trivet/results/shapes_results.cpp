@@ -52,8 +52,8 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string shapes_text(const project::Case&, const study::Answers& answers) {
-  std::string text;
+std::string shapes_text(const project::Case& variant, const study::Answers& answers) {
+  std::string text = excited_at_once(variant, "shapes");
   for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes")) {
     TextTable table({"place", "|x| [m]", "|y| [m]", "|z| [m]", "phase x", "phase y", "phase z"});
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})

@@ -41,6 +41,17 @@ std::string shown(double value, int digits) {
   return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
 }
 
+std::string percent(double share) {
+  constexpr double round_off = 1e-9, one_decimal = 5e-4;
+  const double size = std::abs(share);
+  return size > round_off && size < one_decimal ? fmt::format("{:.1g} %", 100 * share) : fmt::format("{:.1f} %", size > round_off ? 100 * share : 0.0);
+}
+
+double without_round_off(double value, double largest) {
+  constexpr double round_off = 1e-12;
+  return std::abs(value) > round_off * std::abs(largest) ? value : 0;
+}
+
 std::string TextTable::text() const {
   const std::size_t columns = rows_.front().size();
   std::vector<std::size_t> widest(columns, 0);

@@ -29,7 +29,10 @@ class TextTable {
 /// A cell without a number.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// "12.3 %"
-[[nodiscard]] inline std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+/// "12.3 %"; "0.005 %" where one decimal would show nothing. Below 1e-9 there is nothing but round-off.
+[[nodiscard]] std::string percent(double share);
+
+/// 0 where a value is round-off of others of its kind.
+[[nodiscard]] double without_round_off(double value, double largest);
 
 }  // namespace trivet::results

@@ -39,13 +39,13 @@ std::string transient_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string transient_text(const project::Case&, const study::Answers& answers) {
+std::string transient_text(const project::Case& variant, const study::Answers& answers) {
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
   for (const response::TimeCurve& c : found.curves)
     table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value), shown(c.smallest.time, 5), shown(c.rms), c.unit});
   const Eigen::Index n = found.time.size();
-  return fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4), n) + table.text();
+  return excited_at_once(variant, "transient") + fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4), n) + table.text();
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct AnswerFile {
 /// All answers of a case for the screen.
 [[nodiscard]] std::string answers_summary(const project::Case& variant, const study::Answers& answers);
 
-/// Which excitations act together in the response or the peaks, if there are several.
+/// Which excitations act together in the answer of a question, if there are several.
 [[nodiscard]] std::string excited_at_once(const project::Case& variant, const std::string& question);
 
 [[nodiscard]] std::string limits_text(const study::Answers& answers);

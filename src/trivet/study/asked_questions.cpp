@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/project/analyses/drive.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
@@ -24,7 +25,17 @@ Analyses roots_of(const Case&) {
   return asked;
 }
 
+/// @throws foundation::InvalidInput where the model has no excitation of the kind that the question needs
+void require_excitation(const std::string& question, const Case& variant) {
+  const project::Drive drive = project::drive_of(question);
+  const auto& excitations = variant.system.description().excitations;
+  if (drive == project::Drive::none || std::any_of(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return project::drives(e, drive); })) return;
+  const project::MissingExcitation missing = project::missing_excitation(drive);
+  throw foundation::InvalidInput(question + ": " + missing.finding + "; this answer needs one; " + missing.remedy);
+}
+
 Analyses response_of(const Case& variant) {
+  require_excitation("response", variant);
   Analyses asked;
   asked.response = variant.analyses.response.value_or(project::ResponseRequest{});
   asked.limits = variant.analyses.limits;
@@ -33,6 +44,7 @@ Analyses response_of(const Case& variant) {
 }
 
 Analyses peaks_of(const Case& variant) {
+  require_excitation("peaks", variant);
   const Analyses& file = variant.analyses;
   Analyses asked;
   asked.peaks = file.peaks.value_or(project::PeaksRequest{file.response ? file.response->wanted : project::Wanted{}});
@@ -53,8 +65,10 @@ Analyses static_of(const Case& variant) {
 Analyses own_question(const QuestionAnswer& question, const Case& variant) {
   Analyses asked;
   const auto found = variant.analyses.questions.find(question.name);
-  if (found == variant.analyses.questions.end() && question.to_add) throw foundation::InvalidInput(question.to_add);
-  asked.questions[question.name] = found == variant.analyses.questions.end() ? question.by_default() : found->second;
+  const bool in_file = found != variant.analyses.questions.end();
+  if (!in_file && question.to_add) throw foundation::InvalidInput(question.to_add);
+  if (!in_file) require_excitation(question.name, variant);
+  asked.questions[question.name] = in_file ? found->second : question.by_default();
   return asked;
 }
 

@@ -6,21 +6,14 @@
 namespace trivet::project {
 namespace {
 
-/// An excitation that a question needs, in words.
-struct Needed {
-  const std::vector<std::string>& names;
-  const char* kind;
-  const char* remedy;
-};
-
-Needed needed(Drive drive, const Mentioned& mentioned) {
+const std::vector<std::string>& mentioned_for(Drive drive, const Mentioned& mentioned) {
   switch (drive) {
-    case Drive::random: return {mentioned.random_excitations, "random", "add [excitations.NAME] with type = \"random\""};
-    case Drive::time: return {mentioned.time_excitations, "time", "add [excitations.NAME] with type = \"time\""};
-    case Drive::orders: return {mentioned.order_excitations, "order", "add [excitations.NAME] with type = \"orders\" or \"unbalance\""};
+    case Drive::random: return mentioned.random_excitations;
+    case Drive::time: return mentioned.time_excitations;
+    case Drive::orders: return mentioned.order_excitations;
     case Drive::harmonic: case Drive::none: break;
   }
-  return {mentioned.harmonic_excitations, "harmonic", "add [excitations.NAME] with type = \"harmonic\", \"unbalance\" or \"base\""};
+  return mentioned.harmonic_excitations;
 }
 
 }  // namespace
@@ -36,10 +29,9 @@ void read_questions(TableReader& analyses, const ResultNames& names, const Menti
   for (const QuestionReader& question : question_readers()) {
     const Node* table = analyses.table(question.name);
     if (!table) continue;
-    const Needed excitation = needed(question.drive, mentioned);
     const bool driven = question.drive == Drive::none || (question.moves_by_itself && question.moves_by_itself(*table));
-    if (!driven && excitation.names.empty())
-      analyses.error(question.name, std::string("no ") + excitation.kind + " excitation in the model", "this answer needs one", excitation.remedy);
+    if (!driven && mentioned_for(question.drive, mentioned).empty())
+      analyses.error(question.name, missing_excitation(question.drive).finding, "this answer needs one", missing_excitation(question.drive).remedy);
     TableReader reader(*table, std::string("analyses.") + question.name, analyses.problems());
     result.questions[question.name] = question.read(reader, names, mentioned);
     reader.finish();

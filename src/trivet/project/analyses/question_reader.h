@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/project/analyses/question_table.h"
 #include "trivet/project/analyses/wanted_reader.h"
 
 namespace trivet::project {
-
-/// The excitations that act in an answer.
-enum class Drive { none, harmonic, random, time, orders };
 
 /// How one question is read. Each is defined in NAME_question.cpp.
 struct QuestionReader {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/model/excitation.h"
+
+namespace trivet::project {
+
+/// The excitations that act in an answer.
+enum class Drive { none, harmonic, random, time, orders };
+
+/// That of a question by its name; harmonic for response and peaks.
+[[nodiscard]] Drive drive_of(const std::string& question);
+
+[[nodiscard]] bool drives(const model::Excitation& excitation, Drive drive);
+
+/// What to say where the model has no excitation of a kind.
+struct MissingExcitation {
+  const char* finding;
+  const char* remedy;
+};
+[[nodiscard]] MissingExcitation missing_excitation(Drive drive);
+
+}  // namespace trivet::project
