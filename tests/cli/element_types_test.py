@@ -104,6 +104,18 @@ scale = {scale * factor}
         self.assertEqual(self.modes(cases, "--case", "stiff"), self.modes(self.written_out(2)))
         self.assertEqual(self.modes(cases, "--case", "moved"), self.modes(written, "--set", moved))
 
+    def test_factors_of_a_type_and_of_its_element_multiply(self):
+        table = self.project(self.TYPE + "stiffness_factor.z = 1.5\n" + self.TABLE, self.MOUNTS)
+        one_by_one = [word for name in ("front right", "rear left", "rear right") for word in ("--set", f'elements."{name}".stiffness_factor.z=1.5')]
+        self.assertEqual(self.modes(table, "--set", 'elements."front left".stiffness_factor.z=2'),
+                         self.modes(self.written_out(), "--set", 'elements."front left".stiffness_factor.z=3', *one_by_one))
+
+    def test_a_wrong_component_of_a_setting_is_found_in_the_setting(self):
+        starter = self.folder / "machine.toml"
+        starter.write_text(trivet("new").stdout)
+        refused = trivet("check", starter, "--set", "element_types.mount.translation.z=-2")
+        self.assertIn("--set element_types.mount.translation.z=-2:1: error: element_types.mount.translation: -2", refused.stderr)
+
     def test_a_map_varies_a_type_as_one_number(self):
         questions = """[excitations.push]
 type = "harmonic"

@@ -338,6 +338,12 @@ def velocity_limit_in_millimetres(p):
     p["limits"] = {f"{first_name(p)}.z": 7.1}
 
 
+def limit_line_in_millimetres(p):
+    p["analyses"].setdefault("response", {}).pop("at", None)
+    p["limit_lines"] = {"severity": {"of": f"{first_name(p)}.z", "rows": [[10, 4.5], [100, 2.8]]}}
+    without_cases(p)
+
+
 def motor_speed(p):
     speed_in_rpm(p)
     p["excitations"]["+rotor"]["service_speed"] = 1480
@@ -370,6 +376,6 @@ SLIPS = {
     "one direction in N/mm": ("stiffness", one_direction_in_newtons_per_mm), "scale in percent": ("scale", scale_in_percent),
     "one mount without damping": ("unequal mounts", one_without_damping), "grade times 1000": ("rotor", grade_times_thousand),
     "limit in mm": ("limit", limit_in_millimetres), "limit in mm/s": ("limit", velocity_limit_in_millimetres),
-    "ground without its quantity": ("ground motion", no_quantity), "speed of a motor in rpm": ("speed", motor_speed),
+    "limit line in mm/s": ("limit", limit_line_in_millimetres), "ground without its quantity": ("ground motion", no_quantity), "speed of a motor in rpm": ("speed", motor_speed),
     "one damper in kN s/m": ("viscous damping", one_damper),
 }

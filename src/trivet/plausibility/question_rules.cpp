@@ -146,15 +146,18 @@ void judge_limits(const model::System& system, const std::vector<AllowedMotion>&
       return system.bodies()[p.body].name == limit.body;
     });
     if (picture == pictures.end()) continue;
+    const auto remedy = [&](const char* unit) {
+      return limit.is_line ? fmt::format("divide its limits by 1000 if they are in {}: rows are in SI", unit) : fmt::format("write \"{:.6g} {}\" if millimetres are meant", limit.amplitude, unit);
+    };
     if (limit.is_velocity && limit.amplitude > fastest_allowed)
       found.push_back({"limit", limit.subject, fmt::format("{:.6g} m/s allowed for {}", limit.amplitude, limit.answer),
           fmt::format("limits of vibration are below {:.1g} m/s", fastest_allowed),
-          fmt::format("write \"{:.6g} mm/s\" if millimetres are meant", limit.amplitude)});
+          remedy("mm/s")});
     const double size = 2 * mass_radius(picture->mass);
     if (limit.is_velocity || !(size > 0) || limit.amplitude <= size) continue;
     found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
         fmt::format("it is more than the size of \"{}\", {:.3g} m, so that it limits nothing", limit.body, size),
-        fmt::format("write \"{:.6g} mm\" if millimetres are meant", limit.amplitude)});
+        remedy("mm")});
   }
 }
 

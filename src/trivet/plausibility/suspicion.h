@@ -72,6 +72,7 @@ struct AllowedMotion {
   std::string answer;       ///< "frame.z"
   double amplitude = 0;     ///< [m], [m/s]
   bool is_velocity = false;
+  bool is_line = false;     ///< of a limit line, whose rows are in SI
 };
 
 /// Pistons, with the oscillating part of their rods.

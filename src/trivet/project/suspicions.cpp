@@ -104,6 +104,10 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
     if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)
       stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name, limit.amplitude,
                                         quantity == assembly::Quantity::velocity});
+  for (const LimitLineRequest& request : asked.limit_lines)
+    if (const response::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
+      stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name, request.of, *std::max_element(line.limit.begin(), line.limit.end()),
+                                        line.unit == "m/s", true});
   const Node* orders = find(variant.document, "analyses", "orders");
   const Node* speeds = orders ? orders->find("speed") : nullptr;
   const auto* run_up = asked.find<OrdersQuestion>("orders");

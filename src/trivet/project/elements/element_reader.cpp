@@ -67,8 +67,10 @@ class ElementReader {
   bool read_ends() {
     if (!reader_.has("on")) reader_.missing("on", "name the body at end K: on = \"BODY\"");
     const auto on = body_named(reader_, "on", bodies_, mentioned_);
-    const auto from = body_named(reader_, "from", bodies_, mentioned_);
-    const bool from_is_wrong = reader_.has("from") && !from;
+    const Node* written = reader_.node("from");
+    const bool on_ground = !written || (written->kind == Node::Kind::text && written->text == "ground");
+    const auto from = on_ground ? std::nullopt : body_named(reader_, "from", bodies_, mentioned_);
+    const bool from_is_wrong = !on_ground && !from;
     const auto at = reader_.vector("at", Quantity::length);
     if (!reader_.has("at")) reader_.missing("at", "give the point on the body: at = [x, y, z]");
     const auto from_at = reader_.vector("from_at", Quantity::length);

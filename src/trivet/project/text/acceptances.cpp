@@ -11,7 +11,7 @@
 namespace trivet::project {
 namespace {
 
-constexpr const char* holders[] = {"bodies", "elements", "excitations", "foundations", "analyses"};
+constexpr const char* holders[] = {"bodies", "elements", "excitations", "foundations", "analyses", "limit_lines"};
 
 std::string join(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
 

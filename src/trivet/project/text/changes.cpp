@@ -29,6 +29,7 @@ void change_components(Node& array, const Node& changes, const std::string& path
     const auto component = component_of(array, changes.keys[i]);
     if (component && change.kind != Node::Kind::table) {
       array.items[*component] = change;
+      array.origin = change.origin;  // what is wrong with the whole is found where it was last written
     } else if (component) {
       problems.error(here, "a longer path", "a component of an array is one number", "end the path at " + here).origin = change.origin;
     } else {

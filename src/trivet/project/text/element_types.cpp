@@ -44,9 +44,10 @@ class Types {
     Node result = element;
     for (std::size_t i = 0; i < shared.keys.size(); ++i) {
       const std::string& key = shared.keys[i];
-      if (key == "scale") multiply_scale(result, shared.items[i]);
+      if (key == "scale" || key == "damping_factor") multiply(result, key, shared.items[i]);
+      if (key == "stiffness_factor") multiply_each(result, key, shared.items[i]);
       if (key == "type") set(result, key, shared.items[i]);
-      if (is_of_element(key)) continue;  // others than these two are a problem of the type
+      if (is_of_element(key) || key.ends_with("_factor")) continue;  // others of an element than type and scale are a problem of the type
       if (const Node* own = element.find(key))
         problems_.error(path + "." + key, shown(*own), fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type, foundation::place(shared.items[i].origin)),
                         fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one a type of its own", type, key)).origin = own->origin;
@@ -84,17 +85,22 @@ class Types {
     return value ? std::optional(*value) : std::nullopt;
   }
 
-  /// What is wrong with the type's is reported above, with the element's own by its reader.
-  static void multiply_scale(Node& element, const Node& of_type) {
-    const auto shared = factor(of_type);
-    if (!(shared.value_or(0) > 0)) return;
-    Node* own = element.find("scale");
-    if (!own) return set(element, "scale", of_type);
-    const auto mine = factor(*own);
-    if (!mine) return;
+  /// Both factors act. What is wrong with a scale of the type is reported above, with the others by the reader of the element.
+  static void multiply(Node& element, const std::string& key, const Node& of_type) {
+    Node* own = element.find(key);
+    const auto shared = factor(of_type), mine = own ? factor(*own) : std::nullopt;
+    if (!own && (key != "scale" || shared.value_or(0) > 0)) return set(element, key, of_type);
+    if (!mine || !(shared.value_or(0) > 0)) return;
     own->number = *mine * *shared;
     own->kind = Node::Kind::real;
     own->text.clear();
+  }
+
+  static void multiply_each(Node& element, const std::string& key, const Node& of_type) {
+    Node* own = element.find(key);
+    if (!own || of_type.kind != Node::Kind::table) return set(element, key, of_type);
+    if (own->kind != Node::Kind::table) return;
+    for (std::size_t i = 0; i < of_type.keys.size(); ++i) multiply(*own, of_type.keys[i], of_type.items[i]);
   }
 
   const Node& table_;

@@ -34,10 +34,7 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
   const auto& known = mentioned.bodies;
   if (mentioned.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
   const std::string guess = foundation::nearest_name(*name, known);
-  const std::string remedy = *name == "ground" && key == "from" ? "leave `from` out for the ground"
-                             : guess.empty()                    ? "the bodies are: " + listed(known)
-                                                                : "did you mean \"" + guess + "\"?";
-  reader.error(key, foundation::quoted(*name), "no body has this name", remedy);
+  reader.error(key, foundation::quoted(*name), "no body has this name", guess.empty() ? "the bodies are: " + listed(known) : "did you mean \"" + guess + "\"?");
   return std::nullopt;
 }
 

@@ -184,7 +184,8 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
   std::vector<double> result;
   bool good = true;
   for (std::size_t i = 0; i < value->items.size(); ++i) {
-    const auto item = scalar(value->items[i], fmt::format("{}{}{}[{}]", path_, path_.empty() ? "" : ".", key, i), quantity);
+    const std::string place = value->items.size() == 3 ? std::string{'.', "xyz"[i]} : fmt::format("[{}]", i);  // as its path, where it has one
+    const auto item = scalar(value->items[i], path_ + (path_.empty() ? "" : ".") + key + place, quantity);
     good = good && item;
     result.push_back(item.value_or(0));
   }

@@ -54,16 +54,20 @@ std::optional<Column> column_of(const std::string& header) {
   return column.keys.empty() ? std::nullopt : std::optional(column);
 }
 
-/// A cell as a value of the project file: a number with the unit of its column, a truth, or a text.
-Node cell_node(const std::string& cell, const std::string& unit, const foundation::Origin& origin) {
+std::optional<double> number_of(const std::string& cell) {
   double value = 0;
   const char* const begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
-  const bool number = error == std::errc() && end == cell.data() + cell.size();
+  return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
+}
+
+/// A cell as a value of the project file: a number with the unit of its column, a truth, or a text.
+Node cell_node(const std::string& cell, const std::string& unit, const foundation::Origin& origin) {
+  const auto number = number_of(cell);
   if (number && unit.empty()) {
     Node node = text_node("", origin);
     node.kind = Node::Kind::real;
-    node.number = value;
+    node.number = *number;
     return node;
   }
   if (number) return text_node(cell + " " + unit, origin);
@@ -145,7 +149,7 @@ class ThingTable {
 
  private:
   void read_file(TableReader& reader, const std::filesystem::path& file) {
-    const auto cells = read_text_table(file, most_rows);
+    auto cells = read_text_table(file, most_rows);
     if (!cells) return reader.add_of_file("file", cells.error());
     for (const int line : cells->comments_like_rows)
       problems_.warning("tables." + kind_, "a comment line with as many cells as the header", "# begins a comment, and the row is not read", "put a name that begins with # in quotes, or write the comment without separators").origin = {file.string(), line, 0};
@@ -156,6 +160,7 @@ class ThingTable {
         problems_.error("tables." + kind_, "column " + foundation::quoted(header), "a column is a key with its unit in brackets", "for instance name, type, on, at.x [mm], scale").origin = {file.string(), cells->header_line, 0};
     }
     if (collide(columns, {file.string(), cells->header_line, 0})) return;
+    refuse_doubtful_cells(*cells, columns, file.string());
     for (std::size_t r = 0; r < cells->rows.size(); ++r) {
       const foundation::Origin origin{file.string(), cells->lines[r], 0};
       if (std::all_of(cells->rows[r].begin(), cells->rows[r].end(), [](const std::string& cell) { return cell.empty(); })) continue;
@@ -163,6 +168,27 @@ class ThingTable {
       for (std::size_t c = 0; c < columns.size(); ++c)
         if (columns[c] && !cells->rows[r][c].empty()) put(row, columns[c]->keys, is_text(*columns[c]) ? text_node(cells->rows[r][c], origin) : cell_node(cells->rows[r][c], columns[c]->unit, origin));
       add(std::move(row));
+    }
+  }
+
+  /// Cells that would be read as something that nobody wrote: a second unit, and the ground where a body was left out.
+  void refuse_doubtful_cells(TextTable& cells, const std::vector<std::optional<Column>>& columns, const std::string& source) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (!columns[c]) continue;
+      const bool from = kind_ == "elements" && columns[c]->keys == std::vector<std::string>{"from"};
+      const bool some_from = from && std::any_of(cells.rows.begin(), cells.rows.end(), [&](const auto& row) { return !row[c].empty(); });
+      for (std::size_t r = 0; r < cells.rows.size(); ++r) {
+        std::string& cell = cells.rows[r][c];
+        const bool blank = std::all_of(cells.rows[r].begin(), cells.rows[r].end(), [](const std::string& other) { return other.empty(); });
+        const foundation::Origin here{source, cells.lines[r], 0};
+        if (!columns[c]->unit.empty() && !cell.empty() && !number_of(cell)) {
+          problems_.error("tables." + kind_, fmt::format("{} under {}", foundation::quoted(cell), foundation::quoted(cells.columns[c])), "below a header with a unit there are numbers",
+                          "write the number in the unit of the column, or units in every cell and none in the header").origin = here;
+          if (const std::string number = cell.substr(0, cell.find(' ')); number_of(number)) cell = number;  // what is wrong was said
+        }
+        if (some_from && cell.empty() && !blank)
+          problems_.error("tables." + kind_, "an empty cell under \"from\"", "where other rows name a body, each row says on what its element stands", "write the body, or \"ground\"").origin = here;
+      }
     }
   }
 
@@ -286,14 +312,17 @@ class ThingTable {
 }  // namespace
 
 void gather_columns(foundation::Problems& problems) {
-  std::map<std::string, std::vector<std::size_t>> columns;  // problems of keys that one column of a file gives to several rows
+  std::map<std::string, std::vector<std::size_t>> columns;  // problems that one column of a file brings to several rows: a key, or a unit
   for (std::size_t i = 0; i < problems.list().size(); ++i) {
     const foundation::Problem& problem = problems.list()[i];
-    const bool of_cell = problem.finding == "unknown key" && problem.origin.line > 0 && problem.origin.column == 0;
-    const std::size_t name = problem.subject.find('.');
-    if (!of_cell || name == std::string::npos) continue;
+    const std::size_t name = problem.subject.find('.'), unit = problem.finding.find(' ');
+    if (problem.origin.line == 0 || problem.origin.column != 0 || name == std::string::npos) continue;
+    const std::string_view finding = problem.finding;
+    const bool number = !finding.empty() && std::string_view("0123456789-+.\"").find(finding.front()) != std::string_view::npos;
+    const bool fixed = problem.rule.find("is fixed by its type") != std::string::npos;  // whatever the cells say
+    const std::string same(fixed ? "" : number && unit != std::string::npos ? finding.substr(unit) : finding);
     const std::size_t key = problem.subject.find('.', name + 1);
-    if (key != std::string::npos) columns[problem.origin.source + problem.subject.substr(key) + problem.rule].push_back(i);
+    if (key != std::string::npos && (!number || fixed || same.size() < finding.size())) columns[problem.origin.source + problem.subject.substr(key) + problem.rule + same].push_back(i);
   }
   std::vector<bool> dropped(problems.list().size(), false);
   for (const auto& [column, rows] : columns) {
