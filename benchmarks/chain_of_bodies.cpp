@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
+#include <string>
+
 #include "chain.h"
 #include "measure.h"
 #include "quad.h"

@@ -2,6 +2,7 @@
 // How long is a sweep of one six-coordinate machine by poles and residues? With and without their set-up, 10,000 and 1,000,000 frequencies,
 // beside the best vectorised forms in Octave and NumPy and Eigen's fixed-size LU.
 #include <algorithm>
+#include <string>
 
 #include "rivals/lapack.h"
 #include "sweep_problem.h"

@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <vector>
+
 #include "paper_machine.h"
 #include "quad.h"
 #include "rival.h"

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <variant>
 
 #include "trivet/results/text_table.h"
 #include "trivet/foundation/constants.h"

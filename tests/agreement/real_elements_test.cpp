@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "support/matchers.h"
 #include "support/projects.h"

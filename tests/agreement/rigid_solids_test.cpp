@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "support/matchers.h"
 #include "support/step_shapes.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"

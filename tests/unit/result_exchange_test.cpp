@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/results/users_files.h"

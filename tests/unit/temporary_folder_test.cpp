@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "trivet/foundation/child_process.h"

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <numbers>
+#include <stdexcept>
 
 #include "support/matchers.h"
 #include "support/step_shapes.h"

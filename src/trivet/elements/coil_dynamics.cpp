@@ -2,6 +2,7 @@
 #include "trivet/elements/coil_dynamics.h"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <string>

@@ -2,6 +2,7 @@
 #include "trivet/exchange/text_lines.h"
 #include "trivet/foundation/plain_text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"

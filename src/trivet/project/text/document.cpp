@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace trivet::project {
 
 const Node* Node::find(std::string_view key) const {
