@@ -125,7 +125,7 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
     std::vector<std::string> row = {shown(answer.curves.angular_frequency[i])};
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
       row.push_back(shown(std::abs(answer.curves.curves[c].value(static_cast<Eigen::Index>(i)))));
-      const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / two_pi;
+      const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / foundation::two_pi;
       row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
     table.add(row);
