@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How accurate is every way on matrices on which solvers fail? Errors of ours and of all rivals, against quadruple precision. Ends with status 1 if a
-// backward error of ours misses its limit: then no time counts. Forward errors are goals.
+// How accurate is every way on matrices on which solvers fail? Errors of ours and of all rivals, against quadruple
+// precision. Ends with status 1 if a backward error of ours misses its limit: then no time counts. Forward errors are
+// goals.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -28,7 +29,8 @@ Errors errors(const HardCase& c, const Complex* answers) {
   const Vector6 scale = c.system.A.diagonal().cwiseAbs().cwiseSqrt();
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     keep(worst.forward, forward_error(answers + 6 * i, c.truth[i], scale));
-    keep(worst.backward, backward_error(c.system.A, c.system.B, c.system.K, c.system.load, c.omega[i], answers + 6 * i, scale));
+    keep(worst.backward,
+         backward_error(c.system.A, c.system.B, c.system.K, c.system.load, c.omega[i], answers + 6 * i, scale));
   }
   return worst;
 }
@@ -53,14 +55,17 @@ double pole_limit(const HardCase& c) {
 
 class Report {
  public:
-  void add(const HardCase& c, const std::string& way, const Complex* answers, double forward_limit = 0, double backward_limit = 0) {
+  void add(const HardCase& c, const std::string& way, const Complex* answers, double forward_limit = 0,
+           double backward_limit = 0) {
     const Errors e = errors(c, answers);
-    const bool near = forward_limit == 0 || e.forward <= forward_limit, stable = backward_limit == 0 || e.backward <= backward_limit;
+    const bool near = forward_limit == 0 || e.forward <= forward_limit,
+               stable = backward_limit == 0 || e.backward <= backward_limit;
     std::string goal;
     char text[80];
     if (forward_limit > 0) std::snprintf(text, sizeof text, "forward ≤ %.1e ", forward_limit), goal += text;
     if (backward_limit > 0) std::snprintf(text, sizeof text, "backward ≤ %.0e", backward_limit), goal += text;
-    std::printf("  %-28s forward %.1e  backward %.1e  %s\n", way.c_str(), e.forward, e.backward, near && stable ? "" : ("NOT MET: " + goal).c_str());
+    std::printf("  %-28s forward %.1e  backward %.1e  %s\n", way.c_str(), e.forward, e.backward,
+                near && stable ? "" : ("NOT MET: " + goal).c_str());
     record_errors(c.name, way, e.forward, e.backward, goal, near && stable);
     stable_ = stable_ && stable;
   }
@@ -78,7 +83,8 @@ int main() {
   const foundation::TemporaryFolder folder;
   std::unique_ptr<Rival> octave, python;
   for (const HardCase& c : hard_cases(TRIVET_HARD_CASES)) {
-    std::printf("%s, least damping ratio %.1e, %zu frequencies\n", c.name.c_str(), c.least_damping_ratio, c.omega.size());
+    std::printf("%s, least damping ratio %.1e, %zu frequencies\n", c.name.c_str(), c.least_damping_ratio,
+                c.omega.size());
     const double direct_limit = c.lightly_damped ? 100 * epsilon / c.least_damping_ratio : 0;
     const numerics::DynamicMatrices matrices{c.system.A, c.system.B, c.system.K, {}, true};
     numerics::SweepOptions options;
@@ -94,15 +100,20 @@ int main() {
     else std::puts("  Trivet, poles                declined: solved directly");
 
     const SixCoordinates system{c.system.A.data(), c.system.B.data(), c.system.K.data(), c.system.load.data()};
-    for (const auto& [name, solver] : {std::pair{"Eigen fixed LU", &eigen_fixed_lu}, std::pair{"LAPACK zgesv", &lapack_zgesv},
-                                       std::pair{"LAPACK zsysv", &lapack_zsysv}}) {
+    for (const auto& [name, solver] :
+         {std::pair{"Eigen fixed LU", &eigen_fixed_lu}, std::pair{"LAPACK zgesv", &lapack_zgesv},
+          std::pair{"LAPACK zsysv", &lapack_zsysv}}) {
       solver(system, c.omega.data(), c.omega.size(), q.data());
       report.add(c, name, q.data());
     }
-    const auto file = [&](const char* name, const auto& x) { write_numbers(folder.path() / name, x.data(), static_cast<std::size_t>(x.size())); };
+    const auto file = [&](const char* name, const auto& x) {
+      write_numbers(folder.path() / name, x.data(), static_cast<std::size_t>(x.size()));
+    };
     file("A", c.system.A), file("B", c.system.B), file("K", c.system.K), file("H", c.system.load), file("p", c.omega);
     if (octave) octave->read(), python->read();
-    else octave = std::make_unique<Rival>("sweep.m", folder.path()), python = std::make_unique<Rival>("sweep.py", folder.path());
+    else
+      octave = std::make_unique<Rival>("sweep.m", folder.path()),
+      python = std::make_unique<Rival>("sweep.py", folder.path());
     report.add(c, "Octave loop", octave->answers("loop").data());
     report.add(c, "Octave LDLᵀ", octave->answers("ldlt").data());
     report.add(c, "Octave poles", octave->answers("modal").data());
@@ -110,6 +121,7 @@ int main() {
     report.add(c, "NumPy poles", python->answers("modal").data());
     report.add(c, "SciPy solve", python->answers("scipy").data());
   }
-  std::puts(report.stable() ? "Every backward error of ours is within its limit." : "WRONG: a backward error of ours misses its limit; no time counts.");
+  std::puts(report.stable() ? "Every backward error of ours is within its limit."
+                            : "WRONG: a backward error of ours misses its limit; no time counts.");
   return report.stable() ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A chain of bodies like the paper's, each on an elastic element with discrete dampers to the one before; the first stands on the ground.
+// A chain of bodies like the paper's, each on an elastic element with discrete dampers to the one before; the first
+// stands on the ground.
 #pragma once
 
 #include "paper_machine.h"
@@ -10,7 +11,8 @@ namespace trivet::benchmarks {
 inline numerics::DynamicMatrices chain_of(int bodies) {
   const PaperMachine m = paper_machine();
   const Eigen::Index n = 6 * bodies;
-  numerics::DynamicMatrices all{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true};
+  numerics::DynamicMatrices all{
+      Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true};
   for (Eigen::Index b = 0; b < bodies; ++b) {
     const double share = 1 + 0.1 * std::sin(3.0 * double(b));  // no two elements alike
     all.A.block<6, 6>(6 * b, 6 * b) = m.A / share;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long is one frequency of a chain of bodies, each coupled to the next and damped? Beside LAPACK's dense and banded solvers and Eigen's
-// sparse one with its pattern reused.
+// How long is one frequency of a chain of bodies, each coupled to the next and damped? Beside LAPACK's dense and banded
+// solvers and Eigen's sparse one with its pattern reused.
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
@@ -36,7 +36,8 @@ void banded(const DynamicMatrices& m, const Eigen::VectorXd& load, double omega,
   std::vector<lapack_int> pivots(static_cast<std::size_t>(n));
   for (lapack_int j = 0; j < n; ++j)
     for (lapack_int i = std::max(0, j - side); i < std::min(n, j + side + 1); ++i)
-      z[static_cast<std::size_t>(j * height + 2 * side + i - j)] = Complex(m.K(i, j) - omega * omega * m.A(i, j), omega * m.B(i, j));
+      z[static_cast<std::size_t>(j * height + 2 * side + i - j)] =
+          Complex(m.K(i, j) - omega * omega * m.A(i, j), omega * m.B(i, j));
   lapack_int info = 0;
   for (Eigen::Index i = 0; i < n; ++i) q[i] = load[i];
   LAPACK_zgbsv(&n, &side, &side, &one, z.data(), &height, pivots.data(), q, &n, &info);
@@ -120,7 +121,8 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
     double worst = 0;
     for (std::size_t k = 0; k < few; ++k) {
       const auto c = static_cast<Eigen::Index>(k);
-      const double difference = (mine.col(c) - q.col(c)).cwiseProduct(scale).norm() / q.col(c).cwiseProduct(scale).norm();
+      const double difference =
+          (mine.col(c) - q.col(c)).cwiseProduct(scale).norm() / q.col(c).cwiseProduct(scale).norm();
       worst = difference <= worst ? worst : difference;
     }
     compared("Trivet beside zgbsv", worst, 1e-9);
@@ -129,10 +131,16 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
   const double flops = 8 * numerics::BlockSweep(m, load).multiply_adds();
   measure({"chain of bodies", std::to_string(bodies) + " bodies, all coordinates", "frequency", error},
           {here("Trivet, every solution checked", double(many), ours, flops),
-           here("Trivet, with every backward error told", double(many), [&] { numerics::sweep(m, load, omega, planes, with_errors); }, flops),
-           here("Trivet, complex columns in fresh memory", double(many), [&] { (void)numerics::sweep(m, load, omega, options); }, flops),
-           here("LAPACK zgesv", double(few), by_dense, 0, last ? 700 : 0), here("LAPACK zgbsv", double(few), by_band, 0, last ? 35 : 0),
-           here("Eigen SparseLU, pattern reused", double(few), by_sparse)}, 9);
+           here(
+               "Trivet, with every backward error told", double(many),
+               [&] { numerics::sweep(m, load, omega, planes, with_errors); }, flops),
+           here(
+               "Trivet, complex columns in fresh memory", double(many),
+               [&] { (void)numerics::sweep(m, load, omega, options); }, flops),
+           here("LAPACK zgesv", double(few), by_dense, 0, last ? 700 : 0),
+           here("LAPACK zgbsv", double(few), by_band, 0, last ? 35 : 0),
+           here("Eigen SparseLU, pattern reused", double(few), by_sparse)},
+          9);
 }
 
 }  // namespace

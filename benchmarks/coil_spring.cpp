@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What does an exact coil spring cost? The published spring of 7.6 turns: stiffness, dynamic stiffness, natural frequencies, reduction;
-// beside 608 straight beam elements, the usual way. Answers are compared before anything is timed.
+// What does an exact coil spring cost? The published spring of 7.6 turns: stiffness, dynamic stiffness, natural
+// frequencies, reduction; beside 608 straight beam elements, the usual way. Answers are compared before anything is
+// timed.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Cholesky>
@@ -46,8 +47,9 @@ Piece piece(const CoilSpring& s, double from, double to) {
   const Eigen::Vector3d chord = place(to) - place(from);
   const double L = chord.norm(), E = s.youngs_modulus, G = s.shear_modulus, I = w.second_moments(0), bend = 1 / (E * I);
   Matrix6 flexibility = Matrix6::Zero();  // at the far end, e3 along the chord
-  flexibility.diagonal() << L / (w.shear_factor * G * w.area) + bend * L * L * L / 3, L / (w.shear_factor * G * w.area) + bend * L * L * L / 3,
-      L / (E * w.area), L * bend, L * bend, L / (G * w.torsion_constant);
+  flexibility.diagonal() << L / (w.shear_factor * G * w.area) + bend * L * L * L / 3,
+      L / (w.shear_factor * G * w.area) + bend * L * L * L / 3, L / (E * w.area), L * bend, L * bend,
+      L / (G * w.torsion_constant);
   flexibility(0, 4) = flexibility(4, 0) = bend * L * L / 2, flexibility(1, 3) = flexibility(3, 1) = -bend * L * L / 2;
   const Matrix6 turn = spatial::both_blocks(spatial::axes_along(chord));
   Piece p;
@@ -88,7 +90,8 @@ Matrix12 chain(const CoilSpring& s, const std::vector<Piece>& beams, double omeg
 double difference(const Matrix12& a, const Matrix12& b) {
   double worst = 0;
   for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 12; ++j) worst = std::max(worst, std::abs(a(i, j) - b(i, j)) / std::sqrt(std::abs(b(i, i) * b(j, j))));
+    for (int j = 0; j < 12; ++j)
+      worst = std::max(worst, std::abs(a(i, j) - b(i, j)) / std::sqrt(std::abs(b(i, i) * b(j, j))));
   return worst;
 }
 
@@ -98,8 +101,9 @@ void compare_answers() {
   const double at_rest = difference(chain(s, beams, 0), stiffness(s));
   const double moving = difference(chain(s, beams, 2 * pi * 100), dynamic_stiffness(s, 2 * pi * 100));
   const double first = natural_frequencies(s, SeatsHeld::both, 1)[0] / (2 * pi);
-  std::printf("%d straight elements differ by %.1e at rest, %.1e at 100 Hz; first frequency %.6f Hz, published 393.400\n", pieces,
-              at_rest, moving, first);
+  std::printf(
+      "%d straight elements differ by %.1e at rest, %.1e at 100 Hz; first frequency %.6f Hz, published 393.400\n",
+      pieces, at_rest, moving, first);
   if (!(at_rest < 2e-3 && moving < 5e-3 && std::abs(first - 393.4) < 1e-3)) std::exit(1);
 }
 
@@ -129,7 +133,8 @@ void DynamicStiffnessWithLoss(benchmark::State& state) {
   s.loss_factor = 0.02;
   const SeatedCoil coil = seated_coil(s);
   double hertz = double(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(dynamic_stiffness(coil, std::complex<double>(2 * pi * (hertz += 1e-3))).data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(dynamic_stiffness(coil, std::complex<double>(2 * pi * (hertz += 1e-3))).data());
 }
 BENCHMARK(DynamicStiffnessWithLoss)->Arg(1)->Arg(300)->Arg(10000)->Unit(benchmark::kMicrosecond);
 

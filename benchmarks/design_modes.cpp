@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do natural frequencies and mode shapes of many designs take? Beside Octave, SciPy, NumPy batched, Eigen's fixed-size solver and LAPACK.
+// How long do natural frequencies and mode shapes of many designs take? Beside Octave, SciPy, NumPy batched, Eigen's
+// fixed-size solver and LAPACK.
 #include "trivet/numerics/roots/design_modes.h"
 
 #include <array>
@@ -38,7 +39,8 @@ int main() {
   constexpr Eigen::Index few = 1000, many = 100000;
   const numerics::Designs designs = random_designs(few), more = random_designs(many);
   std::vector<std::array<Quad, 6>> truth;
-  for (Eigen::Index d = 0; d < 300; ++d) truth.push_back(quad_modes(numerics::unpacked(designs.K, d), numerics::unpacked(designs.A, d)));
+  for (Eigen::Index d = 0; d < 300; ++d)
+    truth.push_back(quad_modes(numerics::unpacked(designs.K, d), numerics::unpacked(designs.A, d)));
 
   const std::vector<double> A = full_matrices(designs.A, few), K = full_matrices(designs.K, few);
   const foundation::TemporaryFolder folder;
@@ -48,7 +50,8 @@ int main() {
   std::vector<double> lambda(6 * few), shapes(36 * few);
   const auto by = [&](SixCoordinateModes solver) {
     return [&, solver] {
-      for (std::size_t d = 0; d < few; ++d) solver(K.data() + 36 * d, A.data() + 36 * d, lambda.data() + 6 * d, shapes.data() + 36 * d);
+      for (std::size_t d = 0; d < few; ++d)
+        solver(K.data() + 36 * d, A.data() + 36 * d, lambda.data() + 6 * d, shapes.data() + 36 * d);
     };
   };
 
@@ -57,11 +60,13 @@ int main() {
   numerics::DesignModes modes, more_modes;
   const auto ours = [&] { numerics::design_modes(designs, modes, options); };
   ours();
-  const double error = check("Trivet", [&](std::size_t d, std::size_t k) { return modes.lambda(Eigen::Index(d), Eigen::Index(k)); }, truth, 1e-11);
+  const double error = check(
+      "Trivet", [&](std::size_t d, std::size_t k) { return modes.lambda(Eigen::Index(d), Eigen::Index(k)); }, truth,
+      1e-11);
   const auto here_lambda = [&](std::size_t d, std::size_t k) { return lambda[6 * d + k]; };
-  by(&eigen_fixed_modes)();
+  by (&eigen_fixed_modes)();
   check("Eigen", here_lambda, truth, 1e-8);
-  by(&lapack_dsygv)();
+  by (&lapack_dsygv)();
   check("dsygv", here_lambda, truth, 1e-8);
   const auto check_rival = [&](Rival& rival, const char* name) {
     const std::vector<std::complex<double>> all = rival.answers(name);
@@ -74,8 +79,7 @@ int main() {
   measure({"modes over designs", "1,000 designs", "design", error},
           {here("Trivet", few, ours),
            here("Trivet, 100,000 designs", many, [&] { numerics::design_modes(more, more_modes, options); }),
-           octave.way("loop", "Octave, loop of eig", few),
-           python.way("loop", "SciPy, loop of eigh", few),
+           octave.way("loop", "Octave, loop of eig", few), python.way("loop", "SciPy, loop of eigh", few),
            python.way("batched", "NumPy, batched Cholesky and eigh", few, 25),
            here("Eigen, fixed GeneralizedSelfAdjointEigenSolver", few, by(&eigen_fixed_modes), 0, 10),
            here("LAPACK dsygv", few, by(&lapack_dsygv))});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the highest amplitudes of all six coordinates of a design take, exactly? Beside loops over 10,000 frequencies, which miss them where
-// damping is light.
+// How long do the highest amplitudes of all six coordinates of a design take, exactly? Beside loops over 10,000
+// frequencies, which miss them where damping is light.
 #include "trivet/numerics/batch/design_peaks.h"
 
 #include <algorithm>
@@ -51,7 +51,8 @@ Six true_highest(const PaperMachine& m) {
       if (std::abs(q[6 * i + j]) > std::abs(q[6 * best + j])) best = i;
     double low = omega[best > 0 ? best - 1 : 0], high = omega[std::min(best + 1, omega.size() - 1)];
     constexpr double golden = 0.6180339887498949;
-    double a = high - golden * (high - low), b = low + golden * (high - low), at_a = amplitude(m, a, j), at_b = amplitude(m, b, j);
+    double a = high - golden * (high - low), b = low + golden * (high - low), at_a = amplitude(m, a, j),
+           at_b = amplitude(m, b, j);
     for (int step = 0; step < 40 && high - low > 1e-15 * high; ++step) {
       if (at_a > at_b) high = b, b = a, at_b = at_a, a = high - golden * (high - low), at_a = amplitude(m, a, j);
       else low = a, a = b, at_a = at_b, b = low + golden * (high - low), at_b = amplitude(m, b, j);
@@ -90,24 +91,31 @@ int main() {
       grid_error = std::max(grid_error, 1 - on_grid / truth[j]);
     }
   }
-  const auto part = [&](numerics::DesignStatus status) { return double(std::count(found.status.begin(), found.status.end(), status)) / double(count); };
-  std::printf("  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; redone %.2f %%, undecided %.2f %%\n",
-              compared_designs, error, 100 * grid_error, 100 * part(numerics::DesignStatus::redone), 100 * part(numerics::DesignStatus::undecided));
+  const auto part = [&](numerics::DesignStatus status) {
+    return double(std::count(found.status.begin(), found.status.end(), status)) / double(count);
+  };
+  std::printf(
+      "  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; redone %.2f %%, "
+      "undecided %.2f %%\n",
+      compared_designs, error, 100 * grid_error, 100 * part(numerics::DesignStatus::redone),
+      100 * part(numerics::DesignStatus::undecided));
   compared("Trivet", error, 1e-9);
 
   const PaperMachine one = machine_of(designs, 0);
   const foundation::TemporaryFolder folder;
-  const auto file = [&](const char* name, const auto& x) { write_numbers(folder.path() / name, x.data(), static_cast<std::size_t>(x.size())); };
+  const auto file = [&](const char* name, const auto& x) {
+    write_numbers(folder.path() / name, x.data(), static_cast<std::size_t>(x.size()));
+  };
   file("A", one.A), file("B", one.B), file("K", one.K), file("H", one.load), file("p", grid);
   Rival octave("sweep.m", folder.path()), python("sweep.py", folder.path());
   const SixCoordinates system{one.A.data(), one.B.data(), one.K.data(), one.load.data()};
   const std::string question = "exact peaks of six coordinates over designs";
-  const auto medians = measure({question, "4,096 designs, damping ratios 1e-6 … 0.65; rivals one design on 10,000 frequencies", "design", error},
-                               {here("Trivet, highest amplitudes", count, [&] { (void)ours(); }),
-                                octave.way("loop", "Octave, the paper's loop", 1),
-                                python.way("batched", "NumPy, batched solve", 1),
-                                python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", 1),
-                                here("Eigen, fixed 6×6 pivoted LU", 1, [&] { eigen_fixed_lu(system, grid.data(), points, q.data()); })});
+  const auto medians = measure(
+      {question, "4,096 designs, damping ratios 1e-6 … 0.65; rivals one design on 10,000 frequencies", "design", error},
+      {here("Trivet, highest amplitudes", count, [&] { (void)ours(); }),
+       octave.way("loop", "Octave, the paper's loop", 1), python.way("batched", "NumPy, batched solve", 1),
+       python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", 1),
+       here("Eigen, fixed 6×6 pivoted LU", 1, [&] { eigen_fixed_lu(system, grid.data(), points, q.data()); })});
   record(question, "µs per design", 1e6 * medians[0], "µs", "≤ 1.2", 1e6 * medians[0] <= 1.2);
   record(question, "largest relative error", error, "", "≤ 1e-9", error <= 1e-9);
   record(question, "largest part of a peak that 10,000 even frequencies miss", grid_error, "", "", true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the highest amplitudes of 10,000 designs on 500 frequencies each take, on one core and on two? Beside the paper's loop and the best
-// vectorised forms.
+// How long do the highest amplitudes of 10,000 designs on 500 frequencies each take, on one core and on two? Beside the
+// paper's loop and the best vectorised forms.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -38,10 +38,13 @@ int main() {
   openblas_set_num_threads(1);
   const numerics::Designs designs = random_designs(count);
   const std::vector<double> omega = even_frequencies(points);
-  const std::vector<double> A = full_matrices(designs.A, some), B = full_matrices(designs.B, some), K = full_matrices(designs.K, some);
+  const std::vector<double> A = full_matrices(designs.A, some), B = full_matrices(designs.B, some),
+                            K = full_matrices(designs.K, some);
   const Vector6 load = designs.load.row(0).transpose();
   const foundation::TemporaryFolder folder;
-  const auto file = [&](const char* name, const double* x, std::size_t size) { write_numbers(folder.path() / name, x, size); };
+  const auto file = [&](const char* name, const double* x, std::size_t size) {
+    write_numbers(folder.path() / name, x, size);
+  };
   numerics::SweepOptions one, two;
   one.threads = 1;
   two.threads = 2;
@@ -53,7 +56,8 @@ int main() {
   const auto eigen = [&] {
     std::vector<std::complex<double>> q(6 * points);
     for (std::size_t d = 0; d < some; ++d) {
-      eigen_fixed_lu({A.data() + 36 * d, B.data() + 36 * d, K.data() + 36 * d, load.data()}, omega.data(), points, q.data());
+      eigen_fixed_lu({A.data() + 36 * d, B.data() + 36 * d, K.data() + 36 * d, load.data()}, omega.data(), points,
+                     q.data());
       for (std::size_t j = 0; j < 6; ++j) {
         double highest = 0;
         for (std::size_t i = 0; i < points; ++i) highest = std::max(highest, std::norm(q[6 * i + j]));
@@ -67,7 +71,8 @@ int main() {
     std::array<double, 6> highest{};
     for (const double w : omega) {
       const auto q = quad_solution(m.A, m.B, m.K, m.load, w);
-      for (std::size_t j = 0; j < 6; ++j) highest[j] = std::max(highest[j], std::hypot(double(q[j].re), double(q[j].im)));
+      for (std::size_t j = 0; j < 6; ++j)
+        highest[j] = std::max(highest[j], std::hypot(double(q[j].re), double(q[j].im)));
     }
     return highest;
   };
@@ -85,8 +90,10 @@ int main() {
     return worst;
   };
   const auto maxima = numerics::sweep_maxima(designs, omega, one);
-  const double error = check("Trivet", [&](std::size_t d, std::size_t j) { return maxima.amplitude(Eigen::Index(d), Eigen::Index(j)); });
-  if ((numerics::sweep_maxima(designs, omega, two).amplitude != maxima.amplitude).any()) compared("one thread and two", 1, 0);
+  const double error =
+      check("Trivet", [&](std::size_t d, std::size_t j) { return maxima.amplitude(Eigen::Index(d), Eigen::Index(j)); });
+  if ((numerics::sweep_maxima(designs, omega, two).amplitude != maxima.amplitude).any())
+    compared("one thread and two", 1, 0);
   eigen();
   check("Eigen", [&](std::size_t d, std::size_t j) { return by_eigen[6 * d + j]; });
 
@@ -105,14 +112,16 @@ int main() {
     };
     for (const char* name : {"loop", "ldlt", "modal"}) check_rival(*octave, name);
     for (const char* name : {"batched", "modal"}) check_rival(*python, name);
-    seconds = measure({question, "10,000 designs × 500 frequencies, Octave 20 of them, others 200", "design", error},
-                      {here("Trivet, one core", count, [&] { (void)numerics::sweep_maxima(designs, omega, one); }),
-                       here("Trivet, directly, every backward error computed", count, [&] { (void)numerics::sweep_maxima(designs, omega, directly); }),
-                       octave->way("loop", "Octave, the paper's loop", few),
-                       octave->way("ldlt", "Octave, LDLᵀ vectorised by hand", few), octave->way("modal", "Octave, poles vectorised", few),
-                       python->way("batched", "NumPy, batched solve", some), python->way("modal", "NumPy, batched poles", some),
-                       here("Eigen, fixed 6×6 pivoted LU", some, eigen)},
-                      7);
+    seconds = measure(
+        {question, "10,000 designs × 500 frequencies, Octave 20 of them, others 200", "design", error},
+        {here("Trivet, one core", count, [&] { (void)numerics::sweep_maxima(designs, omega, one); }),
+         here("Trivet, directly, every backward error computed", count,
+              [&] { (void)numerics::sweep_maxima(designs, omega, directly); }),
+         octave->way("loop", "Octave, the paper's loop", few),
+         octave->way("ldlt", "Octave, LDLᵀ vectorised by hand", few),
+         octave->way("modal", "Octave, poles vectorised", few), python->way("batched", "NumPy, batched solve", some),
+         python->way("modal", "NumPy, batched poles", some), here("Eigen, fixed 6×6 pivoted LU", some, eigen)},
+        7);
   }
   const double before = idle_part();
   const Way both = by_the_clock("two", [&] { (void)numerics::sweep_maxima(designs, omega, two); });
@@ -127,7 +136,8 @@ int main() {
   record(question, "two cores, times as fast as one", seconds[0] / wall[4], "", "", true);
   const auto against = [&](const std::string& rival, double of_one, double wanted) {
     const double goal = wanted * goal_factor(), found = of_one / wall[4];
-    record(question, "two cores against " + rival, found, "", "≥ " + std::to_string(static_cast<int>(goal)), found >= goal);
+    record(question, "two cores against " + rival, found, "", "≥ " + std::to_string(static_cast<int>(goal)),
+           found >= goal);
   };
   against("Octave's loop", seconds[2], 1500);
   against("NumPy's batched solve", seconds[5], 110);

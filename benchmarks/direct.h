@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every frequency solved and checked, whatever their number: `sweep` itself sums over poles where these are proven and many frequencies are asked for,
-// so that its time would say nothing of the solver.
+// Every frequency solved and checked, whatever their number: `sweep` itself sums over poles where these are proven and
+// many frequencies are asked for, so that its time would say nothing of the solver.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace trivet::benchmarks {
 
 /// Into `result`, on one thread; the plan is made anew each time.
-inline void solve_directly(const numerics::DynamicMatrices& matrices, const numerics::Load& load, const std::vector<double>& omega,
-                           numerics::SweepPlanes& result) {
+inline void solve_directly(const numerics::DynamicMatrices& matrices, const numerics::Load& load,
+                           const std::vector<double>& omega, numerics::SweepPlanes& result) {
   const auto count = static_cast<long>(omega.size());
   result.re.resize(count, matrices.size());
   result.im.resize(count, matrices.size());

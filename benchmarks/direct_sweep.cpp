@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long is a sweep of one six-coordinate machine with general damping, every frequency solved? Beside the paper's loop and the best
-// vectorised form in Octave, NumPy, SciPy, Eigen's fixed-size LU and LAPACK.
+// How long is a sweep of one six-coordinate machine with general damping, every frequency solved? Beside the paper's
+// loop and the best vectorised form in Octave, NumPy, SciPy, Eigen's fixed-size LU and LAPACK.
 #include "direct.h"
 #include "rivals/fixed_lu.h"
 #include "rivals/lapack.h"
@@ -13,7 +13,8 @@ int main() {
   const OneCore one_core;
   openblas_set_num_threads(1);
   constexpr std::size_t count = 10000;
-  constexpr double solve_flops = 719;  // Z 84, LDLᵀ 406, right side 148, growth of the factors 81: additions and multiplications, a division as one
+  constexpr double solve_flops = 719;  // Z 84, LDLᵀ 406, right side 148, growth of the factors 81: additions and
+                                       // multiplications, a division as one
   SweepProblem problem(count);
   const numerics::DynamicMatrices matrices{problem.machine.A, problem.machine.B, problem.machine.K, {}, true};
   const Vector6 h = problem.machine.load;
@@ -24,7 +25,9 @@ int main() {
   const auto ours = [&] { solve_directly(matrices, h, problem.omega, planes); };
 
   Eigen::MatrixXcd q(6, count);
-  const auto by = [&](SixCoordinateSolver solver) { return [&, solver] { solver(problem.system(), problem.omega.data(), count, q.data()); }; };
+  const auto by = [&](SixCoordinateSolver solver) {
+    return [&, solver] { solver(problem.system(), problem.omega.data(), count, q.data()); };
+  };
   Rival octave("sweep.m", problem.folder()), python("sweep.py", problem.folder());
   ours();
   numerics::sweep(matrices, h, problem.omega, told, with_errors);
@@ -39,7 +42,8 @@ int main() {
   check("Trivet, backward errors told", told);
   check("Trivet, as it chooses", chosen);
   std::printf("  redone with pivoting: %d\n", planes.fallbacks);
-  for (const auto& [name, solver] : {std::pair{"Eigen", &eigen_fixed_lu}, std::pair{"zgesv", &lapack_zgesv}, std::pair{"zsysv", &lapack_zsysv}}) {
+  for (const auto& [name, solver] :
+       {std::pair{"Eigen", &eigen_fixed_lu}, std::pair{"zgesv", &lapack_zgesv}, std::pair{"zsysv", &lapack_zsysv}}) {
     by(solver)();
     problem.check(name, q);
   }
@@ -48,9 +52,13 @@ int main() {
 
   std::vector<Way> ways{
       here("Trivet, every solution checked", count, ours, solve_flops),
-      here("Trivet, with every backward error told", count, [&] { numerics::sweep(matrices, h, problem.omega, told, with_errors); }),
-      here("Trivet, `sweep` as it chooses: by poles", count, [&] { numerics::sweep(matrices, h, problem.omega, chosen, options); }),
-      here("Trivet, complex columns in fresh memory", count, [&] { (void)numerics::sweep(matrices, h, problem.omega, options); }, solve_flops),
+      here("Trivet, with every backward error told", count,
+           [&] { numerics::sweep(matrices, h, problem.omega, told, with_errors); }),
+      here("Trivet, `sweep` as it chooses: by poles", count,
+           [&] { numerics::sweep(matrices, h, problem.omega, chosen, options); }),
+      here(
+          "Trivet, complex columns in fresh memory", count,
+          [&] { (void)numerics::sweep(matrices, h, problem.omega, options); }, solve_flops),
       octave.way("loop", "Octave, the paper's loop with `\\`", count, 800),
       octave.way("ldlt", "Octave, LDLᵀ vectorised by hand", count),
       python.way("batched", "NumPy, batched solve", count, 95),

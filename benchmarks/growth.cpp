@@ -30,7 +30,8 @@ void slope(const std::string& what, const std::vector<std::pair<double, double>>
   std::printf("%s:", what.c_str());
   for (const auto& [size, seconds] : size_and_seconds) {
     std::printf("  %g: %.3g s", size, seconds);
-    x += std::log(size), y += std::log(seconds), xx += std::log(size) * std::log(size), xy += std::log(size) * std::log(seconds);
+    x += std::log(size), y += std::log(seconds), xx += std::log(size) * std::log(size),
+        xy += std::log(size) * std::log(seconds);
   }
   std::puts("");
   const double n = double(size_and_seconds.size()), found = (n * xy - x * y) / (n * xx - x * x);
@@ -38,12 +39,14 @@ void slope(const std::string& what, const std::vector<std::pair<double, double>>
 }
 
 /// All sizes take their turns, so that a loaded machine slows them alike.
-void grows(const std::string& what, const std::vector<double>& sizes, const std::function<std::function<void()>(double)>& work) {
+void grows(const std::string& what, const std::vector<double>& sizes,
+           const std::function<std::function<void()>(double)>& work) {
   std::vector<Way> ways;
   for (const double size : sizes) ways.push_back(here(what, 1, work(size)));
   std::vector<std::vector<double>> seconds(sizes.size());
   for (int turn = 0; turn < 7; ++turn)
-    for (std::size_t s = 0; s < sizes.size(); ++s) seconds[s].push_back(median_seconds(ways[s], sizes[s] >= 1e6 ? 1 : 3));
+    for (std::size_t s = 0; s < sizes.size(); ++s)
+      seconds[s].push_back(median_seconds(ways[s], sizes[s] >= 1e6 ? 1 : 3));
   std::vector<std::pair<double, double>> points;
   for (std::size_t s = 0; s < sizes.size(); ++s) {
     std::sort(seconds[s].begin(), seconds[s].end());

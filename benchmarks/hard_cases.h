@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sixteen kinds of matrices on which solvers fail, from hard_cases.txt, with the truth at frequencies around their resonances.
+// Sixteen kinds of matrices on which solvers fail, from hard_cases.txt, with the truth at frequencies around their
+// resonances.
 #pragma once
 
 #include <fstream>
@@ -44,7 +45,8 @@ inline std::vector<HardCase> hard_cases(const std::string& file) {
     auto load = line(), frequencies = line();
     for (double& h : c.system.load) load >> h;
     for (double w; frequencies >> w;) c.omega.push_back(w);
-    for (const double w : c.omega) c.truth.push_back(quad_solution(c.system.A, c.system.B, c.system.K, c.system.load, w));
+    for (const double w : c.omega)
+      c.truth.push_back(quad_solution(c.system.A, c.system.B, c.system.K, c.system.load, w));
     cases.push_back(std::move(c));
   }
   return cases;

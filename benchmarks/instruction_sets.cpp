@@ -40,7 +40,8 @@ void under_each(const Question& question, double items, double limit, double flo
     numerics::use_instruction_set(sets[s]);
     double peak = 0;
     for (int i = 0; i < 5; ++i) peak = std::max(peak, peak_flops());
-    record(question.name, sets[s] + ": part of its own peak of multiply-adds", 100 * flops / seconds[s] / peak, "%", "", true);
+    record(question.name, sets[s] + ": part of its own peak of multiply-adds", 100 * flops / seconds[s] / peak, "%", "",
+           true);
   }
   numerics::use_instruction_set("");
 }

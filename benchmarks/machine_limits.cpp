@@ -2,8 +2,8 @@
 // What the machine can do at most, measured beside what is done.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "machine_limits.cpp"
-#include <hwy/foreach_target.h>
 #include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -12,13 +12,14 @@ namespace trivet::benchmarks::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 8>;
 
-/// Twelve chains of multiply-adds that do not wait for each other; named one by one, so that none leaves its register, and all from other numbers, or the
-/// compiler would see that they are one.
+/// Twelve chains of multiply-adds that do not wait for each other; named one by one, so that none leaves its register,
+/// and all from other numbers, or the compiler would see that they are one.
 double multiply_adds(int rounds, double start) {
   const Lanes d;
   const auto a = hn::Set(d, 0.999), b = hn::Set(d, 1e-3);
   const auto from = [&](int chain) HWY_ATTR { return hn::Set(d, start + chain); };
-  auto x0 = from(0), x1 = from(1), x2 = from(2), x3 = from(3), x4 = from(4), x5 = from(5), x6 = from(6), x7 = from(7), x8 = from(8), x9 = from(9), x10 = from(10), x11 = from(11);
+  auto x0 = from(0), x1 = from(1), x2 = from(2), x3 = from(3), x4 = from(4), x5 = from(5), x6 = from(6), x7 = from(7),
+       x8 = from(8), x9 = from(9), x10 = from(10), x11 = from(11);
   for (int i = 0; i < rounds; ++i) {
     x0 = hn::MulAdd(x0, a, b), x1 = hn::MulAdd(x1, a, b), x2 = hn::MulAdd(x2, a, b), x3 = hn::MulAdd(x3, a, b);
     x4 = hn::MulAdd(x4, a, b), x5 = hn::MulAdd(x5, a, b), x6 = hn::MulAdd(x6, a, b), x7 = hn::MulAdd(x7, a, b);

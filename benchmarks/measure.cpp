@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -34,7 +34,8 @@ Spread spread(std::vector<double> values) {
 
 void write(json line) {
   line["machine"] = machine();
-  if (const char* file = std::getenv("TRIVET_BENCHMARK_JSON")) std::ofstream(file, std::ios::app) << line.dump() << '\n';
+  if (const char* file = std::getenv("TRIVET_BENCHMARK_JSON"))
+    std::ofstream(file, std::ios::app) << line.dump() << '\n';
 }
 
 std::vector<double> processor_ticks() {
@@ -78,8 +79,8 @@ std::vector<double> measure(const Question& question, const std::vector<Way>& wa
     peak.push_back(peak_flops());
     for (std::size_t w = 0; w < ways.size(); ++w) seconds[w].push_back(ways[w].seconds());
   }
-  std::printf("%s, %s: ns per %s (%d turns), largest error %.1e\n", question.name.c_str(), question.size.c_str(), question.item.c_str(), turns,
-              question.largest_error);
+  std::printf("%s, %s: ns per %s (%d turns), largest error %.1e\n", question.name.c_str(), question.size.c_str(),
+              question.item.c_str(), turns, question.largest_error);
   std::vector<double> medians;
   for (std::size_t w = 0; w < ways.size(); ++w) {
     std::vector<double> ratios, parts;
@@ -90,14 +91,29 @@ std::vector<double> measure(const Question& question, const std::vector<Way>& wa
     const Spread time = spread(seconds[w]), ratio = spread(ratios), part = spread(parts);
     const double goal = ways[w].goal * (ways[w].goal > 1 ? goal_factor() : 1);
     medians.push_back(time.median);
-    std::printf("  %-44s %12.2f   x %-9.3g [%.3g … %.3g]", ways[w].name.c_str(), 1e9 * time.median, ratio.median, ratio.lowest, ratio.highest);
-    if (ways[w].flops > 0) std::printf("  %.1f GFLOP/s, %.0f %% of %.1f", 1e-9 * ways[w].flops / time.median, 100 * part.median, 1e-9 * spread(peak).median);
+    std::printf("  %-44s %12.2f   x %-9.3g [%.3g … %.3g]", ways[w].name.c_str(), 1e9 * time.median, ratio.median,
+                ratio.lowest, ratio.highest);
+    if (ways[w].flops > 0)
+      std::printf("  %.1f GFLOP/s, %.0f %% of %.1f", 1e-9 * ways[w].flops / time.median, 100 * part.median,
+                  1e-9 * spread(peak).median);
     if (goal > 0) std::printf("  goal %.3g: %s", goal, ratio.median >= goal ? "met" : "NOT MET");
     std::printf("%s%s\n", ways[w].note.empty() ? "" : "  ", ways[w].note.c_str());
-    json line{{"kind", "time"}, {"question", question.name}, {"size", question.size}, {"item", question.item}, {"error", question.largest_error},
-              {"way", ways[w].name}, {"ns", 1e9 * time.median}, {"ns_lowest", 1e9 * time.lowest}, {"ns_highest", 1e9 * time.highest},
-              {"ratio", ratio.median}, {"ratio_lowest", ratio.lowest}, {"ratio_highest", ratio.highest}, {"turns", turns},
-              {"peak_gflops", 1e-9 * spread(peak).median}, {"ours", w == 0}, {"note", ways[w].note}};
+    json line{{"kind", "time"},
+              {"question", question.name},
+              {"size", question.size},
+              {"item", question.item},
+              {"error", question.largest_error},
+              {"way", ways[w].name},
+              {"ns", 1e9 * time.median},
+              {"ns_lowest", 1e9 * time.lowest},
+              {"ns_highest", 1e9 * time.highest},
+              {"ratio", ratio.median},
+              {"ratio_lowest", ratio.lowest},
+              {"ratio_highest", ratio.highest},
+              {"turns", turns},
+              {"peak_gflops", 1e-9 * spread(peak).median},
+              {"ours", w == 0},
+              {"note", ways[w].note}};
     if (ways[w].flops > 0) line["gflops"] = 1e-9 * ways[w].flops / time.median, line["part_of_peak"] = part.median;
     if (goal > 0) line["goal"] = goal, line["met"] = ratio.median >= goal;
     write(line);
@@ -106,15 +122,29 @@ std::vector<double> measure(const Question& question, const std::vector<Way>& wa
   return medians;
 }
 
-void record(const std::string& question, const std::string& name, double value, const std::string& unit, const std::string& goal, bool met) {
+void record(const std::string& question, const std::string& name, double value, const std::string& unit,
+            const std::string& goal, bool met) {
   std::printf("%s: %s %.4g %s%s\n", question.c_str(), name.c_str(), value, unit.c_str(),
               goal.empty() ? "" : ("  goal " + goal + (met ? ": met" : ": NOT MET")).c_str());
   std::fflush(stdout);
-  write({{"kind", "figure"}, {"question", question}, {"way", name}, {"value", value}, {"unit", unit}, {"goal", goal}, {"met", met}});
+  write({{"kind", "figure"},
+         {"question", question},
+         {"way", name},
+         {"value", value},
+         {"unit", unit},
+         {"goal", goal},
+         {"met", met}});
 }
 
-void record_errors(const std::string& question, const std::string& way, double forward, double backward, const std::string& goal, bool met) {
-  write({{"kind", "errors"}, {"question", question}, {"way", way}, {"forward", forward}, {"backward", backward}, {"goal", goal}, {"met", met}});
+void record_errors(const std::string& question, const std::string& way, double forward, double backward,
+                   const std::string& goal, bool met) {
+  write({{"kind", "errors"},
+         {"question", question},
+         {"way", way},
+         {"forward", forward},
+         {"backward", backward},
+         {"goal", goal},
+         {"met", met}});
 }
 
 void compared(const std::string& what, double error, double limit) {

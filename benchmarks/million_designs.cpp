@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the highest amplitudes (or also the peaks) of a million designs take, and are they right? Usage: million_designs [designs] [highest|peaks]
+// How long do the highest amplitudes (or also the peaks) of a million designs take, and are they right? Usage:
+// million_designs [designs] [highest|peaks]
 #include "trivet/numerics/batch/design_peaks.h"
 
 #include <fmt/format.h>
@@ -25,7 +26,8 @@ double thread_seconds() {
 }
 
 /// Values at ω = |λ| √(1 − 2ζ²) and around of undamped guesses: may find something higher, knows nothing of our poles.
-double worst_miss(const numerics::Designs& designs, const numerics::DesignPeaks& peaks, Eigen::Index every, long& misses) {
+double worst_miss(const numerics::Designs& designs, const numerics::DesignPeaks& peaks, Eigen::Index every,
+                  long& misses) {
   double worst = 0;
   for (Eigen::Index d = 0; d < designs.count(); d += every) {
     const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
@@ -41,7 +43,8 @@ double worst_miss(const numerics::Designs& designs, const numerics::DesignPeaks&
     see(1e-3);
     for (double omega = 0.3; omega < 600; omega *= 1.1) see(omega);
     for (Eigen::Index j = 0; j < designs.coordinates(); ++j)
-      for (const double shift : {-1e-6, 1e-6}) see(std::isfinite(peaks.highest_at(d, j)) ? peaks.highest_at(d, j) * (1 + shift) : 1.0);
+      for (const double shift : {-1e-6, 1e-6})
+        see(std::isfinite(peaks.highest_at(d, j)) ? peaks.highest_at(d, j) * (1 + shift) : 1.0);
   }
   return worst;
 }
@@ -58,15 +61,18 @@ int main(int count, char** arguments) {
   long misses = 0;
   double seconds = 0, worst = 0;
   for (int first = 0; first < designs_wanted; first += batch) {
-    const numerics::Designs designs = test::random_designs(std::min(batch, designs_wanted - first), 6, 1e-6, 1000U + static_cast<unsigned>(first / batch));
+    const numerics::Designs designs = test::random_designs(std::min(batch, designs_wanted - first), 6, 1e-6,
+                                                           1000U + static_cast<unsigned>(first / batch));
     const double start = thread_seconds();
     const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
     seconds += thread_seconds() - start;
     for (const numerics::DesignStatus s : peaks.status) ++status[static_cast<std::size_t>(s)];
     worst = std::max(worst, worst_miss(designs, peaks, 1, misses));
   }
-  fmt::print("{} designs, {}, {}: {:.0f} ns a design on one core; proven {}, redone {}, undecided {}, impossible {}; misses above 0.1 %: {}, worst {:.2g}\n",
-             designs_wanted, options.count_peaks ? "peaks" : "highest", numerics::instruction_set(), 1e9 * seconds / designs_wanted, status[0], status[1], status[2], status[3], misses,
-             worst);
+  fmt::print(
+      "{} designs, {}, {}: {:.0f} ns a design on one core; proven {}, redone {}, undecided {}, impossible {}; misses "
+      "above 0.1 %: {}, worst {:.2g}\n",
+      designs_wanted, options.count_peaks ? "peaks" : "highest", numerics::instruction_set(),
+      1e9 * seconds / designs_wanted, status[0], status[1], status[2], status[3], misses, worst);
   return misses == 0 ? 0 : 1;
 }

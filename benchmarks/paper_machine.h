@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The machine of the small questions: the paper's body with corrected inertia and its suspension (examples/paper/corrected.toml), with three
-// discrete dampers instead of B = δK, so that damping is general: no mode stays by itself.
+// The machine of the small questions: the paper's body with corrected inertia and its suspension
+// (examples/paper/corrected.toml), with three discrete dampers instead of B = δK, so that damping is general: no mode
+// stays by itself.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,18 +31,15 @@ inline PaperMachine paper_machine() {
   m.A << mass, 0, 0, 0, z, -y,  //
       0, mass, 0, -z, 0, x,     //
       0, 0, mass, y, -x, 0,     //
-      0, -z, y, 66.289, -65.194, -28.935,
-      z, 0, -x, -65.194, 91.643, -23.973,
-      -y, x, 0, -28.935, -23.973, 135.853;
+      0, -z, y, 66.289, -65.194, -28.935, z, 0, -x, -65.194, 91.643, -23.973, -y, x, 0, -28.935, -23.973, 135.853;
   m.K << 50250, 0, 0, 0, -19500, 49700,  //
       0, 50250, 0, 19500, 0, -59600,     //
       0, 0, 50250, -49700, 59600, 0,     //
-      0, 19500, -49700, 57500, -58900, -23600,
-      -19500, 0, 59600, -58900, 79400, -19600,
-      49700, -59600, 0, -23600, -19600, 120600;
+      0, 19500, -49700, 57500, -58900, -23600, -19500, 0, 59600, -58900, 79400, -19600, 49700, -59600, 0, -23600,
+      -19600, 120600;
   m.load << 80, 111.8034, 60, -33.541, 37.818, -66.657;
-  m.B = damper(150, {-1.2, -0.4, -0.1}, {0, 0, 1}) + damper(120, {-0.2, -1.1, -0.3}, {0.6, 0.8, 0}) + damper(100, {-0.1, -0.2, 0.4}, {1, 0, 0}) +
-        2e-4 * m.K;
+  m.B = damper(150, {-1.2, -0.4, -0.1}, {0, 0, 1}) + damper(120, {-0.2, -1.1, -0.3}, {0.6, 0.8, 0}) +
+      damper(100, {-0.1, -0.2, 0.4}, {1, 0, 0}) + 2e-4 * m.K;
   return m;
 }
 

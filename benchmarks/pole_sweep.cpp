@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long is a sweep of one six-coordinate machine by poles and residues? With and without their set-up, 10,000 and 1,000,000 frequencies,
-// beside the best vectorised forms in Octave and NumPy and Eigen's fixed-size LU.
+// How long is a sweep of one six-coordinate machine by poles and residues? With and without their set-up, 10,000 and
+// 1,000,000 frequencies, beside the best vectorised forms in Octave and NumPy and Eigen's fixed-size LU.
 #include <algorithm>
 #include <string>
 
@@ -24,7 +24,9 @@ void sweep(std::size_t count, const char* size, int turns) {
   const auto ready = numerics::PoleSweep::of(matrices, h);
   compared("Trivet, poles proven", ready ? 0 : 1, 0);
   const auto known = [&] { compared("Trivet, sampled residuals", ready->response(omega, re, im) ? 0 : 1, 0); };
-  const auto complete = [&] { compared("Trivet, sampled residuals", numerics::PoleSweep::of(matrices, h)->response(omega, re, im) ? 0 : 1, 0); };
+  const auto complete = [&] {
+    compared("Trivet, sampled residuals", numerics::PoleSweep::of(matrices, h)->response(omega, re, im) ? 0 : 1, 0);
+  };
   const auto eigen = [&] { eigen_fixed_lu(problem.system(), problem.omega.data(), count, other.data()); };
   complete();
   q.real() = re.transpose();
@@ -38,23 +40,25 @@ void sweep(std::size_t count, const char* size, int turns) {
 
   constexpr double flops = 360;  // six pairs: 6 for the denominator, 6 for its inverse, 8 for each of six coordinates
   const std::string question = "sweep by poles of six coordinates";
-  const auto medians = measure({question, size, "frequency", error},
-          {here("Trivet, with set-up", items, complete),
-           here("Trivet, poles known", items, known, flops),
-           octave.way("modal", "Octave, poles vectorised", items),
-           octave.way("modal_in_pieces", "Octave, poles vectorised, in pieces", items, 45),
-           python.way("modal", "NumPy, poles vectorised", items, 25),
-           python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", items, 25),
-           here("Eigen, fixed 6×6 pivoted LU", items, eigen, 0, 100)},
-          turns);
+  const auto medians =
+      measure({question, size, "frequency", error},
+              {here("Trivet, with set-up", items, complete), here("Trivet, poles known", items, known, flops),
+               octave.way("modal", "Octave, poles vectorised", items),
+               octave.way("modal_in_pieces", "Octave, poles vectorised, in pieces", items, 45),
+               python.way("modal", "NumPy, poles vectorised", items, 25),
+               python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", items, 25),
+               here("Eigen, fixed 6×6 pivoted LU", items, eigen, 0, 100)},
+              turns);
   if (count == 10000) {
-    record(question, "10,000 frequencies with set-up / without", medians[0] / medians[1], "", "≤ 1.3", medians[0] <= 1.3 * medians[1]);
+    record(question, "10,000 frequencies with set-up / without", medians[0] / medians[1], "", "≤ 1.3",
+           medians[0] <= 1.3 * medians[1]);
   } else {
     std::vector<double> stores;
     for (int i = 0; i < 7; ++i) stores.push_back(streaming_store_bandwidth());
     std::sort(stores.begin(), stores.end());
     record(question, "stores past the caches, one core", 1e-9 * stores[3], "GB/s", "", true);
-    record(question, "part of that by 1,000,000 frequencies, 96 byte each", 100 * 96 / medians[1] / stores[3], "%", "", true);
+    record(question, "part of that by 1,000,000 frequencies, 96 byte each", 100 * 96 / medians[1] / stores[3], "%", "",
+           true);
   }
 }
 

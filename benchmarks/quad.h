@@ -14,7 +14,9 @@ using Quad = __float128;
 struct QuadComplex {
   Quad re = 0, im = 0;
 };
-inline QuadComplex operator*(QuadComplex a, QuadComplex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+inline QuadComplex operator*(QuadComplex a, QuadComplex b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
 inline QuadComplex operator-(QuadComplex a, QuadComplex b) { return {a.re - b.re, a.im - b.im}; }
 inline Quad size(QuadComplex a) { return (a.re < 0 ? -a.re : a.re) + (a.im < 0 ? -a.im : a.im); }
 inline QuadComplex inverse(QuadComplex a) {
@@ -24,10 +26,14 @@ inline QuadComplex inverse(QuadComplex a) {
 
 /// (K + iωB − ω²A)⁻¹ h
 template <typename Matrix, typename Vector>
-std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h, double omega) {
+std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h,
+                                       double omega) {
   const int n = static_cast<int>(h.size());
-  std::vector<std::vector<QuadComplex>> z(static_cast<std::size_t>(n), std::vector<QuadComplex>(static_cast<std::size_t>(n) + 1));
-  const auto at = [&](int i, int j) -> QuadComplex& { return z[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; };
+  std::vector<std::vector<QuadComplex>> z(static_cast<std::size_t>(n),
+                                          std::vector<QuadComplex>(static_cast<std::size_t>(n) + 1));
+  const auto at = [&](int i, int j) -> QuadComplex& {
+    return z[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  };
   const Quad w = omega;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) at(i, j) = {Quad(K(i, j)) - w * w * Quad(A(i, j)), w * Quad(B(i, j))};
@@ -71,7 +77,8 @@ double forward_error(const Values& x, const std::vector<QuadComplex>& q, const S
 
 /// ‖Zx − h‖ / (‖Z‖ ‖x‖ + ‖h‖) in maximum norms, coordinates scaled to x_i s_i; |re| + |im| stands for the modulus.
 template <typename Matrix, typename Vector, typename Values, typename Scale>
-double backward_error(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h, double omega, const Values& x, const Scale& s) {
+double backward_error(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h, double omega, const Values& x,
+                      const Scale& s) {
   const int n = static_cast<int>(h.size());
   const Quad w = omega;
   Quad residual = 0, norm = 0, solution = 0, load = 0;

@@ -26,7 +26,7 @@ inline std::array<Quad, 6> quad_modes(const Matrix6& K, const Matrix6& A) {
       for (int k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
       l[i][j] = i == j ? square_root(sum) : sum / l[j][j];
     }
-  const auto divided = [&](const auto& from, Quad (&to)[6][6]) {  // L⁻¹ from
+  const auto divided = [&](const auto& from, Quad(&to)[6][6]) {  // L⁻¹ from
     for (int j = 0; j < 6; ++j)
       for (int i = 0; i < 6; ++i) {
         Quad sum = from(i, j);
@@ -41,7 +41,8 @@ inline std::array<Quad, 6> quad_modes(const Matrix6& K, const Matrix6& A) {
       for (int q = p + 1; q < 6; ++q) {
         if (c[p][q] == 0) continue;
         const Quad theta = (c[q][q] - c[p][p]) / (2 * c[p][q]), magnitude = theta < 0 ? -theta : theta;
-        const Quad t = (theta < 0 ? -1 : 1) / (magnitude + square_root(theta * theta + 1)), cosine = 1 / square_root(t * t + 1), sine = t * cosine;
+        const Quad t = (theta < 0 ? -1 : 1) / (magnitude + square_root(theta * theta + 1)),
+                   cosine = 1 / square_root(t * t + 1), sine = t * cosine;
         for (int k = 0; k < 6; ++k) {
           const Quad a = c[k][p], b = c[k][q];
           c[k][p] = cosine * a - sine * b, c[k][q] = sine * a + cosine * b;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Machines around the paper's, drawn from a fixed seed: mass, stiffness and damping each turned and scaled a little, damping by a power of ten.
+// Machines around the paper's, drawn from a fixed seed: mass, stiffness and damping each turned and scaled a little,
+// damping by a power of ten.
 #pragma once
 
 #include <cmath>
@@ -27,7 +28,8 @@ class Draws {
 inline numerics::Designs random_designs(Eigen::Index count, double least = -1.5, double most = 0.5) {
   const PaperMachine m = paper_machine();
   Draws draw(20);
-  numerics::Designs designs{Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21), m.load.transpose().array()};
+  numerics::Designs designs{Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21),
+                            m.load.transpose().array()};
   const Vector6 unit = m.A.diagonal().cwiseSqrt();  // metres and radians are turned into each other as they weigh in A
   const auto varied = [&](const Matrix6& x, double scale) -> Matrix6 {
     Matrix6 turn = Matrix6::Identity();
@@ -45,7 +47,8 @@ inline numerics::Designs random_designs(Eigen::Index count, double least = -1.5,
 }
 
 inline PaperMachine machine_of(const numerics::Designs& designs, Eigen::Index d) {
-  return {numerics::unpacked(designs.A, d), numerics::unpacked(designs.B, d), numerics::unpacked(designs.K, d), designs.load.row(0).transpose().matrix()};
+  return {numerics::unpacked(designs.A, d), numerics::unpacked(designs.B, d), numerics::unpacked(designs.K, d),
+          designs.load.row(0).transpose().matrix()};
 }
 
 /// The first designs as full matrices one behind the other, for rivals.

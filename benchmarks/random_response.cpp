@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the RMS values of a machine of ten bodies take? Sixty coordinates and all six components at twenty mounts, from the matrices
-// to the numbers, the eigenproblem included; beside the usual way, a sum of squares over a grid of 20,000 frequencies, and, for white
-// noise, the Lyapunov equation. Answers are compared before anything is timed.
+// How long do the RMS values of a machine of ten bodies take? Sixty coordinates and all six components at twenty
+// mounts, from the matrices to the numbers, the eigenproblem included; beside the usual way, a sum of squares over a
+// grid of 20,000 frequencies, and, for white noise, the Lyapunov equation. Answers are compared before anything is
+// timed.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -26,7 +27,9 @@ constexpr double exact_accuracy = 1e-8;
 /// Ten boxes in a row, each on a mount from the ground and on one from the box before it; 4 … 12 % of critical damping.
 model::Description machine() {
   std::mt19937 generator(5);
-  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); };
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
   model::Description d;
   for (std::size_t i = 0; i < bodies; ++i) {
     model::Body body;
@@ -34,7 +37,8 @@ model::Description machine() {
     body.pose.position = {0.6 * static_cast<double>(i), 0, 0.4};
     const double m = number(80, 300);
     body.mass = spatial::from_inertia_about_pole(
-        m, Eigen::Vector3d::Zero(), m * Eigen::Vector3d(number(0.02, 0.03), number(0.02, 0.03), number(0.02, 0.03)).asDiagonal());
+        m, Eigen::Vector3d::Zero(),
+        m * Eigen::Vector3d(number(0.02, 0.03), number(0.02, 0.03), number(0.02, 0.03)).asDiagonal());
     d.bodies.push_back(body);
   }
   for (std::size_t e = 0; e < mounts; ++e) {
@@ -93,7 +97,8 @@ const Machine& machine_once() {
 
 Eigen::VectorXd rms_of(const response::RandomResponse& random) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(random.answers.size()));
-  for (std::size_t i = 0; i < random.answers.size(); ++i) result(static_cast<Eigen::Index>(i)) = random.answers[i].rms.value();
+  for (std::size_t i = 0; i < random.answers.size(); ++i)
+    result(static_cast<Eigen::Index>(i)) = random.answers[i].rms.value();
   return result;
 }
 
@@ -104,8 +109,8 @@ Eigen::VectorXd by_trapezoids(const assembly::Loading& load, int points) {
   const response::FrequencyResponse swept = response::frequency_response(m.assembled, m.channels, load, omega);
   Eigen::VectorXd density(points);
   for (int i = 0; i < points; ++i)
-    density(i) =
-        excitation::density(m.spectrum, omega[static_cast<std::size_t>(i)]) * (i == 0 || i == points - 1 ? 0.5 : 1) * (omega[1] - omega[0]);
+    density(i) = excitation::density(m.spectrum, omega[static_cast<std::size_t>(i)]) *
+        (i == 0 || i == points - 1 ? 0.5 : 1) * (omega[1] - omega[0]);
   Eigen::VectorXd result(static_cast<Eigen::Index>(m.channels.size()));
   for (std::size_t c = 0; c < m.channels.size(); ++c)
     result(static_cast<Eigen::Index>(c)) = std::sqrt(swept.curves[c].value.cwiseAbs2().dot(density));
@@ -136,28 +141,33 @@ void compare(const char* what, const Eigen::VectorXd& mine, const Eigen::VectorX
 
 void compare_answers() {
   const Machine& m = machine_once();
-  for (const auto& [what, load] : {std::pair{"force, against trapezoids", m.force()}, {"floor, against trapezoids", m.floor()}}) {
-    const response::RandomResponse random = response::random_response(m.assembled, m.channels, {{{"input", load, m.spectrum}}, {}});
+  for (const auto& [what, load] :
+       {std::pair{"force, against trapezoids", m.force()}, {"floor, against trapezoids", m.floor()}}) {
+    const response::RandomResponse random =
+        response::random_response(m.assembled, m.channels, {{{"input", load, m.spectrum}}, {}});
     std::printf("%zu answers by %s %s\n", random.answers.size(), name(random.method), random.remark.c_str());
     compare(what, rms_of(random), by_trapezoids(load, 20000), grid_accuracy);
   }
   const auto coordinates = assembly::channels(m.system, m.assembled, {"coordinates"}, assembly::Quantity::displacement);
   compare("white noise, against the Lyapunov equation",
-          rms_of(response::random_response(m.assembled, coordinates, {{{"noise", m.force(), excitation::flat_spectrum(1, 0, 1e8)}}, {}})),
+          rms_of(response::random_response(m.assembled, coordinates,
+                                           {{{"noise", m.force(), excitation::flat_spectrum(1, 0, 1e8)}}, {}})),
           by_lyapunov(1), exact_accuracy);
 }
 
 void RandomForce(benchmark::State& state) {
   const Machine& m = machine_once();
   const response::RandomLoading loading{{{"force", m.force(), m.spectrum}}, {}};
-  for (auto _ : state) benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).answers.data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).answers.data());
 }
 BENCHMARK(RandomForce)->Unit(benchmark::kMillisecond);
 
 void RandomFloorAcceleration(benchmark::State& state) {
   const Machine& m = machine_once();
   const response::RandomLoading loading{{{"floor", m.floor(), m.spectrum}}, {}};
-  for (auto _ : state) benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).answers.data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).answers.data());
 }
 BENCHMARK(RandomFloorAcceleration)->Unit(benchmark::kMillisecond);
 

@@ -17,7 +17,8 @@
 namespace trivet::benchmarks {
 
 void write_numbers(const std::filesystem::path& file, const double* values, std::size_t count) {
-  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(values), static_cast<std::streamsize>(count * sizeof(double)));
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(values), static_cast<std::streamsize>(count * sizeof(double)));
 }
 
 Rival::Rival(const std::string& script, const std::filesystem::path& folder) : script_(script), folder_(folder) {
@@ -34,14 +35,17 @@ Rival::Rival(const std::string& script, const std::filesystem::path& folder) : s
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, requests[0], 0);
   posix_spawn_file_actions_adddup2(&actions, replies[1], 1);
-  for (const int end : {requests[0], requests[1], replies[0], replies[1]}) posix_spawn_file_actions_addclose(&actions, end);
-  const int failed = posix_spawnp(&process_, arguments[0], &actions, nullptr, const_cast<char* const*>(arguments.data()), environ);
+  for (const int end : {requests[0], requests[1], replies[0], replies[1]})
+    posix_spawn_file_actions_addclose(&actions, end);
+  const int failed =
+      posix_spawnp(&process_, arguments[0], &actions, nullptr, const_cast<char* const*>(arguments.data()), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(requests[0]);
   close(replies[1]);
   to_ = fdopen(requests[1], "w");
   from_ = fdopen(replies[0], "r");
-  if (failed != 0) throw std::runtime_error(std::string(arguments[0]) + " cannot be started: scripts/packages benchmarks installs it");
+  if (failed != 0)
+    throw std::runtime_error(std::string(arguments[0]) + " cannot be started: scripts/packages benchmarks installs it");
   read();
 }
 

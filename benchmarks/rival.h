@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of another language that answers the same problem in its own process. It stays alive, so that it takes its turns with
-// the others, and tells its own CPU time.
+// A program of another language that answers the same problem in its own process. It stays alive, so that it takes its
+// turns with the others, and tells its own CPU time.
 #pragma once
 
 #include <complex>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long does a rubber mount take from its dimensions to its checked 12×12 with an error estimate? The bonded cylinder of 50 mm × 25 mm, a
-// thin disc, a sandwich, a block of 100,000 unknowns in tetrahedra, and a preload. Answers are compared before anything is timed.
+// How long does a rubber mount take from its dimensions to its checked 12×12 with an error estimate? The bonded
+// cylinder of 50 mm × 25 mm, a thin disc, a sandwich, a block of 100,000 unknowns in tetrahedra, and a preload. Answers
+// are compared before anything is timed.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -27,8 +28,9 @@ void compare_answers() {
   const auto& c = solid.stiffness;
   const double torsion = fem::shear_modulus(materials[0]) * std::numbers::pi * std::pow(0.025, 4) / 2 / 0.025;
   const double errors[] = {c(8, 8) / 363.45e3 - 1, c(6, 6) / 68.55e3 - 1, c(11, 11) / torsion - 1};
-  std::printf("bonded cylinder: axial %+.3f %%, shear %+.3f %%, torsion %+.5f %%; estimated %.3f, %.3f, %.5f %%\n", 100 * errors[0], 100 * errors[1],
-              100 * errors[2], 100 * solid.relative_error(8, 8), 100 * solid.relative_error(6, 6), 100 * solid.relative_error(11, 11));
+  std::printf("bonded cylinder: axial %+.3f %%, shear %+.3f %%, torsion %+.5f %%; estimated %.3f, %.3f, %.5f %%\n",
+              100 * errors[0], 100 * errors[1], 100 * errors[2], 100 * solid.relative_error(8, 8),
+              100 * solid.relative_error(6, 6), 100 * solid.relative_error(11, 11));
   for (const double error : errors)
     if (!(std::abs(error) < 0.0015)) std::exit(1);
 }
@@ -37,7 +39,10 @@ void condense(benchmark::State& state, const fem::Shape& shape) {
   for (auto _ : state) benchmark::DoNotOptimize(fem::condense(shape, materials, static_cast<int>(state.range(0))));
 }
 BENCHMARK_CAPTURE(condense, bonded_cylinder, cylinder)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(condense, thin_disc_of_shape_factor_10, thin)->DenseRange(2, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(condense, thin_disc_of_shape_factor_10, thin)
+    ->DenseRange(2, 3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(condense, sandwich_of_four, sandwich)->DenseRange(2, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void compressed_cylinder(benchmark::State& state) {

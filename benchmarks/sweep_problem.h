@@ -17,7 +17,9 @@ namespace trivet::benchmarks {
 class SweepProblem {
  public:
   explicit SweepProblem(std::size_t count, double to = 200) : omega(even_frequencies(count, to)) {
-    const auto file = [&](const char* name, const auto& x) { write_numbers(folder_.path() / name, x.data(), static_cast<std::size_t>(x.size())); };
+    const auto file = [&](const char* name, const auto& x) {
+      write_numbers(folder_.path() / name, x.data(), static_cast<std::size_t>(x.size()));
+    };
     file("A", machine.A), file("B", machine.B), file("K", machine.K), file("H", machine.load), file("p", omega);
     for (std::size_t i = 0; i < count; i += std::max<std::size_t>(1, count / 400)) checked_.push_back(i);
     const auto squares = Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6>(machine.K, machine.A).eigenvalues().eval();
@@ -26,10 +28,12 @@ class SweepProblem {
       for (double i = place - 5; i < place + 5; ++i)
         if (i >= 0 && i < static_cast<double>(count)) checked_.push_back(static_cast<std::size_t>(i));
     }
-    for (const std::size_t i : checked_) truth_.push_back(quad_solution(machine.A, machine.B, machine.K, machine.load, omega[i]));
+    for (const std::size_t i : checked_)
+      truth_.push_back(quad_solution(machine.A, machine.B, machine.K, machine.load, omega[i]));
   }
 
-  /// Largest forward error of answers (6 per frequency) at the checked frequencies; ends the program where it is above the limit.
+  /// Largest forward error of answers (6 per frequency) at the checked frequencies; ends the program where it is above
+  /// the limit.
   double check(const std::string& way, const std::complex<double>* answers) {
     double worst = 0;
     const Vector6 scale = machine.A.diagonal().cwiseSqrt();
@@ -44,7 +48,9 @@ class SweepProblem {
   double check(const std::string& way, const Eigen::MatrixXcd& answers) { return check(way, answers.data()); }
   double check(Rival& rival, const std::string& name) { return check(name, rival.answers(name).data()); }
 
-  [[nodiscard]] SixCoordinates system() const { return {machine.A.data(), machine.B.data(), machine.K.data(), machine.load.data()}; }
+  [[nodiscard]] SixCoordinates system() const {
+    return {machine.A.data(), machine.B.data(), machine.K.data(), machine.load.data()};
+  }
 
   PaperMachine machine = paper_machine();
   std::vector<double> omega;

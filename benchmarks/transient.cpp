@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long are 100,000 steps of a machine of six coordinates under a measured force? The paper's example, answers of all coordinates, of
-// the forces of every element and of the ground, with extremes; beside it Newmark's average acceleration with Eigen's fixed-size matrices
-// (coordinates only, its step the same and so not exact), and scipy.signal.lsim where the system's Python has it. Answers are compared
-// before anything is timed.
+// How long are 100,000 steps of a machine of six coordinates under a measured force? The paper's example, answers of
+// all coordinates, of the forces of every element and of the ground, with extremes; beside it Newmark's average
+// acceleration with Eigen's fixed-size matrices (coordinates only, its step the same and so not exact), and
+// scipy.signal.lsim where the system's Python has it. Answers are compared before anything is timed.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -31,7 +31,8 @@ struct Machine {
   project::Project project = project::read_project(TRIVET_PAPER).value();
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
-  std::vector<assembly::Channel> coordinates = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
+  std::vector<assembly::Channel> coordinates =
+      assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
   std::vector<assembly::Channel> everything = all_channels();
   Vector6 direction = {0.3, -0.7, 1, 0.1, 0.2, -0.05};
   std::vector<double> samples;
@@ -46,7 +47,8 @@ struct Machine {
       history.values.push_back(100 * std::sin(3 * t + 0.01 * t * t) + 30 * std::sin(41 * t));
     }
     samples = history.values;
-    inputs.push_back({"measured", excitation::from_samples(history), assembly::Loading(direction.cast<std::complex<double>>().eval())});
+    inputs.push_back({"measured", excitation::from_samples(history),
+                      assembly::Loading(direction.cast<std::complex<double>>().eval())});
     options.to = step * static_cast<double>(steps);
     options.step = step;
   }
@@ -65,7 +67,8 @@ const Machine& machine() {
 
 Eigen::MatrixXd by_trivet() {
   const Machine& m = machine();
-  const response::TransientResponse r = response::transient_response(m.system, m.assembled, m.coordinates, m.inputs, m.options);
+  const response::TransientResponse r =
+      response::transient_response(m.system, m.assembled, m.coordinates, m.inputs, m.options);
   Eigen::MatrixXd q(6, r.time.size());
   for (Eigen::Index k = 0; k < 6; ++k) q.row(k) = r.curves[static_cast<std::size_t>(k)].values.transpose();
   return q;
@@ -81,7 +84,8 @@ Eigen::MatrixXd by_newmark(int parts) {
   Vector6 q = Vector6::Zero(), v = Vector6::Zero(), a = A.inverse() * (machine_.direction * machine_.samples[0]);
   result.col(0) = q;
   for (Eigen::Index i = 0; i < steps; ++i) {
-    const double from = machine_.samples[static_cast<std::size_t>(i)], to = machine_.samples[static_cast<std::size_t>(i + 1)];
+    const double from = machine_.samples[static_cast<std::size_t>(i)],
+                 to = machine_.samples[static_cast<std::size_t>(i + 1)];
     for (int part = 1; part <= parts; ++part) {
       const Vector6 q_ahead = q + h * v + h * h / 4 * a, v_ahead = v + h / 2 * a;
       a = inverse * (machine_.direction * (from + (to - from) * part / parts) - B * v_ahead - K * q_ahead);
@@ -95,7 +99,8 @@ Eigen::MatrixXd by_newmark(int parts) {
 
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   double worst = 0;
-  for (Eigen::Index k = 0; k < 6; ++k) worst = std::max(worst, (a.row(k) - b.row(k)).cwiseAbs().maxCoeff() / a.row(k).cwiseAbs().maxCoeff());
+  for (Eigen::Index k = 0; k < 6; ++k)
+    worst = std::max(worst, (a.row(k) - b.row(k)).cwiseAbs().maxCoeff() / a.row(k).cwiseAbs().maxCoeff());
   return worst;
 }
 
@@ -137,8 +142,8 @@ void compare_with_scipy(const Eigen::MatrixXd& q) {
   code << script;
   data.close();
   code.close();
-  const foundation::CommandOutcome outcome =
-      foundation::run({python, {(folder.path() / "lsim.py").string(), (folder.path() / "data.txt").string(), std::to_string(step)}});
+  const foundation::CommandOutcome outcome = foundation::run(
+      {python, {(folder.path() / "lsim.py").string(), (folder.path() / "data.txt").string(), std::to_string(step)}});
   std::printf("%s", outcome.output.c_str());
   if (!outcome.succeeded()) std::exit(1);
 }
@@ -146,7 +151,10 @@ void compare_with_scipy(const Eigen::MatrixXd& q) {
 void compare_answers() {
   const Eigen::MatrixXd exact = by_trivet();
   const double coarse = difference(exact, by_newmark(1)), fine = difference(exact, by_newmark(8));
-  std::printf("Newmark with the same step is off by %.1e of the largest, with an eighth of it by %.1e (ratio %.1f, 64 expected)\n", coarse, fine, coarse / fine);
+  std::printf(
+      "Newmark with the same step is off by %.1e of the largest, with an eighth of it by %.1e (ratio %.1f, 64 "
+      "expected)\n",
+      coarse, fine, coarse / fine);
   if (!(coarse / fine > 50 && coarse / fine < 80)) std::exit(1);
   compare_with_scipy(exact);
 }
@@ -154,7 +162,10 @@ void compare_answers() {
 void ExactSteps(benchmark::State& state) {
   const Machine& m = machine();
   for (auto _ : state)
-    benchmark::DoNotOptimize(response::transient_response(m.system, m.assembled, state.range(0) ? m.everything : m.coordinates, m.inputs, m.options).curves.data());
+    benchmark::DoNotOptimize(response::transient_response(m.system, m.assembled,
+                                                          state.range(0) ? m.everything : m.coordinates, m.inputs,
+                                                          m.options)
+                                 .curves.data());
   state.counters["answers"] = static_cast<double>(state.range(0) ? m.everything.size() : m.coordinates.size());
 }
 BENCHMARK(ExactSteps)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long does the program take from its start to its end? Peaks of the paper's example, and the map of a million designs on all cores.
+// How long does the program take from its start to its end? Peaks of the paper's example, and the map of a million
+// designs on all cores.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/resource.h>
@@ -36,7 +37,8 @@ Run run(const std::vector<std::string>& words) {
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
   const auto from = std::chrono::steady_clock::now();
   pid_t process = 0;
-  if (posix_spawn(&process, arguments[0], &actions, nullptr, arguments.data(), environ) != 0) throw std::runtime_error(words[0] + " cannot be started");
+  if (posix_spawn(&process, arguments[0], &actions, nullptr, arguments.data(), environ) != 0)
+    throw std::runtime_error(words[0] + " cannot be started");
   int status = 0;
   rusage usage{};
   wait4(process, &status, 0, &usage);
@@ -44,7 +46,8 @@ Run run(const std::vector<std::string>& words) {
   posix_spawn_file_actions_destroy(&actions);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error(words[0] + " " + words[1] + " failed");
   const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-  return {std::chrono::duration<double>(to - from).count(), seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024.0 * double(usage.ru_maxrss)};
+  return {std::chrono::duration<double>(to - from).count(), seconds(usage.ru_utime) + seconds(usage.ru_stime),
+          1024.0 * double(usage.ru_maxrss)};
 }
 
 /// The run of median wall time; one run only where that is longer than ten seconds.

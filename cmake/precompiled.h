@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What nearly every file reads, read once: only the standard library, Eigen's core and formatting. No file may rely on it
-// (tests/headers, tests/architecture); it is a matter of minutes alone.
+// What nearly every file reads, read once: only the standard library, Eigen's core and formatting. No file may rely on
+// it (tests/headers, tests/architecture); it is a matter of minutes alone.
 #pragma once
 
 #include <Eigen/Core>

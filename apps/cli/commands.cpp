@@ -25,7 +25,8 @@ namespace trivet::cli {
 
 namespace {
 
-/// "1,5 Hz" may be one number with a decimal comma, 1 rad/s and 5 Hz, or 1 Hz and 5 Hz: all values have a unit, or none has. The 0 of a band is 0 in every unit.
+/// "1,5 Hz" may be one number with a decimal comma, 1 rad/s and 5 Hz, or 1 Hz and 5 Hz: all values have a unit, or none
+/// has. The 0 of a band is 0 in every unit.
 void refuse_mixed_units(const std::string& option, const std::string& text, const std::vector<std::string>& items) {
   const bool band = option == "--band";
   std::size_t bare = 0, with_unit = 0;
@@ -37,8 +38,10 @@ void refuse_mixed_units(const std::string& option, const std::string& text, cons
     else if (!(band && value == 0)) ++bare;
   }
   if (bare == 0 || with_unit == 0) return;
-  throw BadArgument(fmt::format("{} \"{}\": some values have a unit and some have none; give each its unit as in {} \"1 Hz,5 Hz\", or none for rad/s; a decimal number has a point: \"1.5 Hz\"", option, text,
-                                option));
+  throw BadArgument(
+      fmt::format("{} \"{}\": some values have a unit and some have none; give each its unit as in {} \"1 Hz,5 Hz\", "
+                  "or none for rad/s; a decimal number has a point: \"1.5 Hz\"",
+                  option, text, option));
 }
 
 }  // namespace
@@ -60,10 +63,13 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc() || end != item.data() + item.size()) {
       const auto converted = project::to_si(item, project::Quantity::angular_frequency);
-      if (!converted) throw BadArgument(fmt::format("{}: \"{}\": {}; give rad/s, or a unit as in \"5 Hz\"", option, item, converted.error()));
+      if (!converted)
+        throw BadArgument(
+            fmt::format("{}: \"{}\": {}; give rad/s, or a unit as in \"5 Hz\"", option, item, converted.error()));
       value = *converted;
     }
-    if (const auto broken = project::outside_range(value, project::Quantity::angular_frequency)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; {}", option, value, *broken));
+    if (const auto broken = project::outside_range(value, project::Quantity::angular_frequency))
+      throw BadArgument(fmt::format("{}: {:.6g} rad/s; {}", option, value, *broken));
     if (!(value >= 0)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; an angular frequency is ≥ 0", option, value));
     result.push_back(value);
   }
@@ -88,8 +94,10 @@ project::Analyses wanted(const study::AskedQuestion& question, const project::Ca
   }
   if (!options.band.empty()) {
     const std::vector<double> band = frequencies("--band", options.band);
-    if (band.size() != 2 || !(band[1] > band[0])) throw BadArgument(fmt::format("--band {}: a band is FROM,TO with FROM < TO", options.band));
-    if (const auto broken = project::wrong_band(band[0], band[1])) throw BadArgument(fmt::format("--band {}: {}", options.band, *broken));
+    if (band.size() != 2 || !(band[1] > band[0]))
+      throw BadArgument(fmt::format("--band {}: a band is FROM,TO with FROM < TO", options.band));
+    if (const auto broken = project::wrong_band(band[0], band[1]))
+      throw BadArgument(fmt::format("--band {}: {}", options.band, *broken));
     analyses.response->band = response::Band{band[0], band[1]};
     analyses.response->at.clear();
     analyses.limit_lines = variant.analyses.limit_lines;
@@ -97,25 +105,32 @@ project::Analyses wanted(const study::AskedQuestion& question, const project::Ca
   return analyses;
 }
 
-std::string rendered(const std::string& which, const project::Case& variant, const study::Answers& answers, const Options& options) {
+std::string rendered(const std::string& which, const project::Case& variant, const study::Answers& answers,
+                     const Options& options) {
   if (options.json) return results::answer_json(which, variant, answers);
   return options.csv ? results::answer_csv(which, variant, answers) : results::answer_text(which, variant, answers);
 }
 
 std::string checks_text(const std::vector<study::CheckLine>& lines) {
   results::TextTable table({"thing", "check", "figure", "verdict"});
-  for (const study::CheckLine& line : lines) table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
+  for (const study::CheckLine& line : lines)
+    table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
   return table.text();
 }
 
 std::string case_check_text(const study::CaseCheck& found) {
-  std::string text = found.case_name.empty() ? "Base model\n" : "Case " + found.case_name + (found.lines.empty() ? ": checks as the base model\n" : "\n");
+  std::string text = found.case_name.empty()
+      ? "Base model\n"
+      : "Case " + found.case_name + (found.lines.empty() ? ": checks as the base model\n" : "\n");
   if (!found.lines.empty()) text += checks_text(found.lines);
   for (const auto* notes : {&found.free_motions, &found.notes})
     for (const std::string& note : *notes) text += "  note: " + note + "\n";
   if (found.deep)
-    text += fmt::format("  two solvers at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed there {:.2e} (round-off × condition): {}\n",
-                        found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed, found.deep->verdict());
+    text += fmt::format(
+        "  two solvers at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed there {:.2e} "
+        "(round-off × condition): {}\n",
+        found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed,
+        found.deep->verdict());
   return text;
 }
 
@@ -124,7 +139,8 @@ std::string case_check_text(const study::CaseCheck& found) {
 std::string warnings_text(const study::Answers& answers) {
   foundation::Problems warnings;
   for (const foundation::Problem& warning : answers.warnings.list())
-    if (std::find(answers.failures.begin(), answers.failures.end(), warning.subject) == answers.failures.end()) warnings.add(warning);
+    if (std::find(answers.failures.begin(), answers.failures.end(), warning.subject) == answers.failures.end())
+      warnings.add(warning);
   std::string text = foundation::message_list(warnings);
   for (const std::string& failure : answers.failures) text += "NOT COMPUTED: " + failure + "\n";
   for (const std::string& motion : answers.free_motions) text += "note: " + motion + "\n";
@@ -140,7 +156,9 @@ const project::Case& chosen_case(const project::Project& project, const std::str
   std::string known;
   for (const auto& n : names)
     if (!n.empty()) known += (known.empty() ? "" : ", ") + n;
-  throw BadArgument(fmt::format("--case \"{}\": no such case; {}", name, guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
+  throw BadArgument(fmt::format(
+      "--case \"{}\": no such case; {}", name,
+      guess.empty() ? (known.empty() ? "the file has none" : "known: " + known) : "did you mean \"" + guess + "\"?"));
 }
 
 std::unique_ptr<results::PictureFile> new_picture(const Options& options) {
@@ -178,9 +196,12 @@ int check_command(const Options& options) {
     std::string text;
     for (const study::CaseCheck& one : cases) text += case_check_text(one);
     write_problems(warnings);
-    write_output(text + fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
+    write_output(
+        text +
+        fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
   }
-  const bool agrees = std::all_of(cases.begin(), cases.end(), [](const study::CaseCheck& one) { return !one.deep || one.deep->passed; });
+  const bool agrees = std::all_of(cases.begin(), cases.end(),
+                                  [](const study::CaseCheck& one) { return !one.deep || one.deep->passed; });
   Strictness strictness;
   strictness.add(warnings);
   return strictness.exit_code(options.strict, agrees ? done : not_computed);
@@ -193,7 +214,8 @@ int answer_command(const std::string& which, const Options& options) {
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
     const study::Answers answers = study::answers(variant, wanted(question, variant, options), progress());
-    const bool only_beside = which == "response" && answers.response;  // what failed then is a limit or a limit line beside it
+    const bool only_beside =
+        which == "response" && answers.response;  // what failed then is a limit or a limit line beside it
     if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);
     const bool plain = !options.csv && !options.json;

@@ -56,12 +56,13 @@ struct BadArgument : std::runtime_error {
 /// "1,2.7,15.6" in rad/s, or each with a unit. @throws BadArgument, naming the option
 [[nodiscard]] std::vector<double> frequencies(const std::string& option, const std::string& text);
 
-/// The picture that was asked for, begun; none if none was. @throws BadArgument if it cannot stand where it was asked for
+/// The picture that was asked for, begun; none if none was. @throws BadArgument if it cannot stand where it was asked
+/// for
 [[nodiscard]] std::unique_ptr<results::PictureFile> new_picture(const Options& options);
 
 /// The project, or nothing after its problems were printed. Errors in questions that are not wanted stop no command.
 [[nodiscard]] std::optional<project::Project> read_or_complain(const Options& options,
-                                                             const project::Questions& questions = {});
+                                                               const project::Questions& questions = {});
 
 /// Those that a command on one case answers.
 [[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> wanted);

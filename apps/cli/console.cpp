@@ -26,7 +26,8 @@ bool reader_has_left = false;
 
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));  // gets the lowest free number: this one
+    if (fcntl(stream, F_GETFD) < 0)
+      static_cast<void>(open("/dev/null", O_RDONLY));  // gets the lowest free number: this one
 }
 
 void write_output(const std::string& text) {
@@ -46,9 +47,7 @@ void write_error(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
 }
 
-void write_problems(const foundation::Problems& problems) {
-  write_error(foundation::message_list(problems));
-}
+void write_problems(const foundation::Problems& problems) { write_error(foundation::message_list(problems)); }
 
 void write_failure(const std::exception& failure) {
   std::string words = failure.what();

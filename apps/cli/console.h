@@ -13,8 +13,8 @@ namespace trivet::cli {
 /// 3 and 4 only with --strict: computed and written, but a limit or rule is broken, or there are warnings alone.
 enum ExitCode { done = 0, not_computed = 1, wrong_input = 2, over_a_limit = 3, with_warnings = 4, reader_left = 141 };
 
-/// Occupies the numbers of standard streams that were closed when the program was started, so that no file gets them and
-/// our output. Writing there stays an error. To be called first.
+/// Occupies the numbers of standard streams that were closed when the program was started, so that no file gets them
+/// and our output. Writing there stays an error. To be called first.
 void occupy_closed_streams();
 
 /// Writes to standard output and makes sure it arrived. Once the reader of a pipe has left (`trivet … | head`), nothing

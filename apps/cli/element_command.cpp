@@ -22,7 +22,8 @@ std::size_t chosen_element(const project::Case& variant, const std::string& name
     names.push_back(element.name);
   }
   const std::string guess = foundation::nearest_name(name, names);
-  throw BadArgument(fmt::format("\"{}\": no element has this name{}", name, guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+  throw BadArgument(fmt::format("\"{}\": no element has this name{}", name,
+                                guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
 }
 
 std::vector<std::size_t> replaced(const project::Case& variant, std::size_t element, bool all) {
@@ -53,8 +54,9 @@ int element_command(const Options& options) {
     } catch (const foundation::NotComputable& reason) {
       summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");
     }
-    write_output(options.json ? results::element_json(variant, element, summary, simple)
-                              : element_text(variant, element, summary) + (simple ? "\n" + simplification_text(*simple) : ""));
+    write_output(options.json
+                     ? results::element_json(variant, element, summary, simple)
+                     : element_text(variant, element, summary) + (simple ? "\n" + simplification_text(*simple) : ""));
     if (picture) picture->publish(report::element_picture(variant, element));
     return done;
   } catch (const BadArgument& bad) {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <variant>
 
-#include "trivet/results/text_table.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/results/text_table.h"
 
 namespace trivet::cli {
 namespace {
@@ -29,19 +29,26 @@ std::string vector_words(const Eigen::Vector3d& v, double round_off) {
 }
 
 std::string axes_words(const Eigen::Matrix3d& axes) {
-  return fmt::format("x {}, y {}, z {}", vector_words(axes.col(0), 1e-12), vector_words(axes.col(1), 1e-12), vector_words(axes.col(2), 1e-12));
+  return fmt::format("x {}, y {}, z {}", vector_words(axes.col(0), 1e-12), vector_words(axes.col(1), 1e-12),
+                     vector_words(axes.col(2), 1e-12));
 }
 
 std::string ends_text(const project::Case& variant, const model::Element& element) {
   std::string text;
   for (const auto& [letter, end] : {std::pair{'N', &element.n}, std::pair{'K', &element.k}}) {
     const spatial::Pose pose = model::end_in_ground(variant.system.bodies(), *end);
-    text += fmt::format("  end {} on {} at {} m", letter, end->body ? "body \"" + variant.system.bodies()[*end->body].name + "\"" : "the ground", vector_words(end->at, 1e-12));
-    text += pose.position.isApprox(end->at, 1e-12) ? "\n" : fmt::format(", in the ground frame at {} m\n", vector_words(pose.position, 1e-12));
+    text += fmt::format("  end {} on {} at {} m", letter,
+                        end->body ? "body \"" + variant.system.bodies()[*end->body].name + "\"" : "the ground",
+                        vector_words(end->at, 1e-12));
+    text += pose.position.isApprox(end->at, 1e-12)
+        ? "\n"
+        : fmt::format(", in the ground frame at {} m\n", vector_words(pose.position, 1e-12));
   }
-  const Eigen::Matrix3d n = model::end_in_ground(variant.system.bodies(), element.n).rotation, k = model::end_in_ground(variant.system.bodies(), element.k).rotation;
+  const Eigen::Matrix3d n = model::end_in_ground(variant.system.bodies(), element.n).rotation,
+                        k = model::end_in_ground(variant.system.bodies(), element.k).rotation;
   if (n.isApprox(k, 1e-12)) return text + "  local axes in the ground frame: " + axes_words(k) + "\n";
-  return text + "  local axes of N in the ground frame: " + axes_words(n) + "\n  local axes of K in the ground frame: " + axes_words(k) + "\n";
+  return text + "  local axes of N in the ground frame: " + axes_words(n) +
+      "\n  local axes of K in the ground frame: " + axes_words(k) + "\n";
 }
 
 /// Twelve rows of the six columns that belong to one end: 80 signs fit a terminal.
@@ -49,7 +56,8 @@ std::string half_matrix(const elements::Matrix12& matrix, int first_column) {
   constexpr double round_off = 1e-12;
   const char end = first_column == 0 ? 'N' : 'K';
   std::vector<std::string> header = {"end", "load"};
-  for (int j = 0; j < 6; ++j) header.push_back(fmt::format("{} {} [{}]", end, study::component_name(j), j < 3 ? "m" : "rad"));
+  for (int j = 0; j < 6; ++j)
+    header.push_back(fmt::format("{} {} [{}]", end, study::component_name(j), j < 3 ? "m" : "rad"));
   TextTable table(header);
   for (int i = 0; i < 12; ++i) {
     std::vector<std::string> row = {i < 6 ? "N" : "K", loads[static_cast<std::size_t>(i % 6)]};
@@ -63,52 +71,66 @@ std::string half_matrix(const elements::Matrix12& matrix, int first_column) {
 }
 
 std::string character_text(const elements::Character& c) {
-  TextTable table({"principal stiffness of K, N held", "axis (local)", "principal rotational stiffness", "axis (local) "});
+  TextTable table(
+      {"principal stiffness of K, N held", "axis (local)", "principal rotational stiffness", "axis (local) "});
   constexpr double round_off = 1e-9;
   const double least = round_off * std::abs(c.principal_rotational_stiffnesses(2));
   for (int i = 0; i < 3; ++i) {
     const double rotational = c.principal_rotational_stiffnesses(i);
     table.add({shown(c.principal_stiffnesses(i)) + " N/m", vector_words(c.principal_axes.col(i), round_off),
-               shown(std::abs(rotational) < least ? 0.0 : rotational) + " N m/rad", vector_words(c.principal_rotational_axes.col(i), round_off)});
+               shown(std::abs(rotational) < least ? 0.0 : rotational) + " N m/rad",
+               vector_words(c.principal_rotational_axes.col(i), round_off)});
   }
-  return table.text() + fmt::format("  elastic centre: {} m from K{}; rotational stiffnesses are about it\n", vector_words(c.elastic_centre, 1e-9),
-                                    c.centre_is_unique ? "" : " (the nearest of a line of them)") +
-         fmt::format("  coupling of translation and rotation, largest |K_ij|/√(K_ii K_jj): {:.3f} at K, {:.3f} at the elastic centre\n", c.coupling_at_k, c.coupling_at_centre) +
-         fmt::format("  energy of unit motions of K combined at worst: {:.3g} to {:.3g} of what they store one by one (1 and 1: nothing coupled)\n", c.softest_combination,
-                     c.stiffest_combination);
+  return table.text() +
+      fmt::format("  elastic centre: {} m from K{}; rotational stiffnesses are about it\n",
+                  vector_words(c.elastic_centre, 1e-9), c.centre_is_unique ? "" : " (the nearest of a line of them)") +
+      fmt::format(
+             "  coupling of translation and rotation, largest |K_ij|/√(K_ii K_jj): {:.3f} at K, {:.3f} at the elastic "
+             "centre\n",
+             c.coupling_at_k, c.coupling_at_centre) +
+      fmt::format(
+             "  energy of unit motions of K combined at worst: {:.3g} to {:.3g} of what they store one by one (1 and "
+             "1: nothing coupled)\n",
+             c.softest_combination, c.stiffest_combination);
 }
 
 std::string checks_text(const model::Element& element, const elements::MatrixVerdict& v) {
   const auto verdict = [](bool passed) { return passed ? std::string("ok") : std::string("look at it"); };
   TextTable table({"check of the stiffness", "figure (scaled by √(K_ii K_jj))", "verdict"});
-  if (element.symmetric) table.add({"symmetric", fmt::format("{:.1e}", v.asymmetry), verdict(v.asymmetry <= elements::rounding_of_data)});
+  if (element.symmetric)
+    table.add({"symmetric", fmt::format("{:.1e}", v.asymmetry), verdict(v.asymmetry <= elements::rounding_of_data)});
   else table.add({"declared unsymmetric", fmt::format("{:.1e}", v.asymmetry), "as declared"});
-  table.add({element.law.preload ? "rigid motion asks only for the turned preload" : "resists no rigid motion", fmt::format("{:.1e}", v.rigid_residual),
-             verdict(v.rigid_residual <= elements::silent_residual)});
+  table.add({element.law.preload ? "rigid motion asks only for the turned preload" : "resists no rigid motion",
+             fmt::format("{:.1e}", v.rigid_residual), verdict(v.rigid_residual <= elements::silent_residual)});
   // Turned as a whole, a preloaded element does work: N is held.
-  const double lowest = element.law.preload ? elements::lowest_of_held_end(elements::stiffness(element.law)) : v.lowest_eigenvalue;
+  const double lowest =
+      element.law.preload ? elements::lowest_of_held_end(elements::stiffness(element.law)) : v.lowest_eigenvalue;
   const bool passive = element.law.preload ? lowest >= -elements::rounding_of_data : elements::is_semidefinite(v);
   table.add({element.law.preload ? "gives no energy while N is held" : "gives no energy",
-             fmt::format("eigenvalues {:.2g} to {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest, v.highest_eigenvalue), verdict(passive)});
+             fmt::format("eigenvalues {:.2g} to {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest, v.highest_eigenvalue),
+             verdict(passive)});
   return table.text();
 }
 
 std::string energy_text(const study::ElementSummary& summary) {
   constexpr double idle = 1e-4;  // share of a mode's strain energy below which the element does next to nothing in it
-  TextTable table({"mode", "f [Hz]", "of the model's strain energy", "in translation", "in rotation", "in coupling", "motion"});
+  TextTable table(
+      {"mode", "f [Hz]", "of the model's strain energy", "in translation", "in rotation", "in coupling", "motion"});
   const auto percent = [](double share) { return fmt::format("{:.1f}%", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
   std::size_t shown_modes = 0;
   for (const study::ElementInMode& mode : summary.modes) {
     if (std::abs(mode.share) < idle || !(mode.inside.energy > 0)) continue;
-    table.add({std::to_string(mode.number), shown(mode.angular_frequency.value_or(std::nan("")) / two_pi), fmt::format("{:.2f}%", 100 * mode.share),
-               percent(mode.inside.translation), percent(mode.inside.rotation), percent(mode.inside.coupling), mode.name});
+    table.add({std::to_string(mode.number), shown(mode.angular_frequency.value_or(std::nan("")) / two_pi),
+               fmt::format("{:.2f}%", 100 * mode.share), percent(mode.inside.translation),
+               percent(mode.inside.rotation), percent(mode.inside.coupling), mode.name});
     ++shown_modes;
   }
   const std::size_t others = summary.modes.size() - shown_modes;
   if (shown_modes == 0) return "Its strain energy is below 0.01 % in every undamped mode\n";
-  return "Strain energy in the undamped modes, and its parts inside the element, with K as reference point: three springs keep the part in\n"
-         "translation and lose the others (coupling may be negative)\n" + table.text() +
-         (others > 0 ? fmt::format("  below 0.01 % in {} more\n", others) : "");
+  return "Strain energy in the undamped modes, and its parts inside the element, with K as reference point: three "
+         "springs keep the part in\n"
+         "translation and lose the others (coupling may be negative)\n" +
+      table.text() + (others > 0 ? fmt::format("  below 0.01 % in {} more\n", others) : "");
 }
 
 std::string uncertainty_text(const model::Element& element) {
@@ -116,19 +138,24 @@ std::string uncertainty_text(const model::Element& element) {
   const model::Evidence& evidence = *element.evidence;
   TextTable table({"diagonal entry", "value", "±", "unit", "of the value"});
   for (int i = 0; i < 12; ++i) {
-    const double value = element.law.scale * element.law.nominal_stiffness(i, i), half = element.law.scale * evidence.uncertainty(i, i);
-    table.add({fmt::format("{} {}", i < 6 ? "N" : "K", study::component_name(i)), shown(value), shown(half, 3), i % 6 < 3 ? "N/m" : "N m/rad",
-               value != 0 ? fmt::format("{:.2g}%", 100 * half / std::abs(value)) : "–"});
+    const double value = element.law.scale * element.law.nominal_stiffness(i, i),
+                 half = element.law.scale * evidence.uncertainty(i, i);
+    table.add({fmt::format("{} {}", i < 6 ? "N" : "K", study::component_name(i)), shown(value), shown(half, 3),
+               i % 6 < 3 ? "N/m" : "N m/rad", value != 0 ? fmt::format("{:.2g}%", 100 * half / std::abs(value)) : "–"});
   }
   std::string text = "Uncertainty (" + evidence.meaning + ")\n" + table.text();
   for (const model::Residual& r : evidence.residuals)
-    if (r.outlier) text += fmt::format("  outlier: {}: measured {:.6g}, fitted {:.6g} ({:+.1f} standard deviations)\n", r.what, r.measured, r.fitted, r.standardised);
+    if (r.outlier)
+      text += fmt::format("  outlier: {}: measured {:.6g}, fitted {:.6g} ({:+.1f} standard deviations)\n", r.what,
+                          r.measured, r.fitted, r.standardised);
   return text;
 }
 
 std::string damping_words(const elements::Law& law) {
-  if (const auto* p = std::get_if<elements::ProportionalDamping>(&law.damping)) return fmt::format("B = {:.6g} s × the {} stiffness", p->factor, p->of_nominal ? "nominal" : "scaled");
-  if (const auto* l = std::get_if<elements::LossFactor>(&law.damping)) return fmt::format("loss factor {:.6g}", l->value);
+  if (const auto* p = std::get_if<elements::ProportionalDamping>(&law.damping))
+    return fmt::format("B = {:.6g} s × the {} stiffness", p->factor, p->of_nominal ? "nominal" : "scaled");
+  if (const auto* l = std::get_if<elements::LossFactor>(&law.damping))
+    return fmt::format("loss factor {:.6g}", l->value);
   if (std::holds_alternative<elements::DampingMatrix>(law.damping)) return "a viscous damping matrix";
   if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::words(*v);
   if (law.frequency_dependence && !law.frequency_dependence->elastic) return "in its table";
@@ -139,18 +166,23 @@ std::string frequency_text(const model::Element& element) {
   const elements::Law& law = element.law;
   std::string text = "Damping: " + damping_words(law) + "\n";
   if (const auto& given = law.frequency_dependence) {
-    text += "Frequency dependence: the stiffness above is that at rest; " + std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");
-    text += std::isfinite(given->to) ? fmt::format(" from {:.6g} to {:.6g} Hz\n", given->from / two_pi, given->to / two_pi) : "\n";
+    text += "Frequency dependence: the stiffness above is that at rest; " +
+        std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");
+    text += std::isfinite(given->to)
+        ? fmt::format(" from {:.6g} to {:.6g} Hz\n", given->from / two_pi, given->to / two_pi)
+        : "\n";
   } else if (elements::is_frequency_dependent(law) || std::holds_alternative<elements::Viscoelastic>(law.damping)) {
     text += "Frequency dependence: the material relaxes; the stiffness above is that at rest\n";
   }
   if (law.inertia && law.inertia->angular_frequencies.size() > 0) {
     text += "Own natural frequencies, both ends held:";
-    for (Eigen::Index i = 0; i < law.inertia->angular_frequencies.size(); ++i) text += fmt::format(" {:.5g}", law.inertia->angular_frequencies(i) / two_pi);
+    for (Eigen::Index i = 0; i < law.inertia->angular_frequencies.size(); ++i)
+      text += fmt::format(" {:.5g}", law.inertia->angular_frequencies(i) / two_pi);
     text += " Hz\n";
   }
   if (std::isfinite(element.massless_up_to))
-    text += fmt::format("Its mass is left out: hold its results below its first natural frequency, {:.5g} Hz\n", element.massless_up_to / two_pi);
+    text += fmt::format("Its mass is left out: hold its results below its first natural frequency, {:.5g} Hz\n",
+                        element.massless_up_to / two_pi);
   return text;
 }
 
@@ -160,7 +192,8 @@ std::string preload_text(const elements::Law& law) {
   const double round_off = 1e-12 * law.preload->cwiseAbs().maxCoeff();
   for (int end = 0; end < 2; ++end) {
     std::vector<std::string> row = {end == 0 ? "N" : "K"};
-    for (int j = 0; j < 6; ++j) row.push_back(shown(std::abs((*law.preload)(6 * end + j)) <= round_off ? 0.0 : (*law.preload)(6 * end + j)));
+    for (int j = 0; j < 6; ++j)
+      row.push_back(shown(std::abs((*law.preload)(6 * end + j)) <= round_off ? 0.0 : (*law.preload)(6 * end + j)));
     table.add(row);
   }
   return "Preload in the state about which it moves (local axes of each end)\n" + table.text();
@@ -170,7 +203,8 @@ std::string percent(const std::optional<double>& difference) {
   if (!difference) return "–";
   constexpr double round_off = 1e-9;
   if (std::abs(*difference) < round_off) return "0%";
-  return std::abs(*difference) < 0.01 ? fmt::format("{:+.2g}%", 100 * *difference) : fmt::format("{:+.1f}%", 100 * *difference);
+  return std::abs(*difference) < 0.01 ? fmt::format("{:+.2g}%", 100 * *difference)
+                                      : fmt::format("{:+.1f}%", 100 * *difference);
 }
 
 std::string list(const std::vector<std::string>& words, const char* separator) {
@@ -183,27 +217,37 @@ std::string mode_comparison_text(const study::Simplification& simple) {
   TextTable table({"mode", "f [Hz]", "three springs", "difference", "alike (MAC)", "motion"});
   const auto hertz = [](const std::optional<double>& omega) { return shown(omega ? *omega / two_pi : std::nan("")); };
   for (const study::ModeComparison& mode : simple.modes)
-    table.add({std::to_string(mode.number), hertz(mode.full), mode.simplified && *mode.simplified == 0 ? "0 (free)" : hertz(mode.simplified),
-               percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.likeness), mode.name});
+    table.add({std::to_string(mode.number), hertz(mode.full),
+               mode.simplified && *mode.simplified == 0 ? "0 (free)" : hertz(mode.simplified),
+               percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.likeness),
+               mode.name});
   std::string text = table.text();
   for (const std::string& motion : simple.free_motions) text += "  left without any stiffness: " + motion + "\n";
   if (simple.inner_modes > 0)
-    text += fmt::format("  {} further modes lie inside elements, from {} Hz on; they are not compared\n", simple.inner_modes, hertz(simple.first_inner_mode));
+    text += fmt::format("  {} further modes lie inside elements, from {} Hz on; they are not compared\n",
+                        simple.inner_modes, hertz(simple.first_inner_mode));
   return text;
 }
 
 std::string peak_comparison_text(const study::Simplification& simple) {
   if (!simple.no_peaks.empty()) return "  no peaks compared: " + simple.no_peaks + "\n";
-  TextTable table({"highest peak of", "f [Hz]", "three springs", "difference", "amplitude", "three springs ", "difference ", "unit"});
+  TextTable table({"highest peak of", "f [Hz]", "three springs", "difference", "amplitude", "three springs ",
+                   "difference ", "unit"});
   using study::HighestPeak;
-  const auto part = [](const std::optional<HighestPeak>& peak, double HighestPeak::*member) { return peak ? std::optional((*peak).*member) : std::nullopt; };
+  const auto part = [](const std::optional<HighestPeak>& peak, double HighestPeak::* member) {
+    return peak ? std::optional((*peak).*member) : std::nullopt;
+  };
   const double none = std::nan("");
   std::string notes;
   for (const study::PeakComparison& peak : simple.peaks) {
-    const auto full = part(peak.full, &HighestPeak::angular_frequency), simplified = part(peak.simplified, &HighestPeak::angular_frequency);
-    const auto high = part(peak.full, &HighestPeak::amplitude), high_simplified = part(peak.simplified, &HighestPeak::amplitude);
-    table.add({peak.name, shown(full.value_or(none) / two_pi), shown(simplified.value_or(none) / two_pi), percent(study::relative_difference(full, simplified)),
-               shown(high.value_or(none)), shown(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)), peak.unit});
+    const auto full = part(peak.full, &HighestPeak::angular_frequency),
+               simplified = part(peak.simplified, &HighestPeak::angular_frequency);
+    const auto high = part(peak.full, &HighestPeak::amplitude),
+               high_simplified = part(peak.simplified, &HighestPeak::amplitude);
+    table.add({peak.name, shown(full.value_or(none) / two_pi), shown(simplified.value_or(none) / two_pi),
+               percent(study::relative_difference(full, simplified)), shown(high.value_or(none)),
+               shown(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)),
+               peak.unit});
     if (peak.vanishes) notes += fmt::format("  {}: stays at rest with three springs\n", peak.name);
     else if (peak.full && !peak.simplified) notes += fmt::format("  {}: no peak with three springs\n", peak.name);
   }
@@ -218,18 +262,23 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
   if (element.law.scale != 1) text += fmt::format("  stiffness scaled by {:.6g}\n", element.law.scale);
   for (const model::Fact& fact : element.facts) text += "  " + fact.what + ": " + fact.value + "\n";
   for (const auto& problem : summary.warnings.list()) text += "  " + foundation::message(problem) + "\n";
-  text += "\nStiffness 12×12, local axes: load per unit displacement, so F rows are N/m and N/rad, M rows N m/m and N m/rad\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n";
+  text +=
+      "\nStiffness 12×12, local axes: load per unit displacement, so F rows are N/m and N/rad, M rows N m/m and N "
+      "m/rad\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n";
   text += half_matrix(summary.stiffness, 0) + "\n" + half_matrix(summary.stiffness, 6);
   text += "\nCharacter\n" + character_text(summary.character);
   text += "\nChecks\n" + checks_text(element, summary.verdict);
-  for (const std::string& part : {energy_text(summary), uncertainty_text(element), frequency_text(element), preload_text(element.law)})
+  for (const std::string& part :
+       {energy_text(summary), uncertainty_text(element), frequency_text(element), preload_text(element.law)})
     if (!part.empty()) text += "\n" + part;
   return text;
 }
 
 std::string simplification_text(const study::Simplification& simple) {
-  std::string text = fmt::format("{} taken for three springs in this model\n(the translational stiffness of K along the local axes, nothing else{})\n", list(simple.replaced, ", "),
-                                 simple.left_out.empty() ? "" : "; left out too: " + list(simple.left_out, ", "));
+  std::string text = fmt::format(
+      "{} taken for three springs in this model\n(the translational stiffness of K along the local axes, nothing "
+      "else{})\n",
+      list(simple.replaced, ", "), simple.left_out.empty() ? "" : "; left out too: " + list(simple.left_out, ", "));
   return text + mode_comparison_text(simple) + peak_comparison_text(simple);
 }
 

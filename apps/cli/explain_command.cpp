@@ -7,9 +7,9 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "trivet/results/text_table.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/results/explanation_json.h"
+#include "trivet/results/text_table.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::cli {
@@ -23,7 +23,9 @@ using results::TextTable;
 constexpr std::size_t most_levers = 12;
 constexpr double worth_an_element = 0.005;
 
-std::string rounded_percent(double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); }
+std::string rounded_percent(double share) {
+  return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share);
+}
 
 /// Lines of a screen's width, the next ones indented.
 std::string wrapped(const std::string& text) {
@@ -44,17 +46,21 @@ std::string wrapped(const std::string& text) {
   return lines + line + "\n";
 }
 
-std::string change(const std::optional<double>& slope, double size) { return slope ? fmt::format("{:+.3g} %", 100 * *slope * size) : "–"; }
+std::string change(const std::optional<double>& slope, double size) {
+  return slope ? fmt::format("{:+.3g} %", 100 * *slope * size) : "–";
+}
 
 std::string modes_table(const study::Explanation& explanation, const study::ExplainedPeak& peak) {
   TextTable table({"mode", "share of the amplitude", "motion"});
   int rows = 0;
   for (const response::ModeShare& mode : peak.shares.modes) {
     if (std::abs(mode.share) < worth_an_element) continue;
-    table.add({std::to_string(mode.mode), rounded_percent(mode.share), explanation.modes.list[static_cast<std::size_t>(mode.mode - 1)].name});
+    table.add({std::to_string(mode.mode), rounded_percent(mode.share),
+               explanation.modes.list[static_cast<std::size_t>(mode.mode - 1)].name});
     ++rows;
   }
-  if (std::abs(peak.shares.beyond_modes) >= worth_an_element) table.add({"", rounded_percent(peak.shares.beyond_modes), "beyond the undamped modes"});
+  if (std::abs(peak.shares.beyond_modes) >= worth_an_element)
+    table.add({"", rounded_percent(peak.shares.beyond_modes), "beyond the undamped modes"});
   return rows > 0 ? table.text() : "";
 }
 
@@ -70,7 +76,8 @@ std::string elements_table(const project::Case& variant, const study::ExplainedP
   if (std::abs(shares.geometric) >= worth_an_element)
     table.add({"preload and weight where bodies turn", rounded_percent(shares.geometric), "", "", "", "", "", "", ""});
   if (std::abs(shares.in_foundations) >= worth_an_element || std::abs(shares.by_foundations) >= worth_an_element)
-    table.add({"foundations", rounded_percent(shares.in_foundations), "", "", "", "", "", "", rounded_percent(shares.by_foundations)});
+    table.add({"foundations", rounded_percent(shares.in_foundations), "", "", "", "", "", "",
+               rounded_percent(shares.by_foundations)});
   if (std::abs(shares.system_damping) >= worth_an_element)
     table.add({"damping of the whole system", "", "", "", "", "", "", "", rounded_percent(shares.system_damping)});
   return table.text();
@@ -81,11 +88,13 @@ std::string levers_table(const study::Explanation& explanation, const study::Exp
   for (std::size_t i = 0; i < std::min(peak.sensitivities.size(), most_levers); ++i) {
     const response::Sensitivity& s = peak.sensitivities[i];
     const response::Parameter& parameter = explanation.parameters[s.parameter];
-    table.add({parameter.name, parameter.change, change(s.height, parameter.size), change(s.frequency, parameter.size)});
+    table.add(
+        {parameter.name, parameter.change, change(s.height, parameter.size), change(s.frequency, parameter.size)});
   }
   std::string text = table.text();
   if (peak.sensitivities.size() > most_levers)
-    text += fmt::format("  (the strongest {} of {}; --csv or --json gives all)\n", most_levers, peak.sensitivities.size());
+    text +=
+        fmt::format("  (the strongest {} of {}; --csv or --json gives all)\n", most_levers, peak.sensitivities.size());
   return text;
 }
 
@@ -101,11 +110,12 @@ std::string explain_text(const project::Case& variant, const study::Explanation&
     text += "\n";
   }
   text +=
-      "Energy by direction: deformation at each element's elastic centre, its local axes. Changes to first order, exact slopes; places "
+      "Energy by direction: deformation at each element's elastic centre, its local axes. Changes to first order, "
+      "exact slopes; places "
       "move the element as it is.\n";
   if (explanation.left_out > 0)
-    text += fmt::format("{} further {} left out; --of NAME asks for one answer, --most N for more\n", explanation.left_out,
-                        explanation.left_out == 1 ? "peak" : "peaks");
+    text += fmt::format("{} further {} left out; --of NAME asks for one answer, --most N for more\n",
+                        explanation.left_out, explanation.left_out == 1 ? "peak" : "peaks");
   return text;
 }
 
@@ -118,9 +128,9 @@ int explain_command(const Options& options) {
     const project::Case& variant = chosen_case(*project, options.case_name);
     const study::Explanation explanation = study::explanation(variant, {options.of, options.most}, progress());
     if (options.csv) write_problems(explanation.warnings);
-    write_output(options.json  ? results::explain_json(variant, explanation)
-                 : options.csv ? results::explain_csv(explanation)
-                               : explain_text(variant, explanation));
+    write_output(options.json      ? results::explain_json(variant, explanation)
+                     : options.csv ? results::explain_csv(explanation)
+                                   : explain_text(variant, explanation));
     return done;
   } catch (const BadArgument& bad) {
     write_failure(bad);

@@ -45,19 +45,25 @@ CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& 
 
 /// For commands whose answer is judged.
 CLI::App* add_strict(CLI::App* command, Options& options) {
-  command->add_flag("--strict", options.strict, "exit code 3 if a limit or a rule is broken, 4 if there are only warnings; the answer is written all the same");
+  command->add_flag(
+      "--strict", options.strict,
+      "exit code 3 if a limit or a rule is broken, 4 if there are only warnings; the answer is written all the same");
   return command;
 }
 
 std::string at_least_one(const std::string& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && number >= 1 ? "" : "\"" + text + "\": it is a whole number from 1 on";
+  return error == std::errc() && end == text.data() + text.size() && number >= 1
+      ? ""
+      : "\"" + text + "\": it is a whole number from 1 on";
 }
 
 void add_picture(CLI::App& command, const std::string& drawn, Options& options) {
   const auto is_svg = [](const std::string& path) {
-    return std::filesystem::path(path).extension() == ".svg" ? std::string() : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
+    return std::filesystem::path(path).extension() == ".svg"
+        ? std::string()
+        : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
   };
   command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
 }
@@ -65,9 +71,11 @@ void add_picture(CLI::App& command, const std::string& drawn, Options& options) 
 /// A word in the place of a command that is none.
 void refuse_command(CLI::App& app, const std::string& word) {
   std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(command->get_name());
   const std::string guess = trivet::foundation::nearest_name(word, commands);
-  trivet::cli::write_error("error: " + trivet::foundation::quoted(word) + " is no command; " + (guess.empty() ? "trivet --help lists them" : "did you mean \"" + guess + "\"?") + "\n");
+  trivet::cli::write_error("error: " + trivet::foundation::quoted(word) + " is no command; " +
+                           (guess.empty() ? "trivet --help lists them" : "did you mean \"" + guess + "\"?") + "\n");
 }
 
 /// Help and version as they are; of a wrong command line, what the user typed as printable text.
@@ -76,7 +84,8 @@ int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
   std::stringstream text;
   static_cast<void>(app.exit(error, text, text));
   std::string mark = "error: ";
-  for (std::string line; std::getline(text, line); mark.clear()) trivet::cli::write_error(mark + trivet::foundation::on_one_line(line) + "\n");
+  for (std::string line; std::getline(text, line); mark.clear())
+    trivet::cli::write_error(mark + trivet::foundation::on_one_line(line) + "\n");
   return trivet::cli::wrong_input;
 }
 
@@ -102,28 +111,52 @@ int main(int argc, char** argv) {
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", std::string("trivet ") + trivet::foundation::version());
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 128 + n ended by signal n, 141 the reader of the output left; with --strict also 3 and 4, see run --help.");
-  add_strict(add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder", options), options)
-      ->add_option("-o,--output", options.output, "result folder")->capture_default_str();
+  app.footer(
+      "Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 128 + n ended by signal n, 141 the "
+      "reader of the output left; with --strict also 3 and 4, see run --help.");
+  add_strict(add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder",
+                         options),
+             options)
+      ->add_option("-o,--output", options.output, "result folder")
+      ->capture_default_str();
   CLI::App* check = add_command(app, "check", "every problem of a project file at once", options);
   check->add_flag("--deep", options.deep, "compare the solver with a second, independent one");
   check->add_flag("--json", options.json, "JSON");
   add_strict(check, options);
-  for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions()) add_strict(add_answer(app, question.name, question.about, options), options);
+  for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions())
+    add_strict(add_answer(app, question.name, question.about, options), options);
   CLI::App* response = app.get_subcommand("response");
-  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")->check(not_empty);
+  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")
+                        ->check(not_empty);
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
   CLI::App* explain = add_answer(app, "explain", "why each resonance peak is there, and what would change it", options);
-  explain->add_option("--of", options.of, "an answer whose peaks are explained (repeatable); those of the file's peaks by default")->allow_extra_args(false);
-  explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")->capture_default_str()->check(at_least_one);
-  CLI::App* suspension = add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
-  suspension->add_option("--torque", options.torque, "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default")->check(not_empty);
-  suspension->add_option("--excitation", options.excitations, "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s")->check(not_empty);
-  CLI::App* map = add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
-  map->add_option("--points", options.points, "designs along both axes instead of those of the file: 200x150, or 100 for both")->check(not_empty);
+  explain
+      ->add_option("--of", options.of,
+                   "an answer whose peaks are explained (repeatable); those of the file's peaks by default")
+      ->allow_extra_args(false);
+  explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")
+      ->capture_default_str()
+      ->check(at_least_one);
+  CLI::App* suspension =
+      add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
+  suspension
+      ->add_option("--torque", options.torque,
+                   "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default")
+      ->check(not_empty);
+  suspension
+      ->add_option("--excitation", options.excitations,
+                   "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s")
+      ->check(not_empty);
+  CLI::App* map =
+      add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
+  map->add_option("--points", options.points,
+                  "designs along both axes instead of those of the file: 200x150, or 100 for both")
+      ->check(not_empty);
   add_picture(*map, "map", options);
   add_strict(map, options);
-  CLI::App* element = add_command(app, "element", "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
+  CLI::App* element =
+      add_command(app, "element",
+                  "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");
   element->add_flag("--json", options.json, "JSON, SI");

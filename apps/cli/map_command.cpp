@@ -7,12 +7,12 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "trivet/results/map_text.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/map_figure.h"
-#include "trivet/study/answers.h"
 #include "trivet/results/map_json.h"
+#include "trivet/results/map_text.h"
+#include "trivet/study/answers.h"
 
 namespace trivet::cli {
 namespace {
@@ -24,14 +24,17 @@ study::MapOptions sizes(const std::string& text) {
   const auto whole = [&](const std::string& part) {
     int value = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size() || value < 2) throw BadArgument(fmt::format("--points {}: give the points of both axes as in 200x150, or one number for both, each 2 or more", text));
+    if (error != std::errc() || end != part.data() + part.size() || value < 2)
+      throw BadArgument(fmt::format(
+          "--points {}: give the points of both axes as in 200x150, or one number for both, each 2 or more", text));
     return value;
   };
   const std::size_t cross = text.find('x');
   options.nx = whole(text.substr(0, cross));
   options.ny = cross == std::string::npos ? options.nx : whole(text.substr(cross + 1));
   if (static_cast<double>(options.nx) * options.ny > project::most_designs)
-    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map holds at most {:.0e}", text, static_cast<double>(options.nx) * options.ny, project::most_designs));
+    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map holds at most {:.0e}", text,
+                                  static_cast<double>(options.nx) * options.ny, project::most_designs));
   return options;
 }
 
@@ -50,7 +53,9 @@ int map_command(const Options& options) {
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
     if (!variant.analyses.map)
-      throw BadArgument("map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, no_peak = \"coordinates\"} to [analyses]");
+      throw BadArgument(
+          "map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, "
+          "no_peak = \"coordinates\"} to [analyses]");
     const study::MapOptions wanted = sizes(options.points);
     const std::unique_ptr<results::PictureFile> picture = new_picture(options);
     const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());

@@ -23,22 +23,28 @@ namespace {
 std::string file_stem(const std::string& case_name) {
   if (case_name.empty()) return "base";
   std::string stem;
-  for (const char c : case_name) stem += std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 ? c : '-';
+  for (const char c : case_name)
+    stem += std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 ? c : '-';
   return foundation::shortened(stem, report::longest_file_part);
 }
 
 /// One folder per case, numbered, because different names may share the letters that are safe in a file name.
 std::vector<std::string> case_folders(const project::Project& project) {
   std::vector<std::string> names;
-  for (const project::Case& variant : project.cases) names.push_back(fmt::format("{:02}-{}", names.size(), file_stem(variant.name)));
+  for (const project::Case& variant : project.cases)
+    names.push_back(fmt::format("{:02}-{}", names.size(), file_stem(variant.name)));
   return names;
 }
 
-void write_case(results::ResultFolder& folder, const std::string& stem, const project::Case& variant, const study::Answers& answers) {
-  for (const results::AnswerFile& file : results::answer_files(variant, answers)) folder.write(stem + "/" + file.name, file.content);
+void write_case(results::ResultFolder& folder, const std::string& stem, const project::Case& variant,
+                const study::Answers& answers) {
+  for (const results::AnswerFile& file : results::answer_files(variant, answers))
+    folder.write(stem + "/" + file.name, file.content);
   if (answers.response)
-    for (const report::Figure& figure : report::characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
-  for (const report::Figure& figure : report::answer_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
+    for (const report::Figure& figure : report::characteristics(answers))
+      folder.write(stem + "/" + figure.file_name, figure.svg);
+  for (const report::Figure& figure : report::answer_figures(answers))
+    folder.write(stem + "/" + figure.file_name, figure.svg);
 }
 
 std::string case_text(const project::Case& variant, const study::Answers& answers) {
@@ -61,10 +67,11 @@ int run_command(const Options& options) {
   results::ResultFolder folder(options.output, case_folder);
   const foundation::Progress report = progress();
   std::string text;
-  const std::vector<study::Answers> all = study::run(*project, report, [&](std::size_t i, const study::Answers& answers) {
-    write_case(folder, case_folder[i], project->cases[i], answers);
-    text += case_text(project->cases[i], answers);
-  });
+  const std::vector<study::Answers> all =
+      study::run(*project, report, [&](std::size_t i, const study::Answers& answers) {
+        write_case(folder, case_folder[i], project->cases[i], answers);
+        text += case_text(project->cases[i], answers);
+      });
   folder.write("results.json", results::results_json(*project, all));
   folder.write("report.html", report::report_page(*project, all, results::page_json(*project, all)));
   report("done", 1);
@@ -72,7 +79,8 @@ int run_command(const Options& options) {
   write_output(text + fmt::format("Report: {}/report.html\n", options.output));
   Strictness strictness;
   for (const study::Answers& answers : all) strictness.add(answers);
-  const bool complete = std::all_of(all.begin(), all.end(), [](const study::Answers& answers) { return answers.failures.empty(); });
+  const bool complete =
+      std::all_of(all.begin(), all.end(), [](const study::Answers& answers) { return answers.failures.empty(); });
   return strictness.exit_code(options.strict, complete ? done : not_computed);
 }
 

@@ -9,7 +9,9 @@
 namespace trivet::cli {
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* several) { return fmt::format("{} {}", count, count == 1 ? one : several); }
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
 
 }  // namespace
 
@@ -33,12 +35,15 @@ void Strictness::add(const study::Answers& answers) {
 
 int Strictness::exit_code(bool strict, int otherwise) const {
   if (strict && otherwise == done && not_judged_ > 0) {
-    write_error(fmt::format("--strict: {} of a map could not be computed; exit code {}\n", counted(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
+    write_error(fmt::format("--strict: {} of a map could not be computed; exit code {}\n",
+                            counted(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
     return not_computed;
   }
   if (!strict || otherwise != done || exceeded_ + broken_ + warnings_.size() == 0) return otherwise;
   std::string found;
-  const auto list = [&](std::size_t count, const std::string& words) { found += count == 0 ? "" : (found.empty() ? "" : ", ") + words; };
+  const auto list = [&](std::size_t count, const std::string& words) {
+    found += count == 0 ? "" : (found.empty() ? "" : ", ") + words;
+  };
   list(exceeded_, counted(exceeded_, "limit exceeded", "limits exceeded"));
   list(broken_, counted(broken_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\""));
   list(warnings_.size(), counted(warnings_.size(), "warning", "warnings"));

@@ -9,11 +9,11 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "trivet/results/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/results/suspension_json.h"
+#include "trivet/results/text_table.h"
 #include "trivet/study/suspension.h"
 
 namespace trivet::cli {
@@ -39,10 +39,12 @@ constexpr double nanometre = 1e-9;
 std::string elastic_text(const model::Body& body, const modal::BodySuspension& suspension) {
   if (!suspension.elastic) return "";
   const elements::Character& c = *suspension.elastic;
-  std::string text = fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
-                                 triple(c.elastic_centre, nanometre), c.centre_is_unique ? "" : " (the nearest of a line of them)",
-                                 triple(body.mass.centre, nanometre), suspension.centre_distance);
-  text += fmt::format("  coupling that no point and axes remove, largest |K_ij|/√(K_ii K_jj) there: {:.3f}\n", c.coupling_at_centre);
+  std::string text =
+      fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
+                  triple(c.elastic_centre, nanometre), c.centre_is_unique ? "" : " (the nearest of a line of them)",
+                  triple(body.mass.centre, nanometre), suspension.centre_distance);
+  text += fmt::format("  coupling that no point and axes remove, largest |K_ij|/√(K_ii K_jj) there: {:.3f}\n",
+                      c.coupling_at_centre);
   TextTable table({"principal stiffness", "along", "rotational, about the elastic centre", "about"});
   for (int i = 0; i < 3; ++i)
     table.add({fmt::format("{:.5g} N/m", c.principal_stiffnesses(i)), modal::direction_words(c.principal_axes.col(i)),
@@ -53,12 +55,13 @@ std::string elastic_text(const model::Body& body, const modal::BodySuspension& s
 
 std::string roll_text(const modal::BodySuspension& suspension) {
   if (suspension.roll_axes.empty()) return "";
-  TextTable table({"moment about", "torque roll axis", "elastic roll axis", "through [m]", "angle", "apart [m]", "from centre of mass [m]",
-                   "torsional stiffness"});
+  TextTable table({"moment about", "torque roll axis", "elastic roll axis", "through [m]", "angle", "apart [m]",
+                   "from centre of mass [m]", "torsional stiffness"});
   for (const modal::RollAxes& axes : suspension.roll_axes) {
     const spatial::Screw& elastic = axes.elastic_roll_axis;
-    table.add({modal::direction_words(axes.torque), triple(axes.torque_roll_axis, nanometre), triple(elastic.direction, nanometre),
-               triple(elastic.point, nanometre), fmt::format("{:.3g}°", axes.angle * 360 / two_pi < 1e-6 ? 0.0 : axes.angle * 360 / two_pi),
+    table.add({modal::direction_words(axes.torque), triple(axes.torque_roll_axis, nanometre),
+               triple(elastic.direction, nanometre), triple(elastic.point, nanometre),
+               fmt::format("{:.3g}°", axes.angle * 360 / two_pi < 1e-6 ? 0.0 : axes.angle * 360 / two_pi),
                fmt::format("{:.4g}", axes.shortest_distance < nanometre ? 0.0 : axes.shortest_distance),
                fmt::format("{:.4g}", axes.distance_at_centre < nanometre ? 0.0 : axes.distance_at_centre),
                fmt::format("{:.5g} N m/rad", axes.torsional_stiffness)});
@@ -67,8 +70,9 @@ std::string roll_text(const modal::BodySuspension& suspension) {
 }
 
 std::string decoupling_text(const modal::BodySuspension& suspension) {
-  const bool heavy_elements = std::any_of(suspension.modes.begin(), suspension.modes.end(),
-                                          [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
+  const bool heavy_elements =
+      std::any_of(suspension.modes.begin(), suspension.modes.end(),
+                  [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
   std::vector<std::string> header = {"f [Hz]", "x", "y", "z", "rx", "ry", "rz"};
   if (heavy_elements) header.emplace_back("in elements");
   header.emplace_back("purest");
@@ -88,7 +92,8 @@ std::string decoupling_text(const modal::BodySuspension& suspension) {
 
 std::string separation_text(const study::SuspensionAnswer& answer) {
   std::vector<std::string> header = {"mode", "f [Hz]", "next / this"};
-  for (const double excitation : answer.excitations) header.push_back(fmt::format("{:.4g} Hz / this", excitation / two_pi));
+  for (const double excitation : answer.excitations)
+    header.push_back(fmt::format("{:.4g} Hz / this", excitation / two_pi));
   TextTable table(header);
   for (const modal::FrequencySeparation& row : answer.separation) {
     std::vector<std::string> cells = {std::to_string(row.mode), shown(row.angular_frequency / two_pi, 5),
@@ -96,8 +101,8 @@ std::string separation_text(const study::SuspensionAnswer& answer) {
     for (const double ratio : row.excitation_ratio) cells.push_back(shown(ratio, 4));
     table.add(cells);
   }
-  return "Frequency separation of the whole system" + std::string(answer.excitations.empty() ? "" : " (a mode isolates above √2)") + "\n" +
-         table.text();
+  return "Frequency separation of the whole system" +
+      std::string(answer.excitations.empty() ? "" : " (a mode isolates above √2)") + "\n" + table.text();
 }
 
 std::string suspension_text(const project::Case& variant, const study::SuspensionAnswer& answer) {
@@ -106,7 +111,8 @@ std::string suspension_text(const project::Case& variant, const study::Suspensio
   if (!text.empty()) text += "\n";
   for (const modal::BodySuspension& suspension : answer.bodies) {
     const model::Body& body = variant.system.bodies()[suspension.body];
-    text += fmt::format("{} on its elements{}; body frame\n", body.name, answer.bodies.size() > 1 ? ", all other bodies held" : "");
+    text += fmt::format("{} on its elements{}; body frame\n", body.name,
+                        answer.bodies.size() > 1 ? ", all other bodies held" : "");
     text += elastic_text(body, suspension) + roll_text(suspension) + decoupling_text(suspension);
     for (const std::string& note : suspension.notes) text += "  note: " + note + "\n";
     text += "\n";
@@ -143,9 +149,9 @@ int suspension_command(const Options& options) {
         options.excitations.empty() ? std::vector<double>{} : frequencies("--excitation", options.excitations);
     const study::SuspensionAnswer answer = study::suspension(variant, torques(options.torque), excitations);
     if (options.csv) write_problems(answer.warnings);
-    write_output(options.json  ? results::suspension_json(variant, answer)
-                 : options.csv ? results::suspension_csv(variant, answer)
-                               : suspension_text(variant, answer));
+    write_output(options.json      ? results::suspension_json(variant, answer)
+                     : options.csv ? results::suspension_csv(variant, answer)
+                                   : suspension_text(variant, answer));
     return done;
   } catch (const BadArgument& bad) {
     write_failure(bad);

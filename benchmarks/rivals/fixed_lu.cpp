@@ -17,7 +17,9 @@ using Matrix6c = Eigen::Matrix<Complex, 6, 6>;
 
 struct System {
   explicit System(const SixCoordinates& s)
-      : A(Eigen::Map<const Matrix6>(s.A)), B(Eigen::Map<const Matrix6>(s.B)), K(Eigen::Map<const Matrix6>(s.K)),
+      : A(Eigen::Map<const Matrix6>(s.A)),
+        B(Eigen::Map<const Matrix6>(s.B)),
+        K(Eigen::Map<const Matrix6>(s.K)),
         load(Eigen::Map<const Vector6>(s.load).cast<Complex>()) {}
   [[nodiscard]] Matrix6c at(double omega) const {
     Matrix6c z;
@@ -33,7 +35,8 @@ struct System {
 
 void eigen_fixed_lu(const SixCoordinates& system, const double* omega, std::size_t count, Complex* q) {
   const System s(system);
-  for (std::size_t i = 0; i < count; ++i) Eigen::Map<Eigen::Matrix<Complex, 6, 1>>(q + 6 * i) = s.at(omega[i]).partialPivLu().solve(s.load);
+  for (std::size_t i = 0; i < count; ++i)
+    Eigen::Map<Eigen::Matrix<Complex, 6, 1>>(q + 6 * i) = s.at(omega[i]).partialPivLu().solve(s.load);
 }
 
 void lapack_zgesv(const SixCoordinates& system, const double* omega, std::size_t count, Complex* q) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The usual C++ ways to q = (K + iωB − ω²A)⁻¹h of six coordinates, one frequency after the other. Compiled for this very processor, as
-// their users would; matrices by columns, so that nothing of Eigen is shared with the rest of the program.
+// The usual C++ ways to q = (K + iωB − ω²A)⁻¹h of six coordinates, one frequency after the other. Compiled for this
+// very processor, as their users would; matrices by columns, so that nothing of Eigen is shared with the rest of the
+// program.
 #pragma once
 
 #include <complex>
@@ -13,7 +14,8 @@ struct SixCoordinates {
 };
 
 /// q: 6 × count
-using SixCoordinateSolver = void (*)(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);
+using SixCoordinateSolver = void (*)(const SixCoordinates& system, const double* omega, std::size_t count,
+                                     std::complex<double>* q);
 
 void eigen_fixed_lu(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);
 void lapack_zgesv(const SixCoordinates& system, const double* omega, std::size_t count, std::complex<double>* q);

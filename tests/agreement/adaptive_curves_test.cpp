@@ -20,8 +20,8 @@ constexpr int most_solves = 120;
 constexpr int uniform_points = 100000;
 constexpr double picture_tolerance = 1e-3;  // of the value of the curve
 constexpr double peak_tolerance = 1e-8;
-// What no picture shows is not held to that: values below a millionth of the largest of their curve, and, beside a zero, less than a
-// thousandth of the higher of the two drawn points around.
+// What no picture shows is not held to that: values below a millionth of the largest of their curve, and, beside a
+// zero, less than a thousandth of the higher of the two drawn points around.
 constexpr double invisible = 1e-6, near_zero = 1e-3;
 // A curve that small beside the others of its unit is half round-off.
 constexpr double round_off_share = 1e-10;
@@ -36,7 +36,8 @@ struct Picture {
   response::FrequencyResponse drawn;
 };
 
-Picture picture(const model::System& system, const response::Band& band, const std::vector<std::string>& of = {"coordinates"}) {
+Picture picture(const model::System& system, const response::Band& band,
+                const std::vector<std::string>& of = {"coordinates"}) {
   assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const modal::Roots roots = modal::roots(system, assembled, modes);
@@ -44,21 +45,25 @@ Picture picture(const model::System& system, const response::Band& band, const s
   assembly::Loading loading = assembly::harmonic_loading(system, assembled);
   response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {.search_to = band.to});
   response::CurveModel model = response::curve_model(assembled, channels, loading, roots.poles, peaks, band);
-  response::FrequencyResponse drawn = response::interpolated(model, channels, peaks, response::drawing_grid(model, peaks));
-  return {std::move(assembled), std::move(channels), std::move(loading), std::move(peaks), std::move(model), std::move(drawn)};
+  response::FrequencyResponse drawn =
+      response::interpolated(model, channels, peaks, response::drawing_grid(model, peaks));
+  return {std::move(assembled), std::move(channels), std::move(loading),
+          std::move(peaks),     std::move(model),    std::move(drawn)};
 }
 
 /// Straight lines between the points drawn, and what a value between two of them is compared with.
 class Lines {
  public:
-  Lines(const response::FrequencyResponse& drawn, std::size_t curve) : omega_(drawn.angular_frequency), y_(drawn.curves[curve].value.cwiseAbs()) {}
+  Lines(const response::FrequencyResponse& drawn, std::size_t curve)
+      : omega_(drawn.angular_frequency), y_(drawn.curves[curve].value.cwiseAbs()) {}
 
   struct Point {
     double value = 0, higher = 0;
   };
   [[nodiscard]] Point at(double w) const {
     const auto above = std::upper_bound(omega_.begin(), omega_.end() - 1, w) - omega_.begin();
-    const double a = y_(above - 1), b = y_(above), from = omega_[static_cast<std::size_t>(above) - 1], to = omega_[static_cast<std::size_t>(above)];
+    const double a = y_(above - 1), b = y_(above), from = omega_[static_cast<std::size_t>(above) - 1],
+                 to = omega_[static_cast<std::size_t>(above)];
     if (w == from) return {a, a};
     if (w == to) return {b, b};
     return {a + (b - a) * (w - from) / (to - from), std::max(a, b)};
@@ -78,7 +83,8 @@ void expect_like_uniform_points(const Picture& p, int allowed_solves = most_solv
   for (const auto& of_curve : response::extrema(p.peaks, p.model.band))
     for (const response::Extremum& e : of_curve)
       for (int k = -9; k <= 9; ++k) omega.push_back(e.angular_frequency * (1 + k * std::abs(k) * 1e-6));
-  std::erase_if(omega, [&](double w) { return w < p.drawn.angular_frequency.front() || w > p.drawn.angular_frequency.back(); });
+  std::erase_if(
+      omega, [&](double w) { return w < p.drawn.angular_frequency.front() || w > p.drawn.angular_frequency.back(); });
   const response::FrequencyResponse truth = response::frequency_response(p.assembled, p.channels, p.loading, omega);
   std::vector<double> highest;
   for (const response::Curve& curve : truth.curves)
@@ -100,7 +106,9 @@ void expect_like_uniform_points(const Picture& p, int allowed_solves = most_solv
     EXPECT_LE(worst, picture_tolerance) << p.channels[c].name << " at " << worst_at << " rad/s";
   }
   for (const response::Peak& peak : p.peaks.list) {
-    if (!std::isfinite(peak.amplitude) || peak.angular_frequency > p.model.band.to || peak.angular_frequency < p.model.band.from) continue;
+    if (!std::isfinite(peak.amplitude) || peak.angular_frequency > p.model.band.to ||
+        peak.angular_frequency < p.model.band.from)
+      continue;
     EXPECT_NEAR(Lines(p.drawn, peak.curve).at(peak.angular_frequency).value / peak.amplitude, 1, peak_tolerance)
         << p.channels[peak.curve].name << " at " << peak.angular_frequency << " rad/s";
   }
@@ -110,17 +118,20 @@ void expect_like_uniform_points(const Picture& p, int allowed_solves = most_solv
 model::System with_damping_ratio(model::Description description, double ratio) {
   const auto least = [&] {
     double smallest = 1;
-    for (const modal::Root& root : modal::roots(test::checked(description)).list) smallest = std::min(smallest, root.damping_ratio.value_or(1));
+    for (const modal::Root& root : modal::roots(test::checked(description)).list)
+      smallest = std::min(smallest, root.damping_ratio.value_or(1));
     return smallest;
   };
   const double factor = ratio / least();
-  for (model::Element& element : description.elements) std::get<elements::DampingMatrix>(element.law.damping).matrix *= factor;
+  for (model::Element& element : description.elements)
+    std::get<elements::DampingMatrix>(element.law.damping).matrix *= factor;
   return test::checked(description);
 }
 
 response::Band band_of(const model::System& system) {
   double highest = 0;
-  for (const modal::Mode& mode : modal::modes(system, assembly::assemble(system)).list) highest = std::max(highest, mode.angular_frequency.value_or(0));
+  for (const modal::Mode& mode : modal::modes(system, assembly::assemble(system)).list)
+    highest = std::max(highest, mode.angular_frequency.value_or(0));
   return {0, 1.3 * highest};
 }
 
@@ -128,7 +139,8 @@ class GeneralDamping : public testing::TestWithParam<double> {};
 
 TEST_P(GeneralDamping, IsDrawnFromFewSolves) {
   for (const unsigned seed : {1u, 2u}) {
-    const model::System system = with_damping_ratio(test::RandomSystem(seed).description(1, test::RandomDamping::viscous), GetParam());
+    const model::System system =
+        with_damping_ratio(test::RandomSystem(seed).description(1, test::RandomDamping::viscous), GetParam());
     expect_like_uniform_points(picture(system, band_of(system)));
   }
 }
@@ -153,15 +165,19 @@ TEST(AdaptiveCurves, FollowUndampedResonancesAndFreeMotions) {
 /// With a force on the frame of one of the sample projects.
 model::System sample(const std::string& file) {
   auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + file,
-                                     {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"", "excitations.push.at=[0.1,0,0.2]",
-                                      "excitations.push.force=[1,2,5]"});
+                                       {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"",
+                                        "excitations.push.at=[0.1,0,0.2]", "excitations.push.force=[1,2,5]"});
   if (!project) throw std::runtime_error(foundation::message(project.error().list().front()));
   return project->base().system;
 }
 
-TEST(AdaptiveCurves, FollowAnExactCoilSpring) { expect_like_uniform_points(picture(sample("coil_spring.toml"), {1, 2000})); }
+TEST(AdaptiveCurves, FollowAnExactCoilSpring) {
+  expect_like_uniform_points(picture(sample("coil_spring.toml"), {1, 2000}));
+}
 
-TEST(AdaptiveCurves, FollowTheCornersOfATable) { expect_like_uniform_points(picture(sample("air_spring.toml"), {13, 620})); }
+TEST(AdaptiveCurves, FollowTheCornersOfATable) {
+  expect_like_uniform_points(picture(sample("air_spring.toml"), {13, 620}));
+}
 
 TEST(AdaptiveCurves, FollowAFractionalRubberLaw) {
   const auto project = test::project(R"(
@@ -187,13 +203,18 @@ force = [1, 2, 5]
 }
 
 TEST(AdaptiveCurves, FollowGroundThatMovesWithDelays) {
-  std::string text = "trivet = 1\n[bodies.b]\nmass = 2600\ninertia = {about = \"center_of_mass\", xx = 1850, yy = 1450, zz = 2900}\n";
-  for (const auto& [name, x, y] : {std::tuple{"fl", 1.25, 1.0}, std::tuple{"fr", 1.25, -1.0}, std::tuple{"rl", -1.25, 1.0}, std::tuple{"rr", -1.25, -1.0}})
-    text += std::string("[elements.") + name + "]\ntype = \"bushing\"\non = \"b\"\nat = [" + std::to_string(x) + ", " + std::to_string(y) +
-            ", -0.3]\ntranslation = [4e5, 5e5, 9e5]\nrotation = [0, 0, 0]\ndamping = {proportional = 0.001}\n";
+  std::string text =
+      "trivet = 1\n[bodies.b]\nmass = 2600\ninertia = {about = \"center_of_mass\", xx = 1850, yy = 1450, zz = 2900}\n";
+  for (const auto& [name, x, y] : {std::tuple{"fl", 1.25, 1.0}, std::tuple{"fr", 1.25, -1.0},
+                                   std::tuple{"rl", -1.25, 1.0}, std::tuple{"rr", -1.25, -1.0}})
+    text += std::string("[elements.") + name + "]\ntype = \"bushing\"\non = \"b\"\nat = [" + std::to_string(x) + ", " +
+        std::to_string(y) +
+        ", -0.3]\ntranslation = [4e5, 5e5, 9e5]\nrotation = [0, 0, 0]\ndamping = {proportional = 0.001}\n";
   text += "[excitations.front]\ntype = \"base\"\nelements = [\"fl\", \"fr\"]\ntranslation = [0, 0, 0.001]\n";
   // A wheelset 2.5 m behind at 20 m/s: the phases turn 12 times over the band.
-  text += "[excitations.rear]\ntype = \"base\"\nelements = [\"rl\", \"rr\"]\ntranslation = [0, 0, 0.001]\ndelay = \"0.125 s\"\n";
+  text +=
+      "[excitations.rear]\ntype = \"base\"\nelements = [\"rl\", \"rr\"]\ntranslation = [0, 0, 0.001]\ndelay = \"0.125 "
+      "s\"\n";
   const auto project = test::project(text);
   const Picture p = picture(project.base().system, {0, 600}, {"b", "ground"});
   EXPECT_EQ(p.model.delays.size(), 2u);
@@ -201,9 +222,14 @@ TEST(AdaptiveCurves, FollowGroundThatMovesWithDelays) {
 }
 
 study::Answers answers_to_a_push(const std::string& elements, const std::string& band) {
-  const auto project = test::project("trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"z\"]\n[elements.m]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\n"
-                                     "translation = [1e4, 1e4, 1e4]\nrotation = [1, 1, 1]\n" + elements +
-                                     "[excitations.push]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n[analyses]\nresponse = {band = " + band + "}\n");
+  const auto project = test::project(
+      "trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"z\"]\n[elements.m]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, "
+      "0]\n"
+      "translation = [1e4, 1e4, 1e4]\nrotation = [1, 1, 1]\n" +
+      elements +
+      "[excitations.push]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n[analyses]\nresponse = "
+      "{band = " +
+      band + "}\n");
   return study::answers(project.base(), project.base().analyses);
 }
 
@@ -216,7 +242,9 @@ TEST(AdaptiveCurves, EveryRowOfATableIsSolvedWhereMatricesAreConstant) {
 }
 
 TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawSayHowFarTheyAreOff) {
-  const study::ResponseAnswer answer = *answers_to_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]").response;
+  const study::ResponseAnswer answer =
+      *answers_to_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]")
+           .response;
   EXPECT_LE(answer.curves.solves, most_solves);
   EXPECT_GT(answer.curves.angular_frequency.size(), static_cast<std::size_t>(answer.curves.solves));
   EXPECT_GT(answer.curves.interpolation_error, 0);

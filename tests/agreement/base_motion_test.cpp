@@ -34,19 +34,25 @@ model::Excitation base(test::RandomSystem& draw, int derivative = 0) {
 }
 
 /// Largest difference over all coordinates and frequencies, relative to the largest value.
-double difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
+double difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
 
 Eigen::MatrixXcd coordinates(const model::System& system) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  return numerics::sweep(assembled.matrices, assembly::right_side(assembled, assembly::harmonic_loading(system, assembled)), frequencies).response;
+  return numerics::sweep(assembled.matrices,
+                         assembly::right_side(assembled, assembly::harmonic_loading(system, assembled)), frequencies)
+      .response;
 }
 
-/// How the bodies would follow a rigid ground: their six coordinates, one below the other, per unit of g about the ground origin.
+/// How the bodies would follow a rigid ground: their six coordinates, one below the other, per unit of g about the
+/// ground origin.
 Eigen::MatrixXd followed(const model::System& system) {
   Eigen::MatrixXd r(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Pose& pose = system.bodies()[b].pose;
-    r.middleRows<6>(6 * static_cast<Eigen::Index>(b)) = spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position);
+    r.middleRows<6>(6 * static_cast<Eigen::Index>(b)) =
+        spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position);
   }
   return r;
 }
@@ -79,12 +85,18 @@ TEST(BaseMotion, RelativeAnswersAreAbsoluteOnesLessTheGround) {
   const model::System system = test::checked(d);
   const assembly::Assembled assembled = assembly::assemble(system);
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
-  const auto curves = response::frequency_response(assembled, assembly::channels(system, assembled, {"body 1", "body 1.relative"}, assembly::Quantity::displacement), loading, frequencies).curves;
+  const auto curves = response::frequency_response(assembled,
+                                                   assembly::channels(system, assembled, {"body 1", "body 1.relative"},
+                                                                      assembly::Quantity::displacement),
+                                                   loading, frequencies)
+                          .curves;
   const Eigen::VectorXcd g = loading.motion.at(1).head<6>();
   const Eigen::VectorXcd carried = followed(system).bottomRows<6>().cast<Complex>() * g;
   for (Eigen::Index j = 0; j < 6; ++j)
     for (Eigen::Index i = 0; i < curves[0].value.size(); ++i)
-      EXPECT_NEAR(std::abs(curves[static_cast<std::size_t>(j)].value(i) - carried(j) - curves[static_cast<std::size_t>(6 + j)].value(i)), 0, round_off * std::abs(carried(j)));
+      EXPECT_NEAR(std::abs(curves[static_cast<std::size_t>(j)].value(i) - carried(j) -
+                           curves[static_cast<std::size_t>(6 + j)].value(i)),
+                  0, round_off * std::abs(carried(j)));
 }
 
 TEST(BaseMotion, GivenByAccelerationIsGivenByDisplacement) {
@@ -127,7 +139,8 @@ damping = {loss_factor = 0.1}
 }
 
 std::complex<double> at_40(const std::string& excitations, const std::string& name) {
-  const project::Project project = test::project(two_legs(excitations) + "[analyses]\nresponse = {at = [40], of = [\"frame\"]}\n");
+  const project::Project project =
+      test::project(two_legs(excitations) + "[analyses]\nresponse = {at = [40], of = [\"frame\"]}\n");
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   return test::value(*answers.response, name, 0);
 }
@@ -135,21 +148,29 @@ std::complex<double> at_40(const std::string& excitations, const std::string& na
 TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
   // Delay of the front leg against the rear: 3 m / c = one period 2π/40 s; the phase at x = 1.5 m stays to be undone.
   const double speed = 3 * 40 / (2 * std::numbers::pi);
-  const std::string wave = "[excitations.wave]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nwave = {direction = \"x\", speed = " + std::to_string(speed) + "}\n";
-  const std::string together = "[excitations.both]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"front\", \"rear\"]\n";
+  const std::string wave =
+      "[excitations.wave]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nwave = {direction = \"x\", speed = " +
+      std::to_string(speed) + "}\n";
+  const std::string together =
+      "[excitations.both]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"front\", \"rear\"]\n";
   for (const char* name : {"frame.z", "frame.ry"}) {
     const Complex turned = at_40(wave, name) * std::polar(1.0, 40 * 1.5 / speed);
-    EXPECT_NEAR(std::abs(turned - at_40(together, name)), 0, 1e-6 * std::abs(at_40(together, "frame.z"))) << name;  // six decimals of the speed
+    EXPECT_NEAR(std::abs(turned - at_40(together, name)), 0, 1e-6 * std::abs(at_40(together, "frame.z")))
+        << name;  // six decimals of the speed
   }
 }
 
 TEST(TravellingGround, OfHalfAWavelengthLiftsThemAgainstEachOther) {
   const double speed = 3 * 40 / std::numbers::pi;
-  const std::string wave = "[excitations.wave]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nwave = {direction = \"x\", speed = " + std::to_string(speed) + "}\n";
-  const std::string against = "[excitations.front]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"front\"]\nphase = \"-90 deg\"\n"
-                              "[excitations.rear]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"rear\"]\nphase = \"90 deg\"\n";
+  const std::string wave =
+      "[excitations.wave]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nwave = {direction = \"x\", speed = " +
+      std::to_string(speed) + "}\n";
+  const std::string against =
+      "[excitations.front]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"front\"]\nphase = \"-90 deg\"\n"
+      "[excitations.rear]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"rear\"]\nphase = \"90 deg\"\n";
   for (const char* name : {"frame.z", "frame.ry"})
-    EXPECT_NEAR(std::abs(at_40(wave, name) - at_40(against, name)), 0, 1e-6 * std::abs(at_40(against, "frame.z"))) << name;
+    EXPECT_NEAR(std::abs(at_40(wave, name) - at_40(against, name)), 0, 1e-6 * std::abs(at_40(against, "frame.z")))
+        << name;
 }
 
 TEST(BaseMotion, PassesTheSecondSolver) {
@@ -163,7 +184,8 @@ TEST(BaseMotion, PassesTheSecondSolver) {
     if (seed % 2 == 0) d.damping = model::RayleighDamping{0.3, 1e-4};
     const model::System system = test::checked(d);
     const assembly::Assembled assembled = assembly::assemble(system);
-    const auto check = response::deep_check(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
+    const auto check =
+        response::deep_check(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
     EXPECT_TRUE(check.passed) << "seed " << seed << ": " << check.worst_difference << " > " << check.allowed;
     EXPECT_EQ(check.frequencies, static_cast<int>(frequencies.size()));
   }
@@ -178,7 +200,8 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
   std::vector<std::string> of = {"coordinates"};
   for (const model::Element& element : system.elements()) of.push_back(element.name);
   const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::velocity);
-  const response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {1e-12, to});  // shallow ones too
+  const response::Peaks peaks =
+      response::peaks(assembled, channels, loading, modes, roots, {1e-12, to});  // shallow ones too
   std::vector<double> scan;
   constexpr int points = 8000;
   for (int i = 1; i <= points; ++i) scan.push_back(to * i / points);
@@ -191,11 +214,15 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
       const double w = scan[static_cast<std::size_t>(i)];
       bool there = false;
       for (const response::Peak& peak : peaks.list)
-        if (peak.curve == c && std::abs(peak.angular_frequency - w) <= to / points && peak.amplitude >= y(i) * (1 - 1e-9)) there = true;
+        if (peak.curve == c && std::abs(peak.angular_frequency - w) <= to / points &&
+            peak.amplitude >= y(i) * (1 - 1e-9))
+          there = true;
       std::string near;
       for (const response::Peak& peak : peaks.list)
-        if (peak.curve == c && std::abs(peak.angular_frequency - w) < 0.02 * to) near += std::to_string(peak.angular_frequency) + " ";
-      EXPECT_TRUE(there) << curves[c].name << " at " << w << ", " << y(i) << " of " << y.maxCoeff() << ", rises " << y(i) - y(i - 1) << " " << y(i) - y(i + 1) << ", peaks near: " << near;
+        if (peak.curve == c && std::abs(peak.angular_frequency - w) < 0.02 * to)
+          near += std::to_string(peak.angular_frequency) + " ";
+      EXPECT_TRUE(there) << curves[c].name << " at " << w << ", " << y(i) << " of " << y.maxCoeff() << ", rises "
+                         << y(i) - y(i - 1) << " " << y(i) - y(i + 1) << ", peaks near: " << near;
       ++found;
     }
   }

@@ -40,8 +40,11 @@ class Assembly {
     std::vector<Index> first = {0};
     for (const Index s : sizes) first.push_back(first.back() + s);
     const Index n = first.back();
-    DynamicMatrices m{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true, {first.begin(), first.end() - 1}};
-    for (std::size_t b = 0; b < sizes.size(); ++b) m.A.block(first[b], first[b], sizes[b], sizes[b]) = positive(sizes[b], 1);
+    DynamicMatrices m{
+        Eigen::MatrixXd::Zero(n, n),     Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true,
+        {first.begin(), first.end() - 1}};
+    for (std::size_t b = 0; b < sizes.size(); ++b)
+      m.A.block(first[b], first[b], sizes[b], sizes[b]) = positive(sizes[b], 1);
     m.K.topLeftCorner(sizes[0], sizes[0]) = positive(sizes[0], 1000);
     for (const auto& [i, j] : edges) {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
@@ -96,40 +99,50 @@ Edges full(Index bodies) {
 
 std::vector<double> frequencies(Index count, double highest = 80) {
   std::vector<double> omega;
-  for (Index i = 0; i < count; ++i) omega.push_back(highest * (static_cast<double>(i) + 0.3) / static_cast<double>(count));
+  for (Index i = 0; i < count; ++i)
+    omega.push_back(highest * (static_cast<double>(i) + 0.3) / static_cast<double>(count));
   return omega;
 }
 
 numerics::ExtendedMatrix extended(const DynamicMatrices& m, double omega) {
   const std::complex<long double> iw(0, omega);
-  return m.complex_stiffness().cast<std::complex<long double>>() + iw * m.B.cast<std::complex<long double>>() + iw * iw * m.A.cast<std::complex<long double>>();
+  return m.complex_stiffness().cast<std::complex<long double>>() + iw * m.B.cast<std::complex<long double>>() +
+      iw * iw * m.A.cast<std::complex<long double>>();
 }
 
 /// True backward error and error of every column.
-void expect_solved(const DynamicMatrices& given, const numerics::Load& load, const std::vector<double>& omega, const numerics::SweepResult& found, const std::string& name) {
+void expect_solved(const DynamicMatrices& given, const numerics::Load& load, const std::vector<double>& omega,
+                   const numerics::SweepResult& found, const std::string& name) {
   const Eigen::VectorXd d = numerics::unit_scale(given);
   const DynamicMatrices m = numerics::scaled(given, d);
   for (std::size_t i = 0; i < omega.size(); ++i) {
     const auto column = static_cast<Index>(i);
     const numerics::ExtendedMatrix z = extended(m, omega[i]);
     const numerics::ExtendedVector h = (d.asDiagonal() * load.at(omega[i])).cast<std::complex<long double>>();
-    const numerics::ExtendedVector q = (d.cwiseInverse().asDiagonal() * found.response.col(column)).cast<std::complex<long double>>();
+    const numerics::ExtendedVector q =
+        (d.cwiseInverse().asDiagonal() * found.response.col(column)).cast<std::complex<long double>>();
     const auto norm = z.cwiseAbs().rowwise().sum().maxCoeff();
-    const auto backward = (z * q - h).cwiseAbs().maxCoeff() / (norm * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff());
+    const auto backward =
+        (z * q - h).cwiseAbs().maxCoeff() / (norm * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff());
     EXPECT_LE(static_cast<double>(backward), numerics::accepted_backward_error) << name << " at " << omega[i];
     EXPECT_LE(found.backward_error(column), numerics::accepted_backward_error) << name << " at " << omega[i];
     const numerics::RefinedSolver exact(z);
     const numerics::ExtendedVector truth = exact.solve(h);
-    EXPECT_LE(static_cast<double>((q - truth).norm() / truth.norm()), condition_share * static_cast<double>(m.size()) * exact.condition()) << name << " at " << omega[i];
+    EXPECT_LE(static_cast<double>((q - truth).norm() / truth.norm()),
+              condition_share * static_cast<double>(m.size()) * exact.condition())
+        << name << " at " << omega[i];
   }
 }
 
 /// Writes some columns of a result.
-void solve_columns(const numerics::BlockSweep& blocks, const std::vector<double>& omega, std::size_t first, std::size_t last, numerics::SweepResult& result) {
+void solve_columns(const numerics::BlockSweep& blocks, const std::vector<double>& omega, std::size_t first,
+                   std::size_t last, numerics::SweepResult& result) {
   const auto begin = static_cast<Index>(first), count = static_cast<Index>(last - first), n = result.response.rows();
   Eigen::ArrayXXd re(count, n), im(count, n);
   numerics::LineMemory memory;
-  blocks.solve({omega.data() + first, count, {}, {}, {re.data(), im.data(), count}, result.backward_error.data() + first}, memory);
+  blocks.solve(
+      {omega.data() + first, count, {}, {}, {re.data(), im.data(), count}, result.backward_error.data() + first},
+      memory);
   result.response.middleCols(begin, count).real() = re.transpose();
   result.response.middleCols(begin, count).imag() = im.transpose();
 }
@@ -141,7 +154,8 @@ numerics::SweepResult room_for(Index n, const std::vector<double>& omega) {
   return result;
 }
 
-numerics::SweepResult by_blocks(const DynamicMatrices& m, const numerics::Load& load, const std::vector<double>& omega) {
+numerics::SweepResult by_blocks(const DynamicMatrices& m, const numerics::Load& load,
+                                const std::vector<double>& omega) {
   numerics::SweepResult result = room_for(m.size(), omega);
   solve_columns(numerics::BlockSweep(m, load), omega, 0, omega.size(), result);
   return result;
@@ -154,10 +168,18 @@ numerics::Couplings couplings_of(const DynamicMatrices& m) {
 TEST(BlockSweep, GraphsOfEveryShapeAgreeWithExtendedPrecision) {
   Assembly random(3);
   const Sizes six(7, 6), mixed = {6, 3, 5, 1, 6, 8, 2, 6, 4};
-  const std::vector<std::tuple<std::string, Sizes, Edges>> cases = {
-      {"one body", {6}, {}},          {"two", {6, 6}, chain(2)},        {"chain", six, chain(7)},       {"ring", six, ring(7)},
-      {"tree", Sizes(13, 6), tree(13)}, {"full", six, full(7)},           {"mixed chain", mixed, chain(9)}, {"mixed ring", mixed, ring(9)},
-      {"mixed tree", mixed, tree(9)}, {"mixed full", mixed, full(9)},   {"planar", Sizes(8, 3), ring(8)}, {"not coupled", {6, 6, 6}, chain(2)}};
+  const std::vector<std::tuple<std::string, Sizes, Edges>> cases = {{"one body", {6}, {}},
+                                                                    {"two", {6, 6}, chain(2)},
+                                                                    {"chain", six, chain(7)},
+                                                                    {"ring", six, ring(7)},
+                                                                    {"tree", Sizes(13, 6), tree(13)},
+                                                                    {"full", six, full(7)},
+                                                                    {"mixed chain", mixed, chain(9)},
+                                                                    {"mixed ring", mixed, ring(9)},
+                                                                    {"mixed tree", mixed, tree(9)},
+                                                                    {"mixed full", mixed, full(9)},
+                                                                    {"planar", Sizes(8, 3), ring(8)},
+                                                                    {"not coupled", {6, 6, 6}, chain(2)}};
   for (const auto& [name, sizes, edges] : cases)
     for (const double damping : {0.3, 1e-3}) {
       DynamicMatrices m = random.bodies(sizes, edges, damping);
@@ -212,12 +234,19 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
   const std::vector<numerics::FreeEntry> free = {{0, 0}, {3, 1}, {2, 8}, {24, 4}, {12, 11}, {20, 20}};
   const std::vector<double> omega = frequencies(21);
   const auto count = static_cast<Index>(omega.size()), entries = static_cast<Index>(free.size());
-  const Eigen::ArrayXXcd added = 300 * Eigen::ArrayXXcd::Random(count, entries), load = Eigen::ArrayXXcd::Random(count, n);
-  Eigen::ArrayXXd free_re = added.real(), free_im = added.imag(), load_re = load.real(), load_im = load.imag(), re(count, n), im(count, n);
+  const Eigen::ArrayXXcd added = 300 * Eigen::ArrayXXcd::Random(count, entries),
+                         load = Eigen::ArrayXXcd::Random(count, n);
+  Eigen::ArrayXXd free_re = added.real(), free_im = added.imag(), load_re = load.real(), load_im = load.imag(),
+                  re(count, n), im(count, n);
   Eigen::VectorXd error(count);
   numerics::LineMemory memory;
-  numerics::BlockSweep(m, free).solve({omega.data(), count, {free_re.data(), free_im.data(), count}, {load_re.data(), load_im.data(), count},
-                                       {re.data(), im.data(), count}, error.data()}, memory);
+  numerics::BlockSweep(m, free).solve({omega.data(),
+                                       count,
+                                       {free_re.data(), free_im.data(), count},
+                                       {load_re.data(), load_im.data(), count},
+                                       {re.data(), im.data(), count},
+                                       error.data()},
+                                      memory);
   for (Index f = 0; f < count; ++f) {
     Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(f)]);
     for (Index k = 0; k < entries; ++k) {
@@ -226,9 +255,12 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
       if (i != j) z(j, i) += added(f, k);
     }
     const numerics::RefinedSolver exact(z.cast<std::complex<long double>>());
-    const Eigen::VectorXcd truth = exact.solve(load.row(f).transpose().matrix().cast<std::complex<long double>>()).cast<std::complex<double>>();
-    const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() + std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
-    EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition()) << omega[static_cast<std::size_t>(f)];
+    const Eigen::VectorXcd truth =
+        exact.solve(load.row(f).transpose().matrix().cast<std::complex<long double>>()).cast<std::complex<double>>();
+    const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() +
+        std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
+    EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition())
+        << omega[static_cast<std::size_t>(f)];
     EXPECT_LE(error(f), numerics::accepted_backward_error);
   }
 }
@@ -329,7 +361,9 @@ TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
   const numerics::BlockSweep blocks(m, load);
   const auto with_threads = [&](int threads) {
     numerics::SweepResult result = room_for(m.size(), omega);
-    foundation::for_each_piece(omega.size(), {.size = 48, .threads = threads}, [&](std::size_t first, std::size_t last) { solve_columns(blocks, omega, first, last, result); });
+    foundation::for_each_piece(
+        omega.size(), {.size = 48, .threads = threads},
+        [&](std::size_t first, std::size_t last) { solve_columns(blocks, omega, first, last, result); });
     return result;
   };
   const numerics::SweepResult one = with_threads(1), sixteen = with_threads(16);
@@ -340,7 +374,8 @@ TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
 std::size_t filled(const Edges& edges, Index bodies) {
   Assembly random(12);
   const DynamicMatrices m = random.bodies(Sizes(static_cast<std::size_t>(bodies), 6), edges, 0.1);
-  const numerics::BlockElimination found = numerics::block_elimination(couplings_of(m), m.blocks, std::vector<bool>(static_cast<std::size_t>(m.size()), true));
+  const numerics::BlockElimination found = numerics::block_elimination(
+      couplings_of(m), m.blocks, std::vector<bool>(static_cast<std::size_t>(m.size()), true));
   std::size_t below = 0;
   for (const auto& column : found.below) below += column.size();
   return below - edges.size();

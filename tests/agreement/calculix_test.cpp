@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CalculiX, run as a process, against the Timoshenko beam and against itself by three ways: unit motions of a rigid plate, the whole
-// stiffness condensed here, and its own substructure.
+// CalculiX, run as a process, against the Timoshenko beam and against itself by three ways: unit motions of a rigid
+// plate, the whole stiffness condensed here, and its own substructure.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,8 @@ using exchange::Matrix12;
 using exchange::NodeEnd;
 using exchange::RigidEnd;
 
-/// A bar of 10 × 20 × 120 mm along z in eight quadratic bricks. Without lateral contraction clamped ends do not disturb it.
+/// A bar of 10 × 20 × 120 mm along z in eight quadratic bricks. Without lateral contraction clamped ends do not disturb
+/// it.
 struct BrickBar {
   static constexpr double width = 10, height = 20, length = 120, modulus = 210000;
   static constexpr int elements = 8;
@@ -60,26 +61,31 @@ struct BrickBar {
                                 {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
     for (int e = 0; e < elements; ++e) {
       text << e + 1;
-      for (int i = 0; i < 20; ++i) text << (i == 10 ? ",\n" : ", ") << nodes.at({corners[i][0], corners[i][1], corners[i][2] + 2 * e});
+      for (int i = 0; i < 20; ++i)
+        text << (i == 10 ? ",\n" : ", ") << nodes.at({corners[i][0], corners[i][1], corners[i][2] + 2 * e});
       text << "\n";
     }
     for (const auto& [name, end] : {std::pair{"PN", &n}, std::pair{"PK", &k}}) {
       text << "*NSET, NSET=" << name << "\n";
       for (const auto& at : end->nodes) text << at.node << ",\n";
     }
-    text << "*MATERIAL, NAME=STEEL\n*ELASTIC\n" << modulus << ", 0.\n*DENSITY\n7.85E-9\n*SOLID SECTION, ELSET=BAR, MATERIAL=STEEL\n";
+    text << "*MATERIAL, NAME=STEEL\n*ELASTIC\n"
+         << modulus << ", 0.\n*DENSITY\n7.85E-9\n*SOLID SECTION, ELSET=BAR, MATERIAL=STEEL\n";
     return text.str();
   }
 };
 
-/// Timoshenko beam without lateral contraction. One quadratic brick across the section cannot warp as shear wants it, with the third
-/// power of the height: the section stays plane, and its shear factor is 1 instead of 5/6.
+/// Timoshenko beam without lateral contraction. One quadratic brick across the section cannot warp as shear wants it,
+/// with the third power of the height: the section stays plane, and its shear factor is 1 instead of 5/6.
 Matrix12 timoshenko() {
   constexpr double a = BrickBar::width, b = BrickBar::height, l = BrickBar::length, e = BrickBar::modulus, g = e / 2;
   const double about_x = a * b * b * b / 12, about_y = b * a * a * a / 12;
   const double torsion = b * a * a * a * (1.0 / 3 - 0.21 * a / b * (1 - std::pow(a / b, 4) / 12));
-  Matrix12 k =
-      bernoulli({.length = l, .axial = e * a * b, .torsion = g * torsion, .bending_about_x = e * about_x, .bending_about_y = e * about_y});
+  Matrix12 k = bernoulli({.length = l,
+                          .axial = e * a * b,
+                          .torsion = g * torsion,
+                          .bending_about_x = e * about_x,
+                          .bending_about_y = e * about_y});
   const auto soften = [&](int u, int turn, double inertia) {
     const double stiffness = e * inertia, phi = 12 * stiffness / (g * a * b * l * l);
     for (const int i : {0, 6})
@@ -95,7 +101,8 @@ Matrix12 timoshenko() {
   return k;
 }
 
-const std::string rigid_ends = "*RIGID BODY, NSET=PN, REF NODE=901, ROT NODE=902\n*RIGID BODY, NSET=PK, REF NODE=903, ROT NODE=904\n";
+const std::string rigid_ends =
+    "*RIGID BODY, NSET=PN, REF NODE=901, ROT NODE=902\n*RIGID BODY, NSET=PK, REF NODE=903, ROT NODE=904\n";
 
 /// A folder of its own for the files of one run.
 class CalculiX : public testing::Test {
@@ -111,7 +118,8 @@ class CalculiX : public testing::Test {
   }
   void run(const std::string& name, const std::string& deck) const {
     std::ofstream(folder_ / (name + ".inp")) << deck;
-    const std::string command = "cd '" + folder_.string() + "' && OMP_NUM_THREADS=1 ccx " + name + " >" + name + ".log 2>&1";
+    const std::string command =
+        "cd '" + folder_.string() + "' && OMP_NUM_THREADS=1 ccx " + name + " >" + name + ".log 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0) << "CalculiX failed";
   }
 
@@ -125,7 +133,7 @@ class CalculiX : public testing::Test {
       for (int i = 0; i < 12; ++i) {
         const auto [node, component] = coordinate(i);
         deck += std::to_string(node) + ", " + std::to_string(component) + ", " + std::to_string(component) +
-                (i == moved ? ", 0.001\n" : ", 0.\n");
+            (i == moved ? ", 0.001\n" : ", 0.\n");
       }
       deck += "*NODE PRINT, NSET=ENDS\nRF\n*END STEP\n";
     }
@@ -138,7 +146,9 @@ class CalculiX : public testing::Test {
       std::istringstream numbers(line);
       int node = 0;
       Eigen::Vector3d force;
-      if (column < 0 || column > 11 || !(numbers >> node >> force.x() >> force.y() >> force.z()) || node < 901 || node > 904) continue;
+      if (column < 0 || column > 11 || !(numbers >> node >> force.x() >> force.y() >> force.z()) || node < 901 ||
+          node > 904)
+        continue;
       k.block<3, 1>(3 * (node - 901), column) = force / unit;
     }
     EXPECT_EQ(column, 11);
@@ -154,8 +164,8 @@ const std::string storage_step = "*STEP\n*FREQUENCY, SOLVER=MATRIXSTORAGE\n1\n*E
 
 /// CalculiX prints reactions with seven digits.
 constexpr double printed_reaction = 2e-6;
-/// Eight quadratic bricks follow the cubic bending line to 0.3 %. In torsion one brick across and ends that cannot warp are stiffer than
-/// free torsion.
+/// Eight quadratic bricks follow the cubic bending line to 0.3 %. In torsion one brick across and ends that cannot warp
+/// are stiffer than free torsion.
 constexpr double bending_of_bricks = 4e-3, torsion_of_bricks = 0.25;
 
 Matrix12 condensed(const foundation::Expected<exchange::NamedMatrix>& matrix, const BrickBar& bar) {
@@ -190,9 +200,12 @@ TEST_F(CalculiX, BricksAreATimoshenkoBeam) {
 }
 
 TEST_F(CalculiX, SubstructureIsWrongInSilenceAndTheRigidMotionTestSeesIt) {
-  const std::string output = "*SUBSTRUCTURE MATRIX OUTPUT, STIFFNESS=YES, OUTPUT FILE=USER DEFINED, FILE NAME=reduced\n*END STEP\n";
-  run("rigid", bar_.deck() + rigid_ends +
-                   "*STEP\n*SUBSTRUCTURE GENERATE\n*RETAINED NODAL DOFS, SORTED=NO\n901,1,3\n902,1,3\n903,1,3\n904,1,3\n" + output);
+  const std::string output =
+      "*SUBSTRUCTURE MATRIX OUTPUT, STIFFNESS=YES, OUTPUT FILE=USER DEFINED, FILE NAME=reduced\n*END STEP\n";
+  run("rigid",
+      bar_.deck() + rigid_ends +
+          "*STEP\n*SUBSTRUCTURE GENERATE\n*RETAINED NODAL DOFS, SORTED=NO\n901,1,3\n902,1,3\n903,1,3\n904,1,3\n" +
+          output);
   const auto matrix = exchange::read_matrix_file(folder_ / "reduced.mtx");
   ASSERT_TRUE(matrix) << complaint(matrix);
   const auto ends = exchange::reduce_to_ends(*matrix, NodeEnd{901, 902}, NodeEnd{903, 904});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compressed coil spring, taken as a uniform helix, against the exact rod between clamped seats: Reissner's equations for large
-// deformations, integrated along the wire and shot at the far end.
+// The compressed coil spring, taken as a uniform helix, against the exact rod between clamped seats: Reissner's
+// equations for large deformations, integrated along the wire and shot at the far end.
 #include <gmock/gmock.h>
 
 #include <Eigen/Eigenvalues>
@@ -15,31 +15,36 @@
 namespace {
 
 using namespace trivet;
-using elements::CoilSpring;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using elements::CoilSpring;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 Matrix3d cross(const Vector3d& v) { return (Matrix3d() << 0, -v(2), v(1), v(2), 0, -v(0), -v(1), v(0), 0).finished(); }
 
-/// Force and moment (ground axes) that the wire carries at its start lead to its end: place and turn against those of the seat.
+/// Force and moment (ground axes) that the wire carries at its start lead to its end: place and turn against those of
+/// the seat.
 class ExactRod {
  public:
-  explicit ExactRod(const CoilSpring& spring) : height_(spring.active_length), radius_(spring.mean_diameter / 2), turn_(2 * std::numbers::pi * spring.active_coils) {
+  explicit ExactRod(const CoilSpring& spring)
+      : height_(spring.active_length),
+        radius_(spring.mean_diameter / 2),
+        turn_(2 * std::numbers::pi * spring.active_coils) {
     const elements::WireSection section = wire_section(spring);
     const double shear = section.shear_factor * spring.shear_modulus * section.area, E = spring.youngs_modulus;
     lead_ = std::atan(height_ / (radius_ * turn_));
     length_ = radius_ * turn_ / std::cos(lead_);
     strain_ = {1 / shear, 1 / shear, 1 / (E * section.area)};
-    bend_ = {1 / (E * section.second_moments(0)), 1 / (E * section.second_moments(1)), 1 / (spring.shear_modulus * section.torsion_constant)};
+    bend_ = {1 / (E * section.second_moments(0)), 1 / (E * section.second_moments(1)),
+             1 / (spring.shear_modulus * section.torsion_constant)};
     curvature_ = Vector3d(0, std::cos(lead_), std::sin(lead_)) * turn_ / length_;
     const double bending = E * section.second_moments(0) / (radius_ * radius_);
     unit_ << Vector3d::Constant(0.05 * bending), Vector3d::Constant(0.05 * bending * radius_);
   }
 
   struct Compressed {
-    double force;          ///< pressing [N]
+    double force;             ///< pressing [N]
     Eigen::Matrix2d lateral;  ///< stiffness of seat K sideways, all else held [N/m]
   };
 
@@ -88,10 +93,13 @@ class ExactRod {
     const int steps = static_cast<int>(std::ceil(steps_per_turn * turn_ / (2 * std::numbers::pi)));
     const double h = length_ / steps;
     const Vector3d force = carried.head<3>();
-    const auto moved = [](const State& s, const State& r, double by) { return State{s.place + by * r.place, s.axes + by * r.axes, s.moment + by * r.moment}; };
+    const auto moved = [](const State& s, const State& r, double by) {
+      return State{s.place + by * r.place, s.axes + by * r.axes, s.moment + by * r.moment};
+    };
     State s{Vector3d(radius_, 0, 0), section_axes(0), carried.tail<3>()};
     for (int i = 0; i < steps; ++i) {
-      const State a = rate(s, force), b = rate(moved(s, a, h / 2), force), c = rate(moved(s, b, h / 2), force), d = rate(moved(s, c, h), force);
+      const State a = rate(s, force), b = rate(moved(s, a, h / 2), force), c = rate(moved(s, b, h / 2), force),
+                  d = rate(moved(s, c, h), force);
       s = moved(moved(moved(moved(s, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
     }
     const Matrix3d turn = s.axes * section_axes(turn_).transpose();
@@ -124,7 +132,9 @@ Miss miss(const CoilSpring& s, double share) {
   const elements::CompressedCoil state = compressed_by(s, compression);
   const ExactRod::Compressed exact = ExactRod(s).at(compression, 4);
   const double unloaded = stiffness(s)(6, 6);
-  return {std::abs(state.axial_force / exact.force - 1), (state.stiffness.block<2, 2>(6, 6) - exact.lateral).cwiseAbs().maxCoeff() / unloaded, exact.lateral.eigenvalues().real().minCoeff() > 0};
+  return {std::abs(state.axial_force / exact.force - 1),
+          (state.stiffness.block<2, 2>(6, 6) - exact.lateral).cwiseAbs().maxCoeff() / unloaded,
+          exact.lateral.eigenvalues().real().minCoeff() > 0};
 }
 
 TEST(CompressedCoilAgainstTheExactRod, TheExactRodHasTheStiffnessOfTheUnloadedSpring) {
@@ -148,7 +158,8 @@ TEST(CompressedCoilAgainstTheExactRod, FourCoilsAndMoreAreFollowedWithinTwoPerce
 }
 
 TEST(CompressedCoilAgainstTheExactRod, FewerCoilsAreWarnedOfWithTheErrorsThatTheyHave) {
-  for (const auto& [coils, force_stated, lateral_stated] : {std::tuple{3.0, 0.03, 0.04}, {3.5, 0.03, 0.04}, {2.0, 0.13, 0.12}, {1.5, 0.13, 0.12}})
+  for (const auto& [coils, force_stated, lateral_stated] :
+       {std::tuple{3.0, 0.03, 0.04}, {3.5, 0.03, 0.04}, {2.0, 0.13, 0.12}, {1.5, 0.13, 0.12}})
     for (const double pitch : {3.0, 5.0}) {
       const CoilSpring s = spring(5, coils, pitch);
       const auto [force, lateral, stands] = miss(s, 0.25);
@@ -157,7 +168,9 @@ TEST(CompressedCoilAgainstTheExactRod, FewerCoilsAreWarnedOfWithTheErrorsThatThe
         EXPECT_LE(lateral, lateral_stated) << coils;
       }
       const foundation::Problems found = check_compression(s, 0.25 * s.active_length);
-      EXPECT_TRUE(std::any_of(found.list().begin(), found.list().end(), [](const auto& p) { return p.rule.find("uniform helix") != std::string::npos; })) << coils;
+      EXPECT_TRUE(std::any_of(found.list().begin(), found.list().end(), [](const auto& p) {
+        return p.rule.find("uniform helix") != std::string::npos;
+      })) << coils;
     }
   EXPECT_GT(miss(spring(5, 3, 5), 0.25).force, 0.02);  // not without reason
   const CoilSpring enough = spring(5, 4, 3);

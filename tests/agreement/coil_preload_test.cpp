@@ -17,7 +17,9 @@ using elements::Matrix12;
 using test::literature_spring;
 using test::random_spring;
 
-double open_length(const CoilSpring& spring) { return spring.active_length - spring.active_coils * wire_height(spring); }
+double open_length(const CoilSpring& spring) {
+  return spring.active_length - spring.active_coils * wire_height(spring);
+}
 
 spatial::Vector12 unit_scale(const CoilSpring& spring) { return stiffness(spring).diagonal().cwiseSqrt(); }
 
@@ -26,7 +28,8 @@ TEST(CompressedCoil, UnloadedItIsTheSpringItself) {
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) {
     const CoilSpring spring = random_spring(random);
-    EXPECT_THAT(compressed_by(spring, 0).stiffness, test::NearInUnits(stiffness(spring), unit_scale(spring), rounding)) << i;
+    EXPECT_THAT(compressed_by(spring, 0).stiffness, test::NearInUnits(stiffness(spring), unit_scale(spring), rounding))
+        << i;
   }
 }
 
@@ -38,7 +41,9 @@ TEST(CompressedCoil, ForceAndCompressionAreInverse) {
     for (const double part : {-0.5, 0.3, 0.9}) {
       const elements::CompressedCoil state = compressed_by(spring, part * open_length(spring));
       EXPECT_NEAR(state.compression, part * open_length(spring), rounding * spring.active_length) << i;
-      EXPECT_NEAR(compressed_with(spring, state.axial_force).compression, state.compression, rounding * spring.active_length) << i;
+      EXPECT_NEAR(compressed_with(spring, state.axial_force).compression, state.compression,
+                  rounding * spring.active_length)
+          << i;
     }
   }
 }
@@ -54,7 +59,8 @@ TEST(CompressedCoil, ARigidRotationTurnsItsPreload) {
       expected.block<3, 3>(end, 3) = -spatial::cross_matrix(state.preload.segment<3>(end));
       expected.block<3, 3>(end + 3, 3) = -0.5 * spatial::cross_matrix(state.preload.segment<3>(end + 3));
     }
-    const Eigen::Matrix<double, 12, 6> motions = elements::rigid_motions({0, 0, state.seat_distance}, Eigen::Matrix3d::Identity());
+    const Eigen::Matrix<double, 12, 6> motions =
+        elements::rigid_motions({0, 0, state.seat_distance}, Eigen::Matrix3d::Identity());
     const spatial::Vector12 scale = unit_scale(spring);
     elements::Vector6 motion_scale;
     for (int j = 0; j < 6; ++j) motion_scale(j) = motions.col(j).cwiseAbs().cwiseProduct(scale).maxCoeff();
@@ -69,7 +75,8 @@ TEST(CompressedCoil, AxialTangentIsTheSlopeOfTheForce) {
   const CoilSpring spring = literature_spring();
   for (const double part : {-0.5, 0.0, 0.5, 0.95}) {
     const double at = part * open_length(spring), step = 1e-7;
-    const double slope = (compressed_by(spring, at + step).axial_force - compressed_by(spring, at - step).axial_force) / (2 * step);
+    const double slope =
+        (compressed_by(spring, at + step).axial_force - compressed_by(spring, at - step).axial_force) / (2 * step);
     EXPECT_THAT(compressed_by(spring, at).stiffness(8, 8), test::RelativelyNear(slope, end_effect)) << part;
   }
 }

@@ -31,9 +31,11 @@ struct Point {
 
 /// The wire's centre line from the seat at N, straight from the words of the definition.
 Point on_wire(const CoilSpring& s, double fraction) {
-  const double hand = s.hand == elements::Hand::right ? 1 : -1, sweep = 2 * pi * s.active_coils * hand, radius = s.mean_diameter / 2;
+  const double hand = s.hand == elements::Hand::right ? 1 : -1, sweep = 2 * pi * s.active_coils * hand,
+               radius = s.mean_diameter / 2;
   const double angle = s.start_angle + sweep * fraction;
-  return {{radius * std::cos(angle), radius * std::sin(angle), s.dead_coils_n * wire_height(s) + s.active_length * fraction},
+  return {{radius * std::cos(angle), radius * std::sin(angle),
+           s.dead_coils_n * wire_height(s) + s.active_length * fraction},
           {-radius * sweep * std::sin(angle), radius * sweep * std::cos(angle), s.active_length}};
 }
 
@@ -49,8 +51,8 @@ elements::Vector6 section_flexibility(const CoilSpring& s) {
   const elements::WireSection w = wire_section(s);
   const double E = s.youngs_modulus, G = s.shear_modulus;
   elements::Vector6 f;
-  f << 1 / (E * w.area), 1 / (w.shear_factor * G * w.area), 1 / (w.shear_factor * G * w.area), 1 / (G * w.torsion_constant),
-      1 / (E * w.second_moments(0)), 1 / (E * w.second_moments(1));
+  f << 1 / (E * w.area), 1 / (w.shear_factor * G * w.area), 1 / (w.shear_factor * G * w.area),
+      1 / (G * w.torsion_constant), 1 / (E * w.second_moments(0)), 1 / (E * w.second_moments(1));
   return f;
 }
 
@@ -64,8 +66,10 @@ Matrix6 stiffness_by_quadrature(const CoilSpring& s) {
   for (int panel = 0; panel < panels; ++panel)
     for (int k = 0; k < 8; ++k) {
       const Point p = on_wire(s, (panel + 0.5 + (k % 2 ? 0.5 : -0.5) * node[k / 2]) / panels);
-      const Matrix6 to_section = spatial::both_blocks(axes_at(p).transpose()) * spatial::rigid_motion(seat - p.place).transpose();
-      flexibility += 0.5 * weight[k / 2] / panels * p.tangent.norm() * to_section.transpose() * section_flexibility(s).asDiagonal() * to_section;
+      const Matrix6 to_section =
+          spatial::both_blocks(axes_at(p).transpose()) * spatial::rigid_motion(seat - p.place).transpose();
+      flexibility += 0.5 * weight[k / 2] / panels * p.tangent.norm() * to_section.transpose() *
+          section_flexibility(s).asDiagonal() * to_section;
     }
   return numerics::inverse(flexibility);
 }
@@ -73,11 +77,15 @@ Matrix6 stiffness_by_quadrature(const CoilSpring& s) {
 TEST(CoilSpring, ClosedFormIsTheQuadratureOfItsFlexibility) {
   constexpr double quadrature = 1e-10;
   const CoilSpring published = literature_spring();
-  EXPECT_LE(scaled_difference(stiffness(published).bottomRightCorner<6, 6>().eval(), stiffness_by_quadrature(published)), quadrature);
+  EXPECT_LE(
+      scaled_difference(stiffness(published).bottomRightCorner<6, 6>().eval(), stiffness_by_quadrature(published)),
+      quadrature);
   std::mt19937 random(1);
   for (int i = 0; i < springs_tried; ++i) {
     const CoilSpring spring = random_spring(random);
-    EXPECT_LE(scaled_difference(stiffness(spring).bottomRightCorner<6, 6>().eval(), stiffness_by_quadrature(spring)), quadrature) << i;
+    EXPECT_LE(scaled_difference(stiffness(spring).bottomRightCorner<6, 6>().eval(), stiffness_by_quadrature(spring)),
+              quadrature)
+        << i;
   }
 }
 
@@ -120,8 +128,8 @@ TEST(CoilSpring, ARigidMotionStoresNoEnergyInAnySpring) {
     CoilSpring spring = random_spring(random);
     spring.seat_n = i % 2 ? elements::Seat::pivoted : elements::Seat::clamped;
     spring.seat_k = i % 3 ? elements::Seat::pivoted : elements::Seat::clamped;
-    const elements::MatrixVerdict verdict =
-        elements::examine(stiffness(spring), elements::rigid_motions({0, 0, seat_distance(spring)}, Eigen::Matrix3d::Identity()));
+    const elements::MatrixVerdict verdict = elements::examine(
+        stiffness(spring), elements::rigid_motions({0, 0, seat_distance(spring)}, Eigen::Matrix3d::Identity()));
     constexpr double round_off = 1e-12;
     EXPECT_LE(verdict.rigid_residual, round_off) << i;
     EXPECT_LE(verdict.asymmetry, round_off) << i;
@@ -149,7 +157,8 @@ TEST(CoilSpring, TurningTheSpringTurnsItsMatrix) {
   const Matrix12 k = stiffness(spring);
   spring.start_angle = 1.1;
   Matrix12 turn = Matrix12::Zero();
-  turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() = spatial::both_blocks(spatial::rotation_about({0, 0, 1}, 1.1));
+  turn.topLeftCorner<6, 6>() = turn.bottomRightCorner<6, 6>() =
+      spatial::both_blocks(spatial::rotation_about({0, 0, 1}, 1.1));
   EXPECT_LE(scaled_difference(stiffness(spring), (turn * k * turn.transpose()).eval()), round_off);
 }
 
@@ -208,9 +217,11 @@ Matrix6 rigid_mass(const CoilSpring& s) {
     const Point p = on_wire(s, (i + 0.5) / points);
     Matrix6 local = line_mass * Matrix6::Identity();
     const Eigen::Matrix3d axes = axes_at(p);
-    const Eigen::Vector3d moments(wire_section(s).second_moments(2), wire_section(s).second_moments(0), wire_section(s).second_moments(1));
+    const Eigen::Vector3d moments(wire_section(s).second_moments(2), wire_section(s).second_moments(0),
+                                  wire_section(s).second_moments(1));
     local.bottomRightCorner<3, 3>() = s.density * axes * moments.asDiagonal() * axes.transpose();
-    total += p.tangent.norm() / points * spatial::rigid_motion(p.place).transpose() * local * spatial::rigid_motion(p.place);
+    total +=
+        p.tangent.norm() / points * spatial::rigid_motion(p.place).transpose() * local * spatial::rigid_motion(p.place);
   }
   return total;
 }
@@ -230,7 +241,8 @@ TEST(ReducedCoil, CarriesTheRigidInertiaOfTheWire) {
 
 /// Dynamic stiffness of the reduced spring.
 Matrix12 condensed(const elements::ReducedCoil& r, double omega) {
-  const Eigen::VectorXd factor = std::pow(omega, 4) * (r.natural_frequencies.array().square() - omega * omega).inverse();
+  const Eigen::VectorXd factor =
+      std::pow(omega, 4) * (r.natural_frequencies.array().square() - omega * omega).inverse();
   return r.stiffness - omega * omega * r.mass - r.coupling * factor.asDiagonal() * r.coupling.transpose();
 }
 
@@ -247,9 +259,12 @@ TEST(ReducedCoil, ConvergesToTheExactDynamicStiffness) {
     for (const double ratio : {0.2, 0.8, 1.3}) {
       const double omega = ratio * few.natural_frequencies(0);
       const Matrix12 exact = dynamic_stiffness(coil, omega);
-      EXPECT_THAT(condensed(many, omega), test::NearInUnits(exact, scale, 0.02 * std::pow(ratio, 4))) << i << ", " << ratio;
+      EXPECT_THAT(condensed(many, omega), test::NearInUnits(exact, scale, 0.02 * std::pow(ratio, 4)))
+          << i << ", " << ratio;
       const auto error = [&](const elements::ReducedCoil& r) {
-        return (scale.cwiseInverse().asDiagonal() * (condensed(r, omega) - exact) * scale.cwiseInverse().asDiagonal()).eval().norm();
+        return (scale.cwiseInverse().asDiagonal() * (condensed(r, omega) - exact) * scale.cwiseInverse().asDiagonal())
+            .eval()
+            .norm();
       };
       EXPECT_LE(error(many), 0.1 * error(few)) << i << ", " << ratio;
     }
@@ -257,14 +272,19 @@ TEST(ReducedCoil, ConvergesToTheExactDynamicStiffness) {
 }
 
 TEST(ReducedCoil, ExtendedMatricesHaveTheFrequenciesOfTheFreeSpring) {
-  constexpr double truncation = 2e-3, order = 3.5;  // error of the sixth with 16 modes, and what twice as many gain at least
+  constexpr double truncation = 2e-3,
+                   order = 3.5;  // error of the sixth with 16 modes, and what twice as many gain at least
   const std::vector<double> exact = natural_frequencies(literature_spring(), elements::SeatsHeld::n_only, 6);
   const auto errors = [&](int modes) -> Eigen::VectorXd {
     const elements::ReducedCoil r = reduced(literature_spring(), modes);
     const Eigen::MatrixXd k = r.extended_stiffness().bottomRightCorner(6 + modes, 6 + modes);
     const Eigen::MatrixXd a = r.extended_mass().bottomRightCorner(6 + modes, 6 + modes);
     const Eigen::VectorXd lambda = numerics::symmetric_eigen(k, a).values;
-    return lambda.head<6>().cwiseSqrt().cwiseQuotient(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(exact.data())).array() - 1;
+    return lambda.head<6>()
+               .cwiseSqrt()
+               .cwiseQuotient(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(exact.data()))
+               .array() -
+        1;
   };
   const Eigen::VectorXd few = errors(16), many = errors(32);
   EXPECT_LE(few.maxCoeff(), truncation);
@@ -282,7 +302,8 @@ TEST(ReducedCoil, FrequenciesThatNearlyCoincideKeepTheirOwnCouplings) {
   const double first = r.natural_frequencies(0), second = r.natural_frequencies(1);
   ASSERT_LT(second / first - 1, pair);
   for (const double omega : {0.5 * first, 0.9999 * first, 0.5 * (first + second), 1.0001 * second})
-    EXPECT_LE(scaled_difference(condensed(r, omega), dynamic_stiffness(seated_coil(spring), omega)), truncation) << omega / first;
+    EXPECT_LE(scaled_difference(condensed(r, omega), dynamic_stiffness(seated_coil(spring), omega)), truncation)
+        << omega / first;
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ void expect_equal(const study::DesignMap& lanes, const study::DesignMap& single)
       EXPECT_EQ(a.margin, b.margin) << "design " << k;
       continue;
     }
-    EXPECT_NEAR(a.margin, b.margin, of_a_float * b.margin) << "design " << k << ": " << lanes.rules[a.governing].words << " / " << single.rules[b.governing].words;
+    EXPECT_NEAR(a.margin, b.margin, of_a_float * b.margin)
+        << "design " << k << ": " << lanes.rules[a.governing].words << " / " << single.rules[b.governing].words;
     EXPECT_EQ(a.kept(), b.kept()) << "design " << k;
   }
 }
@@ -66,19 +67,24 @@ no_peak = ["m3"]
   expect_equal(mapped(project, 6, 5, true), mapped(project, 6, 5, false));
 }
 
-/// A light body on a heavy one: accelerations of the low resonances, on which the rise of the light one hangs, are a hundred-millionth of the highest.
+/// A light body on a heavy one: accelerations of the low resonances, on which the rise of the light one hangs, are a
+/// hundred-millionth of the highest.
 TEST(DesignMap, OfAccelerationsFarBelowTheHighestIsTheSameDesignByDesign) {
-  const auto bushing = [](const std::string& name, const std::string& between, const std::string& at, const std::string& translation) {
-    return "[elements." + name + "]\ntype = \"bushing\"\n" + between + "\nat = " + at + "\ntranslation = " + translation + "\nscale = 1\ndamping = {proportional = 0.009}\n";
+  const auto bushing = [](const std::string& name, const std::string& between, const std::string& at,
+                          const std::string& translation) {
+    return "[elements." + name + "]\ntype = \"bushing\"\n" + between + "\nat = " + at +
+        "\ntranslation = " + translation + "\nscale = 1\ndamping = {proportional = 0.009}\n";
   };
-  const project::Project project = test::project(R"(trivet = 1
+  const project::Project project =
+      test::project(R"(trivet = 1
 bodies.light = {mass = 1, center_of_mass = [0, 0, 0.2], inertia = {about = "center_of_mass", xx = 0.2, yy = 0.2, zz = 0.2}, free = ["z", "rx", "ry"]}
 bodies.heavy = {mass = 2000, center_of_mass = [0, 0, 0], inertia = {about = "center_of_mass", xx = 500, yy = 600, zz = 700}, free = ["z", "rx", "ry"]}
-)" + bushing("a", "on = \"light\"", "[0, 0.6, 0]", "[1e3, 1e3, 1e3]") + bushing("b", "on = \"light\"", "[0, 0, 0]", "[3e3, 3e3, 5e3]") +
-                                               bushing("c", "on = \"light\"", "[0.5, -0.9, 0]", "[2e3, 2e3, 4e3]") +
-                                               bushing("d", "on = \"heavy\"\nfrom = \"light\"", "[0, 0, 0]", "[7e5, 7e5, 1e6]") +
-                                               bushing("e", "on = \"heavy\"\nfrom = \"light\"", "[-0.8, -0.6, 0]", "[8e5, 8e5, 1e6]") +
-                                               bushing("f", "on = \"heavy\"", "[0, 0.5, 0]", "[3e5, 3e5, 5e5]") + R"(
+)" + bushing("a", "on = \"light\"", "[0, 0.6, 0]", "[1e3, 1e3, 1e3]") +
+                    bushing("b", "on = \"light\"", "[0, 0, 0]", "[3e3, 3e3, 5e3]") +
+                    bushing("c", "on = \"light\"", "[0.5, -0.9, 0]", "[2e3, 2e3, 4e3]") +
+                    bushing("d", "on = \"heavy\"\nfrom = \"light\"", "[0, 0, 0]", "[7e5, 7e5, 1e6]") +
+                    bushing("e", "on = \"heavy\"\nfrom = \"light\"", "[-0.8, -0.6, 0]", "[8e5, 8e5, 1e6]") +
+                    bushing("f", "on = \"heavy\"", "[0, 0.5, 0]", "[3e5, 3e5, 5e5]") + R"(
 [excitations.force]
 type = "harmonic"
 on = "light"
@@ -94,16 +100,19 @@ quantity = "acceleration"
   expect_equal(mapped(project, 3, 3, true), mapped(project, 3, 3, false));
 }
 
-/// A force along the axis of three equal mounts moves a machine along it alone: what round-off says of the other coordinates is no peak.
+/// A force along the axis of three equal mounts moves a machine along it alone: what round-off says of the other
+/// coordinates is no peak.
 TEST(DesignMap, OfASymmetricMachineHasNoPeaksOfRoundOff) {
   std::string text = R"(trivet = 1
 bodies.machine = {mass = 250, center_of_mass = [0, 0, 0.1], inertia = {about = "center_of_mass", xx = 8.1, yy = 12.4, zz = 13.0}}
 )";
   for (const double degrees : {0.0, 120.0, 240.0}) {
     const double angle = degrees / 180 * 3.14159265358979323846;
-    text += fmt::format("[elements.mount{:.0f}]\ntype = \"bushing\"\non = \"machine\"\nat = [{:.17g}, {:.17g}, 0]\ntranslation = [720e3, 720e3, 1680e3]\n"
-                        "rotation = [60, 60, 140]\ndamping = {{proportional = 0.05}}\n",
-                        degrees, 0.3 * std::cos(angle), 0.3 * std::sin(angle));
+    text += fmt::format(
+        "[elements.mount{:.0f}]\ntype = \"bushing\"\non = \"machine\"\nat = [{:.17g}, {:.17g}, 0]\ntranslation = "
+        "[720e3, 720e3, 1680e3]\n"
+        "rotation = [60, 60, 140]\ndamping = {{proportional = 0.05}}\n",
+        degrees, 0.3 * std::cos(angle), 0.3 * std::sin(angle));
   }
   const project::Project project = test::project(text + R"(
 [excitations.engine]
@@ -117,7 +126,8 @@ y = {parameter = "bodies.machine.inertia.xx", from = 8, to = 9}
 no_peak = "coordinates"
 )");
   const study::DesignMap map = mapped(project, 5, 5, true);
-  EXPECT_TRUE(std::all_of(map.outcomes.begin(), map.outcomes.end(), [](const design::DesignOutcome& o) { return std::isinf(o.margin) && o.kept(); }));
+  EXPECT_TRUE(std::all_of(map.outcomes.begin(), map.outcomes.end(),
+                          [](const design::DesignOutcome& o) { return std::isinf(o.margin) && o.kept(); }));
   expect_equal(map, mapped(project, 5, 5, false));
 }
 
@@ -137,7 +147,8 @@ TEST(DesignMap, JudgesACaseLikeTheDesignInItsPlace) {
   request.x.from = 1.5;  // the corner of the grid is Figure 7
   request.y.to = 0.2;
   const study::DesignMap map = study::design_map(project, project.base(), request, {2, 2, {}});
-  const auto figure = std::find_if(map.marks.begin(), map.marks.end(), [](const study::MapMark& m) { return m.name == "Figure 7"; });
+  const auto figure =
+      std::find_if(map.marks.begin(), map.marks.end(), [](const study::MapMark& m) { return m.name == "Figure 7"; });
   ASSERT_NE(figure, map.marks.end());
   EXPECT_TRUE(figure->of_this_model);
   EXPECT_NEAR(figure->judged->governing.margin, map.outcomes[2].margin, of_a_float);

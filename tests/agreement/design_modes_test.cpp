@@ -31,7 +31,8 @@ Eigen::MatrixXd random_matrix(std::mt19937& generator, int n) {
 
 Designs empty_designs(Eigen::Index count, int n) {
   const Eigen::Index entries = n * (n + 1) / 2;
-  return {Eigen::ArrayXXd(count, entries), Eigen::ArrayXXd::Zero(count, entries), Eigen::ArrayXXd(count, entries), Eigen::ArrayXXd::Ones(1, n)};
+  return {Eigen::ArrayXXd(count, entries), Eigen::ArrayXXd::Zero(count, entries), Eigen::ArrayXXd(count, entries),
+          Eigen::ArrayXXd::Ones(1, n)};
 }
 
 /// Rows and columns in units that differ by up to 1e6, as metres and radians do.
@@ -42,14 +43,16 @@ Designs random_designs(Eigen::Index count, int n, unsigned seed) {
   for (Eigen::Index design = 0; design < count; ++design) {
     const Eigen::MatrixXd g = random_matrix(generator, n), h = random_matrix(generator, n);
     const Eigen::VectorXd unit = Eigen::VectorXd::NullaryExpr(n, [&] { return std::pow(10.0, exponent(generator)); });
-    const Eigen::MatrixXd mass = g * g.transpose() + 0.5 * n * Eigen::MatrixXd::Identity(n, n), stiffness = h * h.transpose() + Eigen::MatrixXd::Identity(n, n);
+    const Eigen::MatrixXd mass = g * g.transpose() + 0.5 * n * Eigen::MatrixXd::Identity(n, n),
+                          stiffness = h * h.transpose() + Eigen::MatrixXd::Identity(n, n);
     numerics::pack(unit.asDiagonal() * mass * unit.asDiagonal(), designs.A, design);
     numerics::pack(1e4 * (unit.asDiagonal() * stiffness * unit.asDiagonal()), designs.K, design);
   }
   return designs;
 }
 
-/// λ of K φ = λ A φ for positive definite K, ascending: singular values lose half as many digits on small λ as an eigensolver.
+/// λ of K φ = λ A φ for positive definite K, ascending: singular values lose half as many digits on small λ as an
+/// eigensolver.
 Eigen::VectorXd squared_singular_values(const Extended& K, const Extended& A) {
   const Extended k = K.llt().matrixL(), a = A.llt().matrixL();
   const Extended ratio = a.triangularView<Eigen::Lower>().solve(k);
@@ -58,7 +61,8 @@ Eigen::VectorXd squared_singular_values(const Extended& K, const Extended& A) {
 
 void expect_modes(const Designs& designs, const DesignModes& found, int n, double tolerance) {
   for (Eigen::Index design = 0; design < designs.A.rows(); ++design) {
-    const Extended A = numerics::unpacked(designs.A, design).cast<long double>(), K = numerics::unpacked(designs.K, design).cast<long double>();
+    const Extended A = numerics::unpacked(designs.A, design).cast<long double>(),
+                   K = numerics::unpacked(designs.K, design).cast<long double>();
     const Eigen::VectorXd exact = squared_singular_values(K, A), values = found.lambda.row(design);
     ASSERT_TRUE(found.definite[static_cast<std::size_t>(design)]);
     for (int i = 0; i < n; ++i)
@@ -97,7 +101,9 @@ TEST(DesignModes, SoftModesBesideStiffOnesKeepTheirDigits) {
     const Eigen::MatrixXd g = random_matrix(generator, 6);
     const Eigen::VectorXd stiff = (Eigen::VectorXd(6) << 1e-3, 1, 1e3, 1e4, 1e6, 1e8).finished().cwiseSqrt();
     numerics::pack(Eigen::MatrixXd::Identity(6, 6), designs.A, design);
-    numerics::pack(stiff.asDiagonal() * (0.1 * (g + g.transpose()) / g.norm() + Eigen::MatrixXd::Identity(6, 6)) * stiff.asDiagonal(), designs.K, design);
+    numerics::pack(stiff.asDiagonal() * (0.1 * (g + g.transpose()) / g.norm() + Eigen::MatrixXd::Identity(6, 6)) *
+                       stiff.asDiagonal(),
+                   designs.K, design);
   }
   expect_modes(designs, numerics::design_modes(designs), 6, round_off);
 }
@@ -107,17 +113,20 @@ TEST(DesignModes, CoincidentAndRigidModesStayOrthonormal) {
   Designs designs = empty_designs(9, 6);
   for (Eigen::Index design = 0; design < 9; ++design) {
     const Eigen::MatrixXd g = random_matrix(generator, 6), a = g * g.transpose() + Eigen::MatrixXd::Identity(6, 6);
-    const Eigen::MatrixXd basis = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(g + g.transpose(), a).eigenvectors().inverse();
+    const Eigen::MatrixXd basis =
+        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(g + g.transpose(), a).eigenvectors().inverse();
     const Eigen::VectorXd lambda = (Eigen::VectorXd(6) << 0, 0, 7, 7, 7, 100).finished();
     numerics::pack(a, designs.A, design);
     numerics::pack(basis.transpose() * lambda.asDiagonal() * basis, designs.K, design);
   }
   const DesignModes found = numerics::design_modes(designs);
   for (Eigen::Index design = 0; design < 9; ++design) {
-    const Eigen::MatrixXd phi = Eigen::VectorXd(found.shapes.row(design)).reshaped(6, 6), A = numerics::unpacked(designs.A, design), K = numerics::unpacked(designs.K, design);
+    const Eigen::MatrixXd phi = Eigen::VectorXd(found.shapes.row(design)).reshaped(6, 6),
+                          A = numerics::unpacked(designs.A, design), K = numerics::unpacked(designs.K, design);
     EXPECT_LE((phi.transpose() * A * phi - Eigen::MatrixXd::Identity(6, 6)).cwiseAbs().maxCoeff(), round_off);
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 7, 7, 7, 100).finished();
-    EXPECT_LE((phi.transpose() * K * phi - Eigen::MatrixXd(expected.asDiagonal())).cwiseAbs().maxCoeff(), 100 * round_off);
+    EXPECT_LE((phi.transpose() * K * phi - Eigen::MatrixXd(expected.asDiagonal())).cwiseAbs().maxCoeff(),
+              100 * round_off);
     EXPECT_LE((found.lambda.row(design).transpose() - expected.array()).abs().maxCoeff(), 100 * round_off);
   }
 }
@@ -135,7 +144,8 @@ TEST(DesignModes, AMassThatIsNotDefiniteIsFlaggedAndNeverSolved) {
   spoil(10, 1e-10);
   designs.A(11, 2) = std::numeric_limits<double>::quiet_NaN();
   designs.K(17, 7) = std::numeric_limits<double>::infinity();
-  const DesignModes found = numerics::design_modes(designs), without = numerics::design_modes(designs, {.shapes = false});
+  const DesignModes found = numerics::design_modes(designs),
+                    without = numerics::design_modes(designs, {.shapes = false});
   const DesignModes good = numerics::design_modes(random_designs(20, 6, 5));
   for (Eigen::Index design = 0; design < 20; ++design) {
     const bool bad = design == 3 || design == 4 || design == 9 || design == 11 || design == 17;
@@ -144,13 +154,15 @@ TEST(DesignModes, AMassThatIsNotDefiniteIsFlaggedAndNeverSolved) {
     EXPECT_EQ(found.lambda.row(design).isNaN().all(), bad) << design;
     EXPECT_EQ(found.shapes.row(design).isNaN().all(), bad) << design;
     if (bad || design == 10) continue;
-    EXPECT_LE((found.lambda.row(design) / good.lambda.row(design) - 1).abs().maxCoeff(), round_off) << "a neighbour in the lanes spoils design " << design;
+    EXPECT_LE((found.lambda.row(design) / good.lambda.row(design) - 1).abs().maxCoeff(), round_off)
+        << "a neighbour in the lanes spoils design " << design;
   }
 }
 
 TEST(DesignModes, AreTheSameBytesForOneAndSixteenThreads) {
   const Designs designs = random_designs(1500, 6, 8);
-  const DesignModes one = numerics::design_modes(designs, {.threads = 1}), sixteen = numerics::design_modes(designs, {.threads = 16});
+  const DesignModes one = numerics::design_modes(designs, {.threads = 1}),
+                    sixteen = numerics::design_modes(designs, {.threads = 16});
   EXPECT_TRUE((one.lambda == sixteen.lambda).all());
   EXPECT_TRUE((one.shapes == sixteen.shapes).all());
 }

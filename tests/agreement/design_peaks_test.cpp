@@ -20,7 +20,8 @@ namespace {
 
 /// Solutions of the search on discs: ε/ζ of the height, ζ ≥ 1e-6, and a margin.
 constexpr double lightly_damped = 2e-8;
-/// Of the highest: 5 % of what a peak must rise by, where round-off hides the place of a deep minimum (docs/decisions/peaks-of-designs.md).
+/// Of the highest: 5 % of what a peak must rise by, where round-off hides the place of a deep minimum
+/// (docs/decisions/peaks-of-designs.md).
 constexpr double base_in_doubt = 5e-8;
 
 struct Searched {
@@ -37,16 +38,21 @@ Searched summary(const numerics::SearchedCurve& curve) {
 }
 
 /// All coordinates of one design.
-std::vector<numerics::SearchedCurve> by_discs(const numerics::Designs& designs, Eigen::Index d, int derivative, double from, double to) {
+std::vector<numerics::SearchedCurve> by_discs(const numerics::Designs& designs, Eigen::Index d, int derivative,
+                                              double from, double to) {
   const Eigen::Index n = designs.coordinates();
   std::vector<numerics::ObservedCurve> curves;
-  for (Eigen::Index j = 0; j < n; ++j) curves.push_back(numerics::observed_curve({Eigen::VectorXd::Unit(n, j), {}, derivative}));
+  for (Eigen::Index j = 0; j < n; ++j)
+    curves.push_back(numerics::observed_curve({Eigen::VectorXd::Unit(n, j), {}, derivative}));
   const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
-  const numerics::Load load(designs.load.row(d).matrix().transpose().cast<std::complex<double>>()), nothing(Eigen::Index{0});
-  return numerics::search_by_discs({m, load, nothing}, curves, numerics::poles(numerics::system_roots(m)), {from, to}).curves;
+  const numerics::Load load(designs.load.row(d).matrix().transpose().cast<std::complex<double>>()),
+      nothing(Eigen::Index{0});
+  return numerics::search_by_discs({m, load, nothing}, curves, numerics::poles(numerics::system_roots(m)), {from, to})
+      .curves;
 }
 
-void expect_agreement(const numerics::Designs& designs, const numerics::DesignPeakOptions& options, int every, double tolerance) {
+void expect_agreement(const numerics::Designs& designs, const numerics::DesignPeakOptions& options, int every,
+                      double tolerance) {
   const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
   const Eigen::Index n = designs.coordinates();
   const int derivative = options.derivative.empty() ? 0 : options.derivative[0];
@@ -54,22 +60,26 @@ void expect_agreement(const numerics::Designs& designs, const numerics::DesignPe
     const auto curves = by_discs(designs, d, derivative, options.from, options.to);
     for (Eigen::Index j = 0; j < n; ++j) {
       const Searched expected = summary(curves[static_cast<std::size_t>(j)]);
-      EXPECT_NEAR(peaks.highest(d, j), expected.highest, tolerance * expected.highest) << "design " << d << ", coordinate " << j;
+      EXPECT_NEAR(peaks.highest(d, j), expected.highest, tolerance * expected.highest)
+          << "design " << d << ", coordinate " << j;
       if (options.count_peaks) {
         EXPECT_EQ(peaks.peaks(d, j), expected.count.peaks) << "design " << d << ", coordinate " << j;
         const double rise = expected.count.largest_rise;
-        EXPECT_NEAR(peaks.largest_rise(d, j), rise, (tolerance + base_in_doubt) * (1 + rise) * (1 + rise)) << "design " << d << ", coordinate " << j;
+        EXPECT_NEAR(peaks.largest_rise(d, j), rise, (tolerance + base_in_doubt) * (1 + rise) * (1 + rise))
+            << "design " << d << ", coordinate " << j;
       }
     }
   }
 }
 
 /// Largest |q| of all coordinates, where it is said to stand.
-void expect_heights_at_their_places(const numerics::Designs& designs, const numerics::DesignPeaks& peaks, double tolerance) {
+void expect_heights_at_their_places(const numerics::Designs& designs, const numerics::DesignPeaks& peaks,
+                                    double tolerance) {
   for (Eigen::Index d = 0; d < designs.count(); ++d)
     for (Eigen::Index j = 0; j < designs.coordinates(); ++j) {
       const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
-      const double there = std::abs(numerics::lu_solution(numerics::matrices_of(designs, d).at(peaks.highest_at(d, j)), load)(j));
+      const double there =
+          std::abs(numerics::lu_solution(numerics::matrices_of(designs, d).at(peaks.highest_at(d, j)), load)(j));
       EXPECT_NEAR(there, peaks.highest(d, j), tolerance * there) << "design " << d << ", coordinate " << j;
     }
 }
@@ -80,7 +90,9 @@ TEST(DesignPeaks, HighestAreThoseOfTheSearchOnDiscsWhateverTheDamping) {
   expect_agreement(test::random_designs(2400, 6, 1e-6, 1), options, 7, lightly_damped);
 }
 
-TEST(DesignPeaks, AreAsManyAsTheSearchOnDiscsFinds) { expect_agreement(test::random_designs(240, 6, 1e-3, 2), {}, 1, 1e-9); }
+TEST(DesignPeaks, AreAsManyAsTheSearchOnDiscsFinds) {
+  expect_agreement(test::random_designs(240, 6, 1e-3, 2), {}, 1, 1e-9);
+}
 
 TEST(DesignPeaks, OfAccelerationsAreThoseOfTheSearchOnDiscs) {
   numerics::DesignPeakOptions options;
@@ -108,7 +120,10 @@ TEST(DesignPeaks, OfManyCoordinatesAreThoseOfDirectSolutions) {
     const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
     const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
     for (double omega = 0.01; omega < 1000; omega *= 1.002)
-      ASSERT_TRUE((numerics::lu_solution(m.at(omega), load).array().abs().transpose() <= (1 + 1e-9) * peaks.highest.row(d)).all()) << d << " " << omega;
+      ASSERT_TRUE(
+          (numerics::lu_solution(m.at(omega), load).array().abs().transpose() <= (1 + 1e-9) * peaks.highest.row(d))
+              .all())
+          << d << " " << omega;
   }
 }
 
@@ -145,8 +160,8 @@ TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
   }
 }
 
-/// An independent view that needs no poles of ours: no direct solution is higher, on the whole axis and close to the undamped natural frequencies, where an error of
-/// ε/ζ is allowed for.
+/// An independent view that needs no poles of ours: no direct solution is higher, on the whole axis and close to the
+/// undamped natural frequencies, where an error of ε/ζ is allowed for.
 TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
   constexpr double miss = 1e-7;
   const numerics::Designs designs = test::random_designs(20'000, 6, 1e-6, 6);
@@ -163,7 +178,8 @@ TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
         for (const double side : {-1.0, 1.0}) all.push_back(std::sqrt(lambda) * (1 + side * away));
     for (const double omega : all) {
       const Eigen::VectorXcd q = numerics::lu_solution(m.at(omega), load);
-      for (Eigen::Index j = 0; j < 6; ++j) ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
+      for (Eigen::Index j = 0; j < 6; ++j)
+        ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
     }
     ASSERT_NE(peaks.status[static_cast<std::size_t>(d)], numerics::DesignStatus::undecided) << d;
   }
@@ -184,19 +200,24 @@ TEST(DesignPeaks, AreTheSameBytesFromOneAndSixteenThreads) {
 }
 
 TEST(DesignPeaks, AreThoseOfEveryInstructionSet) {
-  const numerics::Designs designs = test::random_designs(240, 6, 1e-2, 8), light = test::random_designs(240, 6, 1e-6, 9);
+  const numerics::Designs designs = test::random_designs(240, 6, 1e-2, 8),
+                          light = test::random_designs(240, 6, 1e-6, 9);
   numerics::DesignPeakOptions highest;
   highest.count_peaks = false;
-  const numerics::DesignPeaks best = numerics::design_peaks(designs), highest_of_light = numerics::design_peaks(light, highest);
+  const numerics::DesignPeaks best = numerics::design_peaks(designs),
+                              highest_of_light = numerics::design_peaks(light, highest);
   for (const std::string& set : numerics::instruction_sets()) {
     numerics::use_instruction_set(set);
-    const numerics::DesignPeaks other = numerics::design_peaks(designs), other_of_light = numerics::design_peaks(light, highest);
+    const numerics::DesignPeaks other = numerics::design_peaks(designs),
+                                other_of_light = numerics::design_peaks(light, highest);
     numerics::use_instruction_set("");
     EXPECT_LE((other.highest / best.highest - 1).abs().maxCoeff(), 1e-10) << set;
     EXPECT_LE((other_of_light.highest / highest_of_light.highest - 1).abs().maxCoeff(), 1e-9) << set;
     EXPECT_TRUE((other.peaks == best.peaks).all()) << set;
     EXPECT_GE(std::count(other.status.begin(), other.status.end(), numerics::DesignStatus::proven), 200) << set;
-    EXPECT_GE(std::count(other_of_light.status.begin(), other_of_light.status.end(), numerics::DesignStatus::proven), 180) << set;
+    EXPECT_GE(std::count(other_of_light.status.begin(), other_of_light.status.end(), numerics::DesignStatus::proven),
+              180)
+        << set;
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements with mass, relaxation and frequency dependence: internal coordinates against the condensed dynamic stiffness, series from circles
-// against series from poles, exact springs against reduced ones.
+// Elements with mass, relaxation and frequency dependence: internal coordinates against the condensed dynamic
+// stiffness, series from circles against series from poles, exact springs against reduced ones.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -45,7 +45,8 @@ Eigen::VectorXcd condensed_response(const model::System& system, const assembly:
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const assembly::ElementMap& map = assembled.elements[e];
     const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, map.end_columns).cast<Complex>();
-    const Eigen::MatrixXcd local = ends.transpose() * elements::dynamic_stiffness(system.elements()[e].law, omega) * ends;
+    const Eigen::MatrixXcd local =
+        ends.transpose() * elements::dynamic_stiffness(system.elements()[e].law, omega) * ends;
     for (Eigen::Index i = 0; i < map.end_columns; ++i)
       for (Eigen::Index j = 0; j < map.end_columns; ++j)
         z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
@@ -55,18 +56,21 @@ Eigen::VectorXcd condensed_response(const model::System& system, const assembly:
 }
 
 TEST(RelaxingElements, InternalCoordinatesGiveTheComplexStiffness) {
-  const elements::Viscoelastic laws[] = {elements::KelvinVoigt{0.002}, elements::Zener{0.8, 0.01}, elements::GeneralizedMaxwell{{0.4, 0.25, 0.15}, {1e-3, 1e-2, 0.1}}};
+  const elements::Viscoelastic laws[] = {elements::KelvinVoigt{0.002}, elements::Zener{0.8, 0.01},
+                                         elements::GeneralizedMaxwell{{0.4, 0.25, 0.15}, {1e-3, 1e-2, 0.1}}};
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (const auto& law : laws) {
       const model::System system = skew(seed, law);
       const assembly::Assembled assembled = assembly::assemble(system);
       for (const double omega : {0.0, 3.0, 40.0, 400.0, 4000.0}) {
         const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
-        const auto fast = response::frequency_response(assembled, channels, assembly::harmonic_loading(system, assembled), {omega});
+        const auto fast =
+            response::frequency_response(assembled, channels, assembly::harmonic_loading(system, assembled), {omega});
         const Eigen::VectorXcd direct = condensed_response(system, assembled, omega);
         const double size = direct.cwiseAbs().maxCoeff();
         for (Eigen::Index i = 0; i < direct.size(); ++i)
-          EXPECT_LE(std::abs(fast.curves[static_cast<std::size_t>(i)].value(0) - direct(i)), solved_twice * size) << elements::words(law) << " at " << omega;
+          EXPECT_LE(std::abs(fast.curves[static_cast<std::size_t>(i)].value(0) - direct(i)), solved_twice * size)
+              << elements::words(law) << " at " << omega;
       }
     }
 }
@@ -79,14 +83,17 @@ TEST(RelaxingElements, ForcesOnTheGroundBalanceTheBody) {
   // Momentum of the body: force on it from its elements + excitation = −ω² m u_C, in ground axes.
   const double omega = 25;
   const auto response = response::frequency_response(assembled, channels, load, {omega});
-  const auto q = response::frequency_response(assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement), load, {omega});
+  const auto q = response::frequency_response(
+      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement), load,
+      {omega});
   Eigen::VectorXcd motion(6);
   for (std::size_t j = 0; j < 6; ++j) motion(static_cast<Eigen::Index>(j)) = q.curves[j].value(0);
   const Eigen::VectorXcd inertia = -omega * omega * (assembled.matrices.A.topLeftCorner(6, 6) * motion);
   const Eigen::Matrix3d turn = system.bodies()[0].pose.rotation;
   const Eigen::Vector3cd transmitted = turn * (load.head<3>() - inertia.head<3>());
   for (std::size_t j = 0; j < 3; ++j)
-    EXPECT_LE(std::abs(response.curves[j].value(0) - transmitted(static_cast<Eigen::Index>(j))), solved_twice * transmitted.norm());
+    EXPECT_LE(std::abs(response.curves[j].value(0) - transmitted(static_cast<Eigen::Index>(j))),
+              solved_twice * transmitted.norm());
 }
 
 TEST(RelaxingElements, EveryRootSolvesTheCondensedSystem) {
@@ -101,21 +108,24 @@ TEST(RelaxingElements, EveryRootSolvesTheCondensedSystem) {
     for (std::size_t e = 0; e < system.elements().size(); ++e) {
       const assembly::ElementMap& map = assembled.elements[e];
       const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, 6).cast<Complex>();
-      const Eigen::MatrixXcd local = ends.transpose() * elements::dynamic_stiffness(system.elements()[e].law, Complex(0, -1) * root.eigenvalue, 0) * ends;
+      const Eigen::MatrixXcd local = ends.transpose() *
+          elements::dynamic_stiffness(system.elements()[e].law, Complex(0, -1) * root.eigenvalue, 0) * ends;
       z += local;
     }
     const Eigen::VectorXd scale = numerics::unit_scale(assembled.matrices).head(6);
     const Eigen::MatrixXcd scaled = scale.asDiagonal() * z * scale.asDiagonal();
     const Eigen::VectorXcd v = root.shape.cwiseQuotient(scale.cast<Complex>()).normalized();
-    EXPECT_LE((scaled * v).norm(), solved_twice * scaled.norm()) << root.eigenvalue.real() << " " << root.eigenvalue.imag();
+    EXPECT_LE((scaled * v).norm(), solved_twice * scaled.norm())
+        << root.eigenvalue.real() << " " << root.eigenvalue.imag();
   }
 }
 
 response::Peaks peaks_of(const model::System& system, double to = 0) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  return response::peaks(assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
-                         assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), {1e-6, to});
+  return response::peaks(
+      assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
+      assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), {1e-6, to});
 }
 
 TEST(PeaksFromCircles, AreThoseFromPoles) {
@@ -129,40 +139,50 @@ TEST(PeaksFromCircles, AreThoseFromPoles) {
     ASSERT_EQ(by_circles.list.size(), by_poles.list.size()) << seed;
     for (std::size_t i = 0; i < by_poles.list.size(); ++i) {
       EXPECT_EQ(by_circles.list[i].curve, by_poles.list[i].curve);
-      EXPECT_THAT(by_circles.list[i].angular_frequency, RelativelyNear(by_poles.list[i].angular_frequency, 1e-6)) << seed;
+      EXPECT_THAT(by_circles.list[i].angular_frequency, RelativelyNear(by_poles.list[i].angular_frequency, 1e-6))
+          << seed;
       EXPECT_THAT(by_circles.list[i].amplitude, RelativelyNear(by_poles.list[i].amplitude, from_circles)) << seed;
     }
   }
 }
 
 TEST(FractionalElements, HaveTheRootsOfZenerAtOrderOne) {
-  const modal::Roots zener = modal::roots(skew(2, elements::Zener{0.7, 0.02})), fractional = modal::roots(skew(2, elements::FractionalZener{0.7, 0.02, 1}));
+  const modal::Roots zener = modal::roots(skew(2, elements::Zener{0.7, 0.02})),
+                     fractional = modal::roots(skew(2, elements::FractionalZener{0.7, 0.02, 1}));
   std::vector<Complex> wanted, found;
   for (const auto& root : zener.list)
     if (root.kind == modal::RootKind::oscillating) wanted.push_back(root.eigenvalue);
   for (const auto& root : fractional.list)
     if (root.kind == modal::RootKind::oscillating && root.exact) found.push_back(root.eigenvalue);
   ASSERT_EQ(found.size(), wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LE(std::abs(found[i] - wanted[i]), solved_twice * std::abs(wanted[i]));
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_LE(std::abs(found[i] - wanted[i]), solved_twice * std::abs(wanted[i]));
 }
 
 /// A heavy machine on three perpendicular coil springs.
 std::string on_three_springs(const std::string& level, double mass = 200) {
-  std::string text = fmt::format("trivet = 1\n[bodies.machine]\nmass = {}\ncenter_of_mass = [0.01, 0.02, 0.05]\n"
-                                 "inertia = {{about = \"center_of_mass\", xx = {}, yy = {}, zz = {}}}\n", mass, 0.06 * mass, 0.07 * mass, 0.08 * mass);
+  std::string text = fmt::format(
+      "trivet = 1\n[bodies.machine]\nmass = {}\ncenter_of_mass = [0.01, 0.02, 0.05]\n"
+      "inertia = {{about = \"center_of_mass\", xx = {}, yy = {}, zz = {}}}\n",
+      mass, 0.06 * mass, 0.07 * mass, 0.08 * mass);
   const char* axes[] = {"-x", "-y", "z"};
   const char* places[] = {"[0.3, 0, 0]", "[0, 0.3, 0]", "[0, 0, -0.3]"};
   for (int i = 0; i < 3; ++i)
-    text += fmt::format("[elements.s{}]\ntype = \"coil_spring\"\non = \"machine\"\nat = {}\naxis = \"{}\"\nwire_diameter = \"12 mm\"\nmean_diameter = \"120 mm\"\n"
-                        "active_coils = 7.6\nfree_length = \"394 mm\"\nmaterial = \"spring_steel\"\n{}\ndamping = {{loss_factor = 0.02}}\n", i, places[i], axes[i], level);
+    text += fmt::format(
+        "[elements.s{}]\ntype = \"coil_spring\"\non = \"machine\"\nat = {}\naxis = \"{}\"\nwire_diameter = \"12 "
+        "mm\"\nmean_diameter = \"120 mm\"\n"
+        "active_coils = 7.6\nfree_length = \"394 mm\"\nmaterial = \"spring_steel\"\n{}\ndamping = {{loss_factor = "
+        "0.02}}\n",
+        i, places[i], axes[i], level);
   return text + "[excitations.f]\ntype = \"harmonic\"\non = \"machine\"\nat = [0.1, 0, 0]\nforce = [10, 20, 30]\n";
 }
 
 response::FrequencyResponse response_of(const project::Project& project, const std::vector<double>& omega) {
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  return response::frequency_response(assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
-                                      assembly::harmonic_loading(system, assembled), omega);
+  return response::frequency_response(
+      assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
+      assembly::harmonic_loading(system, assembled), omega);
 }
 
 /// Largest difference of translations, rotations, forces and moments at point i, each over the largest of its three.
@@ -224,7 +244,8 @@ TEST(ElementMass, WeighsOnTheGround) {
   const auto project = test::project(text);
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto statics = response::static_response(system, assembled, assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement));
+  const auto statics = response::static_response(
+      system, assembled, assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement));
   double mass = system.bodies()[0].mass.mass;
   for (const auto& element : system.elements()) {
     Eigen::Matrix<double, 12, 1> rigid = Eigen::Matrix<double, 12, 1>::Zero();
@@ -235,12 +256,15 @@ TEST(ElementMass, WeighsOnTheGround) {
 }
 
 TEST(Preload, ABodyHungOnALinkSwingsAsADoublePendulum) {
-  // Point-like body (inertia 0.02 kg m² about its centre) 0.3 m below the joint of a stay of 0.5 m that carries its weight.
+  // Point-like body (inertia 0.02 kg m² about its centre) 0.3 m below the joint of a stay of 0.5 m that carries its
+  // weight.
   const double m = 4, l = 0.5, c = 0.3, j = 0.02, g = 9.80665;
-  const auto project = test::project(fmt::format(
-      "trivet = 1\ngravity = [0, 0, -9.80665]\n[bodies.bob]\nmass = {}\ncenter_of_mass = [0, 0, {}]\ninertia = {{about = \"center_of_mass\", xx = {}, yy = {}, zz = 0.01}}\n"
-      "free = [\"x\", \"z\", \"ry\"]\n[elements.stay]\ntype = \"link\"\non = \"bob\"\nat = [0, 0, 0]\naxis = \"-z\"\nlength = {}\nstiffness = 1e9\ntension = {:.17g}\n",
-      m, -c, j, j, l, m * g));
+  const auto project =
+      test::project(fmt::format("trivet = 1\ngravity = [0, 0, -9.80665]\n[bodies.bob]\nmass = {}\ncenter_of_mass = [0, "
+                                "0, {}]\ninertia = {{about = \"center_of_mass\", xx = {}, yy = {}, zz = 0.01}}\n"
+                                "free = [\"x\", \"z\", \"ry\"]\n[elements.stay]\ntype = \"link\"\non = \"bob\"\nat = "
+                                "[0, 0, 0]\naxis = \"-z\"\nlength = {}\nstiffness = 1e9\ntension = {:.17g}\n",
+                                m, -c, j, j, l, m * g));
   const modal::Modes modes = modal::modes(project.base().system);
   // Angles of stay and body: [m l², m l c; m l c, j + m c²] and g diag(m l, m c).
   Eigen::Matrix2d mass, stiffness;

@@ -7,9 +7,9 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "support/random_system.h"
-#include "trivet/foundation/plain_text.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/sensitivity/peak_shares.h"
 #include "trivet/response/steady/frequency_response.h"
@@ -20,16 +20,18 @@ namespace {
 using namespace trivet;
 using test::RelativelyNear;
 
-response::Question question(const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) {
-  return {of, quantity,
-          [](const model::System& system, const assembly::Assembled& assembled) { return assembly::harmonic_loading(system, assembled); }};
+response::Question question(const std::vector<std::string>& of,
+                            assembly::Quantity quantity = assembly::Quantity::displacement) {
+  return {of, quantity, [](const model::System& system, const assembly::Assembled& assembled) {
+            return assembly::harmonic_loading(system, assembled);
+          }};
 }
 
 response::Peaks peaks_of(const model::System& system, const response::Question& asked) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  return response::peaks(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity), asked.load(system, assembled),
-                         modes, modal::roots(system, assembled, modes));
+  return response::peaks(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
+                         asked.load(system, assembled), modes, modal::roots(system, assembled, modes));
 }
 
 /// ln height and ln frequency of the peak of this curve nearest to ω.
@@ -45,13 +47,14 @@ std::array<double, 2> nearest(const response::Peaks& peaks, std::size_t curve, d
 }
 
 struct Comparison {
-  double step = 2e-4;       ///< of the differences, relative or times a body's size
-  double tolerance = 2e-6;  ///< of the largest sensitivity of its kind: truncation (step/damping)⁴ and round-off of peaks over step
-  int every = 1;            ///< parameters looked at
+  double step = 2e-4;  ///< of the differences, relative or times a body's size
+  double tolerance =
+      2e-6;  ///< of the largest sensitivity of its kind: truncation (step/damping)⁴ and round-off of peaks over step
+  int every = 1;  ///< parameters looked at
 };
 
-/// Every sensitivity of the most prominent peak of each curve against differences of the peaks of changed models. Returns how many were
-/// compared.
+/// Every sensitivity of the most prominent peak of each curve against differences of the peaks of changed models.
+/// Returns how many were compared.
 int compare(const model::System& system, const response::Question& asked, const Comparison& how) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const response::Peaks found = peaks_of(system, asked);
@@ -77,7 +80,8 @@ int compare(const model::System& system, const response::Question& asked, const 
     const response::Parameter& parameter = table.parameters[p];
     const double step = how.step * (parameter.size == 0.01 ? 1 : 0.2);
     std::vector<std::array<double, 2>> difference(places.size(), {0, 0});
-    for (const auto& [node, weight] : {std::pair{1.0, 8.0 / 12}, {-1.0, -8.0 / 12}, {2.0, -1.0 / 12}, {-2.0, 1.0 / 12}}) {
+    for (const auto& [node, weight] :
+         {std::pair{1.0, 8.0 / 12}, {-1.0, -8.0 / 12}, {2.0, -1.0 / 12}, {-2.0, 1.0 / 12}}) {
       const response::Peaks again = peaks_of(response::changed(system, parameter, node * step), asked);
       for (std::size_t i = 0; i < places.size(); ++i) {
         const auto logarithms = nearest(again, places[i].channel, places[i].angular_frequency);
@@ -102,11 +106,12 @@ TEST(PeakSensitivities, AreThoseOfPeaksSolvedAgain) {
   int compared = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const bool several = seed > 3;
-    const model::System system =
-        test::checked(test::RandomSystem(seed).description(several ? 3 : 1, std::array{proportional, viscous, loss}[seed % 3]));
-    compared += compare(
-        system, question({"body 0.x", "body 0.tip.ry", "ground.force.z", "element 1.moment.x"}, static_cast<assembly::Quantity>(seed % 3)),
-        {.every = several ? 11 : 2});
+    const model::System system = test::checked(
+        test::RandomSystem(seed).description(several ? 3 : 1, std::array{proportional, viscous, loss}[seed % 3]));
+    compared += compare(system,
+                        question({"body 0.x", "body 0.tip.ry", "ground.force.z", "element 1.moment.x"},
+                                 static_cast<assembly::Quantity>(seed % 3)),
+                        {.every = several ? 11 : 2});
   }
   EXPECT_GT(compared, 250);
 }
@@ -135,7 +140,8 @@ TEST(PeakSensitivities, FollowElementsThatDependOnFrequencyInTheirOwnWay) {
   model::Description description = test::RandomSystem(13).description(1, test::RandomDamping::viscous);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
   // Contours give peaks to 1e-10; the differences need a longer step.
-  EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}), {.step = 2e-3, .tolerance = 2e-5, .every = 4}),
+  EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
+                    {.step = 2e-3, .tolerance = 2e-5, .every = 4}),
             10);
 }
 
@@ -155,16 +161,18 @@ force = [10, 20, 50]
   int number = 0;
   for (const char* at : {"[0.4, 0.3, 0]", "[0.4, -0.3, 0]", "[-0.4, 0.3, 0]", "[-0.4, -0.3, 0]"})
     text += "[elements.s" + std::to_string(++number) + "]\ntype = \"coil_spring\"\non = \"machine\"\nat = " + at +
-            "\naxis = \"z\"\nwire_diameter = \"12 mm\"\nmean_diameter = \"90 mm\"\nactive_coils = 6\nfree_length = \"200 mm\"\nmaterial = "
-            "\"spring_steel\"\n" +
-            level + more;
+        "\naxis = \"z\"\nwire_diameter = \"12 mm\"\nmean_diameter = \"90 mm\"\nactive_coils = 6\nfree_length = \"200 "
+        "mm\"\nmaterial = "
+        "\"spring_steel\"\n" +
+        level + more;
   return text;
 }
 
 TEST(PeakSensitivities, FollowCoilSpringsWithMassAndWithPreload) {
   const auto with_mass = test::project(coil_machine("level = \"with_mass\"\n", "damping = {loss_factor = 0.05}\n"));
   EXPECT_GT(compare(with_mass.base().system, question({"machine.z", "machine.rx", "s1.force.z"}), {.every = 3}), 20);
-  const auto preloaded = test::project(coil_machine("", "preload = {force = \"490.3325 N\"}\ndamping = {loss_factor = 0.05}\n"));
+  const auto preloaded =
+      test::project(coil_machine("", "preload = {force = \"490.3325 N\"}\ndamping = {loss_factor = 0.05}\n"));
   EXPECT_GT(compare(preloaded.base().system, question({"machine.x", "machine.rx"}), {.every = 3}), 20);
 }
 
@@ -187,7 +195,8 @@ TEST(PeakSensitivities, FollowAMovingGroundAndAnUnbalance) {
     if (kind == 1) description.damping = model::RayleighDamping{0.4, 2e-4};
     if (kind == 0) description.elements[0].law.damping = elements::Zener{0.8, 0.01};
     EXPECT_GT(compare(test::checked(description),
-                      question({"body 0.x", "element 0.force.z", "ground.moment.x"}, assembly::Quantity::velocity), {.every = 7}),
+                      question({"body 0.x", "element 0.force.z", "ground.moment.x"}, assembly::Quantity::velocity),
+                      {.every = 7}),
               20);
   }
 }
@@ -197,7 +206,8 @@ TEST(PeakSensitivities, FollowAMovingGroundThroughElementsThatDependOnFrequency)
   model::Description description = random.description(1, test::RandomDamping::viscous);
   description.excitations = drive(0, random);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
-  EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}), {.step = 2e-3, .tolerance = 2e-5, .every = 6}),
+  EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
+                    {.step = 2e-3, .tolerance = 2e-5, .every = 6}),
             10);
 }
 
@@ -208,14 +218,15 @@ TEST(PeakSensitivities, ToAllDirectionsOfAnElementAreTogetherThatToItsStiffness)
     const model::System system = test::checked(test::RandomSystem(16).description(2, damping));
     const auto asked = question({"body 0.x"});
     const response::Peaks found = peaks_of(system, asked);
-    const auto table =
-        response::peak_sensitivities(system, assembly::assemble(system), asked, {{0, found.list.at(0).angular_frequency, {}}});
+    const auto table = response::peak_sensitivities(system, assembly::assemble(system), asked,
+                                                    {{0, found.list.at(0).angular_frequency, {}}});
     for (const model::Element& element : system.elements()) {
       double whole = 0, sum = 0, size = 0;
       for (const response::Sensitivity& s : table.peaks[0].list) {
         const std::string& name = table.parameters[s.parameter].name;
         if (name == "elements." + foundation::path_key(element.name) + ".scale") whole = *s.height;
-        if (name.starts_with("elements." + foundation::path_key(element.name) + ".stiffness_factor.")) sum += *s.height, size = std::max(size, std::abs(*s.height));
+        if (name.starts_with("elements." + foundation::path_key(element.name) + ".stiffness_factor."))
+          sum += *s.height, size = std::max(size, std::abs(*s.height));
       }
       EXPECT_GT(size, 0);
       EXPECT_NEAR(sum, whole, round_off * std::max(size, 1.0)) << element.name;
@@ -232,10 +243,10 @@ TEST(ModelParameters, MoveAnElementAsItIs) {
     const model::System other = response::changed(system, parameter, 0.2);
     for (std::size_t e = 0; e < system.elements().size(); ++e) {
       const model::Element &before = system.elements()[e], &after = other.elements()[e];
-      const Eigen::Vector3d k =
-          model::end_in_ground(other.bodies(), after.k).position - model::end_in_ground(system.bodies(), before.k).position;
-      const Eigen::Vector3d n =
-          model::end_in_ground(other.bodies(), after.n).position - model::end_in_ground(system.bodies(), before.n).position;
+      const Eigen::Vector3d k = model::end_in_ground(other.bodies(), after.k).position -
+          model::end_in_ground(system.bodies(), before.k).position;
+      const Eigen::Vector3d n = model::end_in_ground(other.bodies(), after.n).position -
+          model::end_in_ground(system.bodies(), before.n).position;
       EXPECT_LE((k - n).norm(), round_off);
       const bool own = parameter.name.starts_with("elements." + foundation::path_key(before.name) + ".");
       EXPECT_NEAR(k.norm(), own ? 0.2 : 0, round_off);
@@ -250,7 +261,8 @@ TEST(PeakSensitivities, OfAnUndampedPeakAreThoseOfItsMode) {
   const model::System system = test::checked(test::RandomSystem(14).description(2, test::RandomDamping::none));
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  const auto table = response::peak_sensitivities(system, assembled, question({"body 0.x"}), {{0, *modes.list[2].angular_frequency, 3}});
+  const auto table = response::peak_sensitivities(system, assembled, question({"body 0.x"}),
+                                                  {{0, *modes.list[2].angular_frequency, 3}});
   ASSERT_EQ(table.peaks[0].notes.size(), 1u) << "why there is no height";
   constexpr double step = 1e-4, truncation = 1e-6;
   for (std::size_t p = 0; p < table.parameters.size(); ++p) {
@@ -259,17 +271,20 @@ TEST(PeakSensitivities, OfAnUndampedPeakAreThoseOfItsMode) {
       return std::log(*modal::modes(response::changed(system, parameter, amount)).list[2].angular_frequency);
     };
     EXPECT_FALSE(table.peaks[0].list[p].height.has_value());
-    EXPECT_NEAR(*table.peaks[0].list[p].frequency, (logarithm(step) - logarithm(-step)) / (2 * step), truncation) << parameter.name;
+    EXPECT_NEAR(*table.peaks[0].list[p].frequency, (logarithm(step) - logarithm(-step)) / (2 * step), truncation)
+        << parameter.name;
   }
 }
 
 TEST(PeakSensitivities, SayWhereThereIsNoMaximum) {
   const model::System system = test::checked(test::RandomSystem(15).description(1, test::RandomDamping::viscous));
-  const auto table = response::peak_sensitivities(system, assembly::assemble(system), question({"body 0.x"}), {{0, 3.0, {}}});
+  const auto table =
+      response::peak_sensitivities(system, assembly::assemble(system), question({"body 0.x"}), {{0, 3.0, {}}});
   ASSERT_EQ(table.peaks[0].notes.size(), 1u);
   EXPECT_TRUE(table.peaks[0].list[0].height.has_value());
   EXPECT_FALSE(table.peaks[0].list[0].frequency.has_value());
-  EXPECT_THROW(static_cast<void>(response::peak_sensitivities(system, assembly::assemble(system), question({"body 0.x"}), {{0, 0.0, {}}})),
+  EXPECT_THROW(static_cast<void>(response::peak_sensitivities(system, assembly::assemble(system),
+                                                              question({"body 0.x"}), {{0, 0.0, {}}})),
                foundation::InvalidInput);
 }
 
@@ -277,13 +292,14 @@ TEST(PeakShares, OfModesSumToOneAndToTheAnswer) {
   using enum test::RandomDamping;
   constexpr double round_off = 1e-9;  // 1e-16 over the damping, times modes that nearly cancel
   for (unsigned seed = 1; seed <= 6; ++seed) {
-    const model::System system =
-        test::checked(test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]));
+    const model::System system = test::checked(
+        test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]));
     const assembly::Assembled assembled = assembly::assemble(system);
     const auto asked = question({"body 0.tip.x", "ground.force.z"}, static_cast<assembly::Quantity>(seed % 3));
     const double omega = 40.0 + 10 * seed;
-    const auto curves = response::frequency_response(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
-                                                     asked.load(system, assembled), {omega});
+    const auto curves =
+        response::frequency_response(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
+                                     asked.load(system, assembled), {omega});
     for (std::size_t c = 0; c < 2; ++c) {
       const response::PeakShares shares = response::peak_shares(system, assembled, asked, {c, omega, {}});
       std::complex<double> sum = 0;
@@ -303,9 +319,9 @@ TEST(PeakShares, OfModesSumToOneAndToTheAnswer) {
 /// ½ω Im(qᴴh): what the load gives, mean over a period.
 double input_power(const model::System& system, const response::Question& asked, double omega) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto curves =
-      response::frequency_response(assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
-                                   asked.load(system, assembled), {omega});
+  const auto curves = response::frequency_response(
+      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
+      asked.load(system, assembled), {omega});
   const Eigen::VectorXcd load = asked.load(system, assembled).force.at(omega);
   double power = 0;
   for (std::size_t i = 0; i < curves.curves.size(); ++i)
@@ -317,7 +333,8 @@ TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
   using enum test::RandomDamping;
   constexpr double round_off = 1e-9;
   for (unsigned seed = 1; seed <= 8; ++seed) {
-    model::Description description = test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]);
+    model::Description description =
+        test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]);
     if (seed == 4) description.damping = model::RayleighDamping{0.3, 1e-4};
     if (seed == 5) description.damping = model::ModalDamping{{0.02}};
     if (seed == 6) description.elements[0].law.damping = elements::Zener{0.5, 0.02};
@@ -325,7 +342,8 @@ TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
     const model::System system = test::checked(description);
     const auto asked = question({"body 0.x"});
     const double omega = 55;
-    const response::PeakShares shares = response::peak_shares(system, assembly::assemble(system), asked, {0, omega, {}});
+    const response::PeakShares shares =
+        response::peak_shares(system, assembly::assemble(system), asked, {0, omega, {}});
     double stored = shares.geometric, dissipated = shares.system_damping;
     for (const response::ElementShare& element : shares.elements) {
       stored += element.stored;
@@ -333,7 +351,8 @@ TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
     }
     EXPECT_NEAR(stored, 1, round_off);
     EXPECT_NEAR(dissipated, 1, round_off);
-    EXPECT_THAT(shares.dissipated_power, RelativelyNear(input_power(system, asked, omega), round_off)) << "seed " << seed;
+    EXPECT_THAT(shares.dissipated_power, RelativelyNear(input_power(system, asked, omega), round_off))
+        << "seed " << seed;
     const bool plain = seed != 6;  // a relaxing branch stores besides
     for (std::size_t e = plain ? 0 : 1; e < shares.elements.size(); ++e)
       EXPECT_NEAR(shares.elements[e].by_direction.sum(), shares.elements[e].stored, round_off) << "seed " << seed;
@@ -354,14 +373,15 @@ TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
     const auto asked = question({"body 0.x"});
     const double omega = 60;
     const response::PeakShares shares = response::peak_shares(system, assembled, asked, {0, omega, {}});
-    const auto force =
-        response::frequency_response(assembled, assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement),
-                                     asked.load(system, assembled), {omega});
+    const auto force = response::frequency_response(
+        assembled, assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement),
+        asked.load(system, assembled), {omega});
     double power = 0;
     for (std::size_t j = 0; j < 6; ++j)
-      power -= 0.5 * (std::conj(force.curves[j].value(0)) * std::complex<double>(0, omega) *
-                      description.excitations[0].action.amplitude(static_cast<Eigen::Index>(j)))
-                         .real();
+      power -= 0.5 *
+          (std::conj(force.curves[j].value(0)) * std::complex<double>(0, omega) *
+           description.excitations[0].action.amplitude(static_cast<Eigen::Index>(j)))
+              .real();
     EXPECT_THAT(shares.dissipated_power, RelativelyNear(power, round_off));
     double stored = 0, one = shares.beyond_modes;
     for (const response::ElementShare& element : shares.elements) stored += element.stored;
@@ -395,7 +415,8 @@ at = [0, 0, 0]
 force = [5, 0, 0]
 )");
   const model::System& system = project.base().system;
-  const response::PeakShares shares = response::peak_shares(system, assembly::assemble(system), question({"m.x"}), {0, 30.0, {}});
+  const response::PeakShares shares =
+      response::peak_shares(system, assembly::assemble(system), question({"m.x"}), {0, 30.0, {}});
   constexpr double round_off = 1e-13;
   EXPECT_NEAR(shares.elements[0].stored, 500.0 / 1800, round_off);
   EXPECT_NEAR(shares.elements[1].by_direction(0), 1300.0 / 1800, round_off);

@@ -26,15 +26,17 @@ type = "harmonic"
 on = "machine"
 at = [0.1, 0.2, 0.3]
 force = [10, 20, 100]
-)" + mount + rest +
-         R"([analyses]
+)" + mount +
+      rest +
+      R"([analyses]
 response = {at = [20, 60, 95, 150, 400], of = ["machine", "ground"]}
 roots = {}
 )";
 }
 
 std::string mount(const std::string& name, const std::string& at, const std::string& more) {
-  return "[elements." + name + "]\ntype = \"bushing\"\non = \"machine\"\nat = " + at + "\ntranslation = [2e6, 2e6, 4e6]\nrotation = [1e3, 1e3, 1e3]\ndamping = {proportional = 0.002}\n" + more;
+  return "[elements." + name + "]\ntype = \"bushing\"\non = \"machine\"\nat = " + at +
+      "\ntranslation = [2e6, 2e6, 4e6]\nrotation = [1e3, 1e3, 1e3]\ndamping = {proportional = 0.002}\n" + more;
 }
 
 study::Answers answers(const std::string& text) {
@@ -47,51 +49,72 @@ void expect_same(const study::Answers& a, const study::Answers& b, double tolera
   for (const auto& curve : a.response->curves.curves)
     for (const auto& other : b.response->curves.curves)
       if (curve.name == other.name) {
-        EXPECT_LT((curve.value - other.value).cwiseAbs().maxCoeff(), tolerance * other.value.cwiseAbs().maxCoeff()) << curve.name;
+        EXPECT_LT((curve.value - other.value).cwiseAbs().maxCoeff(), tolerance * other.value.cwiseAbs().maxCoeff())
+            << curve.name;
       }
   EXPECT_TRUE(a.response->deep.passed);
 }
 
-const std::string deck = "[foundations.deck]\ntype = \"impedance\"\nmass = 60\ntranslation = [5e6, 6e6, 3e6]\nfree = [\"z\"]\ndamping = {loss_factor = 0.06}\n";
+const std::string deck =
+    "[foundations.deck]\ntype = \"impedance\"\nmass = 60\ntranslation = [5e6, 6e6, 3e6]\nfree = [\"z\"]\ndamping = "
+    "{loss_factor = 0.06}\n";
 
 /// A guided body of 60 kg under each mount.
 std::string raft(const std::string& name, const std::string& at) {
-  return "[bodies." + name + "]\nmass = 60\nfree = [\"z\"]\nposition = " + at + "\n[elements.\"under " + name + "\"]\ntype = \"three_springs\"\non = \"" + name +
-         "\"\nat = [0, 0, 0]\ntranslation = [5e6, 6e6, 3e6]\ndamping = {loss_factor = 0.06}\n";
+  return "[bodies." + name + "]\nmass = 60\nfree = [\"z\"]\nposition = " + at + "\n[elements.\"under " + name +
+      "\"]\ntype = \"three_springs\"\non = \"" + name +
+      "\"\nat = [0, 0, 0]\ntranslation = [5e6, 6e6, 3e6]\ndamping = {loss_factor = 0.06}\n";
 }
 
 TEST(Foundation, OfAnImpedanceIsABodyOnASpring) {
   const std::string stands = "foundation = \"deck\"\n";
-  const study::Answers given = answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands) + mount("c", "[0.5, -0.4, -0.2]", ""), deck));
-  const study::Answers built = answers(machine(raft("p", "[0.5, 0.4, -0.2]") + raft("q", "[-0.5, -0.4, -0.2]") + mount("a", "[0.5, 0.4, -0.2]", "from = \"p\"\nfrom_at = [0, 0, 0]\n") +
-                                                   mount("b", "[-0.5, -0.4, -0.2]", "from = \"q\"\nfrom_at = [0, 0, 0]\n") + mount("c", "[0.5, -0.4, -0.2]", ""),
-                                               ""));
-  // The totals on the ground count what the mounts do to the foundation, the built model what its springs do: only the machine is compared.
+  const study::Answers given =
+      answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands) +
+                          mount("c", "[0.5, -0.4, -0.2]", ""),
+                      deck));
+  const study::Answers built = answers(machine(
+      raft("p", "[0.5, 0.4, -0.2]") + raft("q", "[-0.5, -0.4, -0.2]") +
+          mount("a", "[0.5, 0.4, -0.2]", "from = \"p\"\nfrom_at = [0, 0, 0]\n") +
+          mount("b", "[-0.5, -0.4, -0.2]", "from = \"q\"\nfrom_at = [0, 0, 0]\n") + mount("c", "[0.5, -0.4, -0.2]", ""),
+      ""));
+  // The totals on the ground count what the mounts do to the foundation, the built model what its springs do: only the
+  // machine is compared.
   for (const auto& curve : given.response->curves.curves)
     for (const auto& other : built.response->curves.curves)
       if (curve.name == other.name && curve.name.starts_with("machine")) {
-        EXPECT_LT((curve.value - other.value).cwiseAbs().maxCoeff(), round_off * other.value.cwiseAbs().maxCoeff()) << curve.name;
+        EXPECT_LT((curve.value - other.value).cwiseAbs().maxCoeff(), round_off * other.value.cwiseAbs().maxCoeff())
+            << curve.name;
       }
   EXPECT_TRUE(given.response->deep.passed);
   ASSERT_EQ(given.roots.list.size(), built.roots.list.size());
   for (std::size_t i = 0; i < given.roots.list.size(); ++i)
-    EXPECT_LT(std::abs(given.roots.list[i].eigenvalue - built.roots.list[i].eigenvalue), 1e-8 * std::abs(built.roots.list[i].eigenvalue));
+    EXPECT_LT(std::abs(given.roots.list[i].eigenvalue - built.roots.list[i].eigenvalue),
+              1e-8 * std::abs(built.roots.list[i].eigenvalue));
 }
 
 TEST(Foundation, OfOneModeIsABodyThatSharesIt) {
   // One mode that lifts both feet alike: a rigid strip of 150 kg guided along z.
-  const std::string strip = "[bodies.strip]\nmass = 150\nfree = [\"z\"]\n[elements.ground_spring]\ntype = \"three_springs\"\non = \"strip\"\nat = [0, 0, 0]\ntranslation = [0, 0, 1.2e6]\ndamping = {matrix = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,800,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}\n";
+  const std::string strip =
+      "[bodies.strip]\nmass = 150\nfree = [\"z\"]\n[elements.ground_spring]\ntype = \"three_springs\"\non = "
+      "\"strip\"\nat = [0, 0, 0]\ntranslation = [0, 0, 1.2e6]\ndamping = {matrix = "
+      "[[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,800,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}\n";
   const double omega = std::sqrt(1.2e6 / 150), ratio = 800 / (2 * omega * 150);
   char mode[400];
-  std::snprintf(mode, sizeof mode, "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = %.17g, modal_mass = 150, damping = %.17g, shapes = {a = [0, 0, 1], b = [0, 0, 1]}}]\n", omega, ratio);
+  std::snprintf(mode, sizeof mode,
+                "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = %.17g, modal_mass = 150, damping = %.17g, "
+                "shapes = {a = [0, 0, 1], b = [0, 0, 1]}}]\n",
+                omega, ratio);
   const std::string stands = "foundation = \"deck\"\n", on_strip = "from = \"strip\"\n";
-  expect_same(answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands), mode)),
-              [&] {
-                study::Answers built = answers(machine(strip + mount("a", "[0.5, 0.4, -0.2]", on_strip) + mount("b", "[-0.5, -0.4, -0.2]", on_strip), ""));
-                std::erase_if(built.response->curves.curves, [](const auto& curve) { return !curve.name.starts_with("machine"); });
-                return built;
-              }(),
-              round_off);
+  expect_same(
+      answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands), mode)),
+      [&] {
+        study::Answers built = answers(
+            machine(strip + mount("a", "[0.5, 0.4, -0.2]", on_strip) + mount("b", "[-0.5, -0.4, -0.2]", on_strip), ""));
+        std::erase_if(built.response->curves.curves,
+                      [](const auto& curve) { return !curve.name.starts_with("machine"); });
+        return built;
+      }(),
+      round_off);
 }
 
 TEST(Foundation, WithoutMassIsASpringInSeries) {
@@ -124,7 +147,8 @@ modes = {}
   const double k = 1 / (1 / 2e5 + 1 / 3e5);
   for (Eigen::Index i = 0; i < 2; ++i) {
     const double w = found.response->curves.angular_frequency[static_cast<std::size_t>(i)];
-    EXPECT_NEAR(test::value(*found.response, "machine.z", i).real(), 5 / (k - 100 * w * w), 1e-12 * std::abs(5 / (k - 100 * w * w)));
+    EXPECT_NEAR(test::value(*found.response, "machine.z", i).real(), 5 / (k - 100 * w * w),
+                1e-12 * std::abs(5 / (k - 100 * w * w)));
     EXPECT_NEAR(test::value(*found.response, "mount.force.z", i).real(), 5 * k / (k - 100 * w * w), 1e-9);
   }
   EXPECT_NEAR(*found.modes.list[0].angular_frequency, std::sqrt(k / 100), 1e-9);
@@ -169,19 +193,25 @@ TEST(Foundation, OfAMeasuredMobilityHasThePeaksOfItsImpedance) {
       csv << 0.02 * i << "," << y.real() << "," << y.imag() << "\n";
     }
   }
-  const study::Answers measured = answers(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" + file.string() + "\"\n"));
-  const study::Answers given = answers(on_heavy_ground("[foundations.floor]\ntype = \"impedance\"\nfree = [\"z\"]\nmass = 800\ntranslation = [1, 1, 5e5]\n"
-                                                       "damping = {matrix = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,2000,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}\n"));
+  const study::Answers measured =
+      answers(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" + file.string() + "\"\n"));
+  const study::Answers given = answers(on_heavy_ground(
+      "[foundations.floor]\ntype = \"impedance\"\nfree = [\"z\"]\nmass = 800\ntranslation = [1, 1, 5e5]\n"
+      "damping = {matrix = "
+      "[[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,2000,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}\n"));
   std::filesystem::remove(file);
   ASSERT_TRUE(measured.peaks && given.peaks);
   int compared = 0;
   for (const response::Peak& wanted : given.peaks->peaks.list) {
     const std::string& name = given.peaks->peaks.curves[wanted.curve].name;
-    if (wanted.angular_frequency > 2 * std::numbers::pi * 15 || !(wanted.prominence > 0.05 * wanted.amplitude)) continue;
+    if (wanted.angular_frequency > 2 * std::numbers::pi * 15 || !(wanted.prominence > 0.05 * wanted.amplitude))
+      continue;
     bool found = false;
     for (const response::Peak& peak : measured.peaks->peaks.list)
       if (measured.peaks->peaks.curves[peak.curve].name == name)
-        found = found || (std::abs(peak.angular_frequency - wanted.angular_frequency) < 0.13 && std::abs(peak.amplitude - wanted.amplitude) < straight_lines * wanted.amplitude);
+        found = found ||
+            (std::abs(peak.angular_frequency - wanted.angular_frequency) < 0.13 &&
+             std::abs(peak.amplitude - wanted.amplitude) < straight_lines * wanted.amplitude);
     EXPECT_TRUE(found) << name << " at " << wanted.angular_frequency << " rad/s";
     ++compared;
   }

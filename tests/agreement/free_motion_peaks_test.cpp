@@ -21,8 +21,9 @@ response::Peaks peaks_of(const std::string& text) {
   const modal::Modes modes = modal::modes(system, assembled);
   response::PeakOptions options;
   options.min_prominence = 1e-12;  // of the highest, which stands at rest where almost nothing holds the machine
-  response::Peaks peaks = response::peaks(assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
-                                          assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), options);
+  response::Peaks peaks = response::peaks(
+      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
+      assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), options);
   std::erase_if(peaks.list, [](const response::Peak& peak) { return peak.prominence < 1e-6 * peak.amplitude; });
   return peaks;
 }
@@ -48,10 +49,12 @@ on = "b"
 at = [0, 0, 0]
 force = [0, 1, 1]
 )",
-                     skew ? "orientation = {axis = [3, 4, -5], angle = 0.7}" : "", along_x, stiff, skew ? 0.1 * damping : 0.0, damping, 20 * damping);
+                     skew ? "orientation = {axis = [3, 4, -5], angle = 0.7}" : "", along_x, stiff,
+                     skew ? 0.1 * damping : 0.0, damping, 20 * damping);
 }
 
-void expect_same_peaks(const response::Peaks& found, const response::Peaks& expected, double tolerance, const std::string& what) {
+void expect_same_peaks(const response::Peaks& found, const response::Peaks& expected, double tolerance,
+                       const std::string& what) {
   ASSERT_EQ(found.list.size(), expected.list.size()) << what;
   for (std::size_t k = 0; k < found.list.size(); ++k) {
     const response::Peak &a = found.list[k], &b = expected.list[k];
@@ -67,7 +70,8 @@ TEST(PeaksBesideAFreeMotion, AreThoseOfTheSameMachineHeldThere) {
     const response::Peaks found = peaks_of(sled(0, stiff, 1, false));
     EXPECT_EQ(found.list.size(), 2U);
     expect_same_peaks(found, peaks_of(sled(1e-3, stiff, 1, false)), 1e-9, fmt::format("{} N/m", stiff));
-    for (std::size_t c = 1; c < 3; ++c) EXPECT_NEAR(found.curves[c].highest, peaks_of(sled(1e-3, stiff, 1, false)).curves[c].highest, 1e-9) << stiff;
+    for (std::size_t c = 1; c < 3; ++c)
+      EXPECT_NEAR(found.curves[c].highest, peaks_of(sled(1e-3, stiff, 1, false)).curves[c].highest, 1e-9) << stiff;
   }
 }
 
@@ -79,7 +83,8 @@ TEST(PeaksBesideAFreeMotion, HeightsAtRestAreThoseOfTheSprings) {
   EXPECT_NEAR(found.curves[2].highest, 1 / 3e4, 1e-4 / 3e4);
 }
 
-/// Turned, all coordinates move freely, and rise towards rest. A spring of 1e-5 N/m along that direction, which is damped, has no resonance of its own.
+/// Turned, all coordinates move freely, and rise towards rest. A spring of 1e-5 N/m along that direction, which is
+/// damped, has no resonance of its own.
 TEST(PeaksBesideAFreeMotion, OfACoupledOneAreThoseOfTheSameMachineHeldThere) {
   for (const double stiff : {3e4, 3e5, 3e6}) {
     const response::Peaks found = peaks_of(sled(0, stiff, 1, true));

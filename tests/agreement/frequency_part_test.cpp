@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sweeps of systems with a part that depends on ω in its own way, against pivoted LU of one frequency after another in extended precision.
+// Sweeps of systems with a part that depends on ω in its own way, against pivoted LU of one frequency after another in
+// extended precision.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -20,13 +21,15 @@ using Eigen::Index;
 /// Backward stability leaves round-off times the condition, and a little for the sums over many rows.
 constexpr double condition_share = 64 * test::epsilon;
 
-/// A chain of bodies with constant elements, and springs whose stiffness follows a fractional derivative between some of its bodies, one of them
-/// driven at its other end.
+/// A chain of bodies with constant elements, and springs whose stiffness follows a fractional derivative between some
+/// of its bodies, one of them driven at its other end.
 class Springs {
  public:
   Springs(Index n, bool symmetric) : n_(n), generator_(static_cast<unsigned>(n)), load_(n) {
-    system_ = {Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, symmetric};
-    for (Index i = 0; i < n; ++i) system_.A(i, i) = 1 + static_cast<double>(i % 4);  // masses and inertias are not alike
+    system_ = {
+        Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, symmetric};
+    for (Index i = 0; i < n; ++i)
+      system_.A(i, i) = 1 + static_cast<double>(i % 4);  // masses and inertias are not alike
     std::vector<Index> rows;
     for (Index first = 0; first < n; first += 6) {
       system_.blocks.push_back(first);
@@ -60,7 +63,8 @@ class Springs {
 
   /// What it says about its rows: exactly those, all of them, or some that are missing.
   [[nodiscard]] FrequencyPart part(std::size_t told = 3) const {
-    return {[this](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd& h) { add(omega, z, h); }, {groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(told)}};
+    return {[this](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd& h) { add(omega, z, h); },
+            {groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(told)}};
   }
 
   void expect_solved(const SweepResult& found, const std::vector<double>& omega, const std::string& name) const {
@@ -72,8 +76,11 @@ class Springs {
       const ExtendedMatrix exact_z = (d.asDiagonal() * z * d.asDiagonal()).cast<std::complex<long double>>();
       const RefinedSolver exact(exact_z);
       const ExtendedVector truth = exact.solve((d.asDiagonal() * h).cast<std::complex<long double>>());
-      const ExtendedVector q = (d.cwiseInverse().asDiagonal() * found.response.col(static_cast<Index>(i))).cast<std::complex<long double>>();
-      EXPECT_LE(static_cast<double>((q - truth).norm() / truth.norm()), condition_share * static_cast<double>(n_) * exact.condition()) << name << " at " << omega[i];
+      const ExtendedVector q =
+          (d.cwiseInverse().asDiagonal() * found.response.col(static_cast<Index>(i))).cast<std::complex<long double>>();
+      EXPECT_LE(static_cast<double>((q - truth).norm() / truth.norm()),
+                condition_share * static_cast<double>(n_) * exact.condition())
+          << name << " at " << omega[i];
       if (found.backward_error.size() > 0) {
         EXPECT_LE(found.backward_error(static_cast<Index>(i)), accepted_backward_error) << name << " at " << omega[i];
       }
@@ -118,7 +125,8 @@ TEST(FrequencyPart, SmallAndLargeSystemsAgreeWithOneFrequencyAfterAnother) {
         const SweepResult found = sweep(springs.constant(), springs.load(), springs.part(), omega, options);
         EXPECT_EQ(found.fallbacks + found.singular, 0) << n;
         springs.expect_solved(found, omega, std::to_string(n));
-        springs.expect_solved(sweep(springs.constant(), springs.load(), springs.part(0), omega, options), omega, std::to_string(n) + ", couples all");
+        springs.expect_solved(sweep(springs.constant(), springs.load(), springs.part(0), omega, options), omega,
+                              std::to_string(n) + ", couples all");
       }
 }
 
@@ -135,14 +143,17 @@ TEST(FrequencyPart, EveryInstructionSetSolvesIt) {
 
 TEST(FrequencyPart, OneThatAddsBesideItsRowsIsRefused) {
   const Springs springs(20, true);
-  EXPECT_THROW((void)sweep(springs.constant(), springs.load(), springs.part(2), frequencies(5)), foundation::InvalidInput);
+  EXPECT_THROW((void)sweep(springs.constant(), springs.load(), springs.part(2), frequencies(5)),
+               foundation::InvalidInput);
 }
 
 TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
   // It balances the mass of one coordinate that has no stiffness nor damping of its own; couplings hold it.
   DynamicMatrices m = Springs(20, true).constant();
   m.K(19, 19) = m.B(19, 19) = 0;
-  const FrequencyPart part{[mass = m.A(19, 19)](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd&) { z(19, 19) += omega * omega * mass; }, {{19}}};
+  const FrequencyPart part{
+      [mass = m.A(19, 19)](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd&) { z(19, 19) += omega * omega * mass; },
+      {{19}}};
   const Load load(Eigen::VectorXcd::Ones(20));
   const std::vector<double> omega = {9.5, 10};
   const SweepResult found = sweep(m, load, part, omega);
@@ -151,7 +162,8 @@ TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
   for (Index i = 0; i < 2; ++i) {
     Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(i)]);
     z(19, 19) = 0;
-    EXPECT_LE((z * found.response.col(i) - Eigen::VectorXcd::Ones(20)).norm(), 1e-9);  // residual ≪ 1, of entries to some 1000
+    EXPECT_LE((z * found.response.col(i) - Eigen::VectorXcd::Ones(20)).norm(),
+              1e-9);  // residual ≪ 1, of entries to some 1000
   }
 }
 
@@ -160,7 +172,8 @@ TEST(FrequencyPart, SixteenThreadsGiveTheBytesOfOne) {
   const std::vector<double> omega = frequencies(20001);
   SweepOptions one{.every_backward_error = true, .threads = 1, .progress = {}}, sixteen = one;
   sixteen.threads = 16;
-  const SweepResult a = sweep(springs.constant(), springs.load(), springs.part(), omega, one), b = sweep(springs.constant(), springs.load(), springs.part(), omega, sixteen);
+  const SweepResult a = sweep(springs.constant(), springs.load(), springs.part(), omega, one),
+                    b = sweep(springs.constant(), springs.load(), springs.part(), omega, sixteen);
   EXPECT_EQ(a.response, b.response);
   EXPECT_EQ(a.backward_error, b.backward_error);
 }

@@ -31,7 +31,8 @@ TEST(HardCases, EveryReturnedValueHasASmallBackwardErrorAndTheForwardErrorOfItsC
       if (!found.response.col(column).allFinite()) continue;
       EXPECT_LE(found.backward_error(column), numerics::accepted_backward_error) << hard.name << " at " << omega[i];
       const std::complex<long double> iw(0, omega[i]);
-      numerics::ExtendedMatrix z = scaled.complex_stiffness().cast<std::complex<long double>>() + iw * scaled.B.cast<std::complex<long double>>() + iw * iw * scaled.A.cast<std::complex<long double>>();
+      numerics::ExtendedMatrix z = scaled.complex_stiffness().cast<std::complex<long double>>() +
+          iw * scaled.B.cast<std::complex<long double>>() + iw * iw * scaled.A.cast<std::complex<long double>>();
       const numerics::RefinedSolver exact(z);
       const numerics::ExtendedVector q = exact.solve((d.asDiagonal() * load()).cast<std::complex<long double>>());
       const Eigen::VectorXcd mine = d.cwiseInverse().asDiagonal() * found.response.col(column);
@@ -44,7 +45,8 @@ TEST(HardCases, EveryReturnedValueHasASmallBackwardErrorAndTheForwardErrorOfItsC
 
 TEST(HardCases, PivotingIsCalledWhereTheFastPathFails) {
   const auto cases = hard_cases();
-  const auto vanishing = std::find_if(cases.begin(), cases.end(), [](const auto& c) { return std::string(c.name).starts_with("vanishing"); });
+  const auto vanishing = std::find_if(cases.begin(), cases.end(),
+                                      [](const auto& c) { return std::string(c.name).starts_with("vanishing"); });
   EXPECT_GT(numerics::sweep(vanishing->m, load(), {std::sqrt(50.0)}).fallbacks, 0);
 }
 
@@ -52,7 +54,14 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
   for (const HardCase& hard : hard_cases()) {
     assembly::Assembled assembled{assembly::Layout(model::Description{}), hard.m, {}, {}, {}};
     std::vector<assembly::Channel> channels;
-    for (int j = 0; j < 6; ++j) channels.push_back({{Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6)}, "q" + std::to_string(j), "m", j % 3, {}, {}, 0});
+    for (int j = 0; j < 6; ++j)
+      channels.push_back({{Eigen::VectorXcd::Unit(6, j), Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6)},
+                          "q" + std::to_string(j),
+                          "m",
+                          j % 3,
+                          {},
+                          {},
+                          0});
     modal::Modes modes;
     modal::Roots roots;
     roots.poles = numerics::roots_of_companion(hard.m).lambda;
@@ -65,11 +74,14 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
       const double step = std::max(64 * peak.frequency_uncertainty, 1e-6 * peak.angular_frequency);
       for (const double side : {-step, step}) {
         const numerics::Load driving(load()), nothing(Eigen::Index{0});
-        const numerics::RefinedPeak beside = numerics::refine_peak({hard.m, driving, nothing}, channels[peak.curve].curve(), peak.angular_frequency + side, 0);
-        EXPECT_LE(beside.amplitude, peak.amplitude * (1 + 1e-12) + peak.amplitude_uncertainty) << hard.name << " near " << peak.angular_frequency;
+        const numerics::RefinedPeak beside = numerics::refine_peak(
+            {hard.m, driving, nothing}, channels[peak.curve].curve(), peak.angular_frequency + side, 0);
+        EXPECT_LE(beside.amplitude, peak.amplitude * (1 + 1e-12) + peak.amplitude_uncertainty)
+            << hard.name << " near " << peak.angular_frequency;
       }
     }
-    if (std::string(hard.name) != "one damper, the rest undamped" && std::string(hard.name) != "overdamped" && std::string(hard.name).find("critical") == std::string::npos) {
+    if (std::string(hard.name) != "one damper, the rest undamped" && std::string(hard.name) != "overdamped" &&
+        std::string(hard.name).find("critical") == std::string::npos) {
       EXPECT_GT(bounded, 0) << hard.name;
     }
   }

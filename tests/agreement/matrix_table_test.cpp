@@ -41,7 +41,8 @@ class Folder {
 
   /// Writes entry (i, j) of every row's matrix for the wanted entries.
   template <typename Wanted, typename MatrixOf>
-  std::string table(const std::string& name, int size, const Wanted& wanted, const std::function<std::string(int, int)>& word, const MatrixOf& matrix_of) const {
+  std::string table(const std::string& name, int size, const Wanted& wanted,
+                    const std::function<std::string(int, int)>& word, const MatrixOf& matrix_of) const {
     std::ofstream file(path_ / name);
     file << "frequency_hz";
     for (int i = 0; i < size; ++i)
@@ -59,17 +60,22 @@ class Folder {
   }
 
  private:
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() / fmt::format("trivet-matrix-table-{}", ::getpid());
+  std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / fmt::format("trivet-matrix-table-{}", ::getpid());
 };
 
 Eigen::VectorXcd answer(const std::string& file, const std::string& extra) {
-  const auto project = test::project(fmt::format("trivet = 1\n[bodies.frame]\nmass = 10\ninertia = {{about = \"pole\", xx = 1, yy = 1.2, zz = 1.5}}\n"
-                                                 "[elements.mount]\ntype = \"table\"\non = \"frame\"\nat = [0.1, -0.2, 0.3]\nfile = \"{}\"\n{}"
-                                                 "[excitations.push]\ntype = \"harmonic\"\non = \"frame\"\nat = [0, 0, 0]\nforce = [1, 2, 3]\nmoment = [0.1, 0, 0.2]\n"
-                                                 "[analyses]\nresponse = {{of = [\"frame\", \"ground\"], at = [\"1.3 Hz\", \"17.7 Hz\", \"63.1 Hz\"]}}\n", file, extra));
+  const auto project = test::project(fmt::format(
+      "trivet = 1\n[bodies.frame]\nmass = 10\ninertia = {{about = \"pole\", xx = 1, yy = 1.2, zz = 1.5}}\n"
+      "[elements.mount]\ntype = \"table\"\non = \"frame\"\nat = [0.1, -0.2, 0.3]\nfile = \"{}\"\n{}"
+      "[excitations.push]\ntype = \"harmonic\"\non = \"frame\"\nat = [0, 0, 0]\nforce = [1, 2, 3]\nmoment = [0.1, 0, "
+      "0.2]\n"
+      "[analyses]\nresponse = {{of = [\"frame\", \"ground\"], at = [\"1.3 Hz\", \"17.7 Hz\", \"63.1 Hz\"]}}\n",
+      file, extra));
   const study::Answers answers = study::answers(project.base(), project.base().analyses, {});
   std::vector<Complex> values;
-  for (const auto& curve : answers.response->curves.curves) values.insert(values.end(), curve.value.begin(), curve.value.end());
+  for (const auto& curve : answers.response->curves.curves)
+    values.insert(values.end(), curve.value.begin(), curve.value.end());
   return Eigen::Map<const Eigen::VectorXcd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
@@ -80,7 +86,9 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
   const Eigen::Matrix3d turn = random.rotation();
   const Eigen::AngleAxisd own(turn);
   const spatial::Matrix6 both = spatial::both_blocks(turn);
-  const auto held = [&](int row) -> Eigen::MatrixXcd { return both.cast<Complex>() * constants(row).asDiagonal() * both.transpose().cast<Complex>(); };
+  const auto held = [&](int row) -> Eigen::MatrixXcd {
+    return both.cast<Complex>() * constants(row).asDiagonal() * both.transpose().cast<Complex>();
+  };
   const auto full = [&](int row) -> Eigen::MatrixXcd {
     Eigen::MatrixXcd m(12, 12);
     m << held(row), -held(row), -held(row), held(row);
@@ -89,14 +97,19 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
   const auto numbered = [](int i, int j) { return fmt::format("k_{}_{}", i + 1, j + 1); };
   const auto upper = [](int i, int j) { return i <= j; };
   const std::array<const char*, 6> letters = {"x", "y", "z", "rx", "ry", "rz"};
-  const std::string directions = folder.table("directions.csv", 6, [](int i, int j) { return i == j; },
-                                              [&](int i, int) { return std::string("k_") + letters[static_cast<std::size_t>(i)]; },
-                                              [](int row) -> Eigen::MatrixXcd { return constants(row).asDiagonal(); });
-  const Eigen::VectorXcd expected = answer(directions, fmt::format("interpolation = \"linear\"\norientation = {{axis = [{:.17g}, {:.17g}, {:.17g}], angle = \"{:.17g} rad\"}}\n",
-                                                                   own.axis().x(), own.axis().y(), own.axis().z(), own.angle()));
+  const std::string directions = folder.table(
+      "directions.csv", 6, [](int i, int j) { return i == j; },
+      [&](int i, int) { return std::string("k_") + letters[static_cast<std::size_t>(i)]; },
+      [](int row) -> Eigen::MatrixXcd { return constants(row).asDiagonal(); });
+  const Eigen::VectorXcd expected = answer(
+      directions,
+      fmt::format(
+          "interpolation = \"linear\"\norientation = {{axis = [{:.17g}, {:.17g}, {:.17g}], angle = \"{:.17g} rad\"}}\n",
+          own.axis().x(), own.axis().y(), own.axis().z(), own.angle()));
   const Eigen::VectorXcd of_end = answer(folder.table("end.csv", 6, upper, numbered, held), "");
   const Eigen::VectorXcd of_both = answer(folder.table("both.csv", 12, upper, numbered, full), "");
-  const Eigen::VectorXcd unsymmetric = answer(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, held), "symmetric = false\n");
+  const Eigen::VectorXcd unsymmetric =
+      answer(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, held), "symmetric = false\n");
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     EXPECT_LE(std::abs(of_end(i) - expected(i)), round_off * std::abs(expected(i))) << i;
     EXPECT_LE(std::abs(of_both(i) - expected(i)), round_off * std::abs(expected(i))) << i;

@@ -16,7 +16,8 @@ namespace {
 
 using namespace trivet;
 
-constexpr double round_off = 1e-12;  // of the largest entry: factors are formed as 1 + 0.01 in one way and 1.01 in the other
+constexpr double round_off =
+    1e-12;  // of the largest entry: factors are formed as 1 + 0.01 in one way and 1.01 in the other
 
 Eigen::MatrixXcd dynamic_stiffness(const model::System& system) {
   constexpr double omega = 7;
@@ -31,8 +32,10 @@ double changed_value(double before, const response::Parameter& parameter) {
 
 std::vector<std::filesystem::path> examples() {
   std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(TRIVET_SOURCE_DIR) / "examples"))
-    if (entry.path().extension() == ".toml" && entry.path().string().find("rubber_mounts") == std::string::npos) found.push_back(entry.path());  // meshed
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(TRIVET_SOURCE_DIR) / "examples"))
+    if (entry.path().extension() == ".toml" && entry.path().string().find("rubber_mounts") == std::string::npos)
+      found.push_back(entry.path());  // meshed
   return found;
 }
 
@@ -47,11 +50,15 @@ TEST(ModelNumbers, AreThoseOfExplainByTheirPaths) {
       const std::optional<double> before = number.read(base);
       ASSERT_TRUE(before) << file << ": " << parameter.name;
       const auto by_file = project::changed_system(base, {{number, changed_value(*before, parameter)}});
-      ASSERT_TRUE(by_file) << file << ": " << parameter.name << ": " << foundation::message(by_file.error().list().front());
-      const Eigen::MatrixXcd expected = dynamic_stiffness(response::changed(base.system, parameter, parameter.size)), found = dynamic_stiffness(*by_file);
-      EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff()) << file << ": " << parameter.name;
+      ASSERT_TRUE(by_file) << file << ": " << parameter.name << ": "
+                           << foundation::message(by_file.error().list().front());
+      const Eigen::MatrixXcd expected = dynamic_stiffness(response::changed(base.system, parameter, parameter.size)),
+                             found = dynamic_stiffness(*by_file);
+      EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff())
+          << file << ": " << parameter.name;
       const Eigen::MatrixXcd before_change = dynamic_stiffness(base.system);
-      EXPECT_EQ(found == before_change, expected == before_change) << file << ": " << parameter.name << " changes nothing";
+      EXPECT_EQ(found == before_change, expected == before_change)
+          << file << ": " << parameter.name << " changes nothing";
       ++compared;
     }
   }
@@ -89,17 +96,26 @@ TEST(ModelNumbers, OfAnArrayAreItsComponents) {
   const auto changed = project::changed_system(project->base(), {{y, 250}, {z, 300}});
   ASSERT_TRUE(changed);
   EXPECT_EQ(changed->elements()[0].k.at, Eigen::Vector3d(0.3, 0.25, 0));
-  const auto whole = project::project_from_text(machine, "machine.toml", {"elements.\"front left\".at = [0.3, 0.25, 0]", "elements.rear.translation = [1e5, 1e5, 3e5]"});
+  const auto whole = project::project_from_text(
+      machine, "machine.toml",
+      {"elements.\"front left\".at = [0.3, 0.25, 0]", "elements.rear.translation = [1e5, 1e5, 3e5]"});
   ASSERT_TRUE(whole);
   EXPECT_EQ(dynamic_stiffness(whole->base().system), dynamic_stiffness(*changed));
 }
 
 TEST(ModelNumbers, LeaveWhatTheyDoNotTouchAsItWasRead) {
-  const auto project = project::project_from_text(machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01"});
+  const auto project = project::project_from_text(
+      machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01"});
   ASSERT_TRUE(project);
-  for (const auto& [path, value] : {std::pair{"elements.rear.scale", 1.2}, {"bodies.machine.position.x", 0.1}, {"elements.side.stiffness_factor.z", 1.1}, {"bodies.machine.mass", 120.0}}) {
+  for (const auto& [path, value] : {std::pair{"elements.rear.scale", 1.2},
+                                    {"bodies.machine.position.x", 0.1},
+                                    {"elements.side.stiffness_factor.z", 1.1},
+                                    {"bodies.machine.mass", 120.0}}) {
     const auto quick = project::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
-    const auto anew = project::project_from_text(machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01", path + (" = " + std::to_string(value))});
+    const auto anew =
+        project::project_from_text(machine, "machine.toml",
+                                   {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01",
+                                    path + (" = " + std::to_string(value))});
     ASSERT_TRUE(quick && anew) << path;
     EXPECT_EQ(dynamic_stiffness(*quick), dynamic_stiffness(anew->base().system)) << path;
   }
@@ -138,20 +154,24 @@ TEST(ModelNumbers, ReachElementsThroughTheirTypesAndBodies) {
     EXPECT_TRUE(system) << path;
     return assembly::assemble(*system).matrices.K;
   };
-  const auto expected = [](double foot, double between) { return Eigen::MatrixXd(Eigen::Matrix2d({{foot + between, -between}, {-between, between}})); };
+  const auto expected = [](double foot, double between) {
+    return Eigen::MatrixXd(Eigen::Matrix2d({{foot + between, -between}, {-between, between}}));
+  };
   EXPECT_TRUE(stiffness("element_types.spring.translation.z", 1500).isApprox(expected(3000, 1500), round_off));
   EXPECT_TRUE(stiffness("element_types.spring.scale", 3).isApprox(expected(6000, 3000), round_off));
   EXPECT_TRUE(stiffness("elements.foot.scale", 1).isApprox(expected(1000, 1000), round_off));
   EXPECT_TRUE(stiffness("elements.foot.stiffness_factor.all", 1.5).isApprox(expected(3000, 1000), round_off));
   EXPECT_TRUE(stiffness("elements.foot.stiffness_factor.z", 1.5).isApprox(expected(3000, 1000), round_off));
   EXPECT_TRUE(stiffness("bodies.upper.mass", 7).isApprox(expected(2000, 1000), round_off));
-  const auto share = project::ModelNumber("elements.between.scale", "%"), lift = project::ModelNumber("elements.between.moved.z", "mm");
+  const auto share = project::ModelNumber("elements.between.scale", "%"),
+             lift = project::ModelNumber("elements.between.moved.z", "mm");
   EXPECT_DOUBLE_EQ(share.read(project->base()).value(), 100);
   EXPECT_DOUBLE_EQ(lift.read(project->base()).value(), 0);
 }
 
 TEST(KnownModel, LendsWhatIsTheSameAndHasNoAdjustments) {
-  const auto project = project::project_from_text(pair_of_masses, "pair.toml", {"elements.foot.stiffness_factor.z = 1.1"});
+  const auto project =
+      project::project_from_text(pair_of_masses, "pair.toml", {"elements.foot.stiffness_factor.z = 1.1"});
   ASSERT_TRUE(project);
   const project::Case& base = project->base();
   const project::KnownModel known{base.document, base.system.description()};

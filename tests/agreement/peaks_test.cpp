@@ -31,9 +31,11 @@ response::Peaks peaks_of(const model::System& system, const std::vector<std::str
 }
 
 /// m = 2 kg, ω0 = 30 rad/s, F = 5 N.
-response::Peaks single_mass(double ratio, double loss, assembly::Quantity quantity, const std::string& of = "coordinates") {
-  const auto project = test::project(test::chain({2}, {1800}, {2 * ratio * 60}, {loss}) +
-                                     "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n");
+response::Peaks single_mass(double ratio, double loss, assembly::Quantity quantity,
+                            const std::string& of = "coordinates") {
+  const auto project =
+      test::project(test::chain({2}, {1800}, {2 * ratio * 60}, {loss}) +
+                    "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n");
   return peaks_of(project.base().system, {of}, quantity);
 }
 
@@ -41,22 +43,34 @@ TEST(PeaksOfOneMass, DisplacementForEveryDamping) {
   for (const double ratio : {1e-6, 1e-5, 1e-3, 0.05, 0.3, 0.6, 0.7}) {
     const response::Peaks found = single_mass(ratio, 0, assembly::Quantity::displacement);
     ASSERT_EQ(found.list.size(), 1u) << ratio;
-    EXPECT_THAT(found.list[0].angular_frequency, RelativelyNear(30 * std::sqrt(1 - 2 * ratio * ratio), frequency_digits)) << ratio;
-    EXPECT_THAT(found.list[0].amplitude, RelativelyNear(5 / 1800.0 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits)) << ratio;
-    EXPECT_THAT(*found.list[0].ratio_to_static, RelativelyNear(1 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits));
+    EXPECT_THAT(found.list[0].angular_frequency,
+                RelativelyNear(30 * std::sqrt(1 - 2 * ratio * ratio), frequency_digits))
+        << ratio;
+    EXPECT_THAT(found.list[0].amplitude,
+                RelativelyNear(5 / 1800.0 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits))
+        << ratio;
+    EXPECT_THAT(*found.list[0].ratio_to_static,
+                RelativelyNear(1 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits));
     EXPECT_EQ(found.list[0].nearest_mode, 1);
   }
 }
 
 TEST(PeaksOfTwoModes, BelongToTheModeThatResonatesNotToTheNearestInFrequency) {
-  // 11 rad/s along z with ζ = 0.35 peaks at 11 √(1 − 2ζ²) = 9.56 rad/s, below the 10 rad/s along x, which no force along z drives. At a point a
-  // little off the vertical both are seen.
+  // 11 rad/s along z with ζ = 0.35 peaks at 11 √(1 − 2ζ²) = 9.56 rad/s, below the 10 rad/s along x, which no force
+  // along z drives. At a point a little off the vertical both are seen.
   const auto found = [](const std::string& force, const std::string& of) {
-    return peaks_of(test::project("trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
-                                  "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, 0]\nrotation = [0, 0, 0]\ndamping = {translation = [0.01, 0, 0], rotation = [0, 0, 0]}\n"
-                                  "[elements.z]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [0, 0, 121]\nrotation = [0, 0, 0]\ndamping = {translation = [0, 0, 7.7], rotation = [0, 0, 0]}\n"
-                                  "[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = " + force + "\n").base().system,
-                    {of}, assembly::Quantity::displacement);
+    return peaks_of(
+        test::project("trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, "
+                      "yy = 1, zz = 1}\n"
+                      "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, "
+                      "0]\nrotation = [0, 0, 0]\ndamping = {translation = [0.01, 0, 0], rotation = [0, 0, 0]}\n"
+                      "[elements.z]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [0, 0, "
+                      "121]\nrotation = [0, 0, 0]\ndamping = {translation = [0, 0, 7.7], rotation = [0, 0, 0]}\n"
+                      "[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = " +
+                      force + "\n")
+            .base()
+            .system,
+        {of}, assembly::Quantity::displacement);
   };
   const response::Peaks z = found("[0, 0, 1]", "b.z");
   ASSERT_EQ(z.list.size(), 1u);
@@ -68,7 +82,8 @@ TEST(PeaksOfTwoModes, BelongToTheModeThatResonatesNotToTheNearestInFrequency) {
 }
 
 TEST(PeaksOfOneMass, NoneAboveTheKnownDamping) {
-  for (const double ratio : {0.708, 1.0, 2.5}) EXPECT_TRUE(single_mass(ratio, 0, assembly::Quantity::displacement).list.empty()) << ratio;
+  for (const double ratio : {0.708, 1.0, 2.5})
+    EXPECT_TRUE(single_mass(ratio, 0, assembly::Quantity::displacement).list.empty()) << ratio;
 }
 
 TEST(PeaksOfOneMass, VelocityAndAcceleration) {
@@ -80,8 +95,10 @@ TEST(PeaksOfOneMass, VelocityAndAcceleration) {
     EXPECT_FALSE(velocity.list[0].ratio_to_static.has_value());
     const auto acceleration = single_mass(ratio, 0, assembly::Quantity::acceleration);
     ASSERT_EQ(acceleration.list.size(), 1u);
-    EXPECT_THAT(acceleration.list[0].angular_frequency, RelativelyNear(30 / std::sqrt(1 - 2 * ratio * ratio), frequency_digits));
-    EXPECT_THAT(acceleration.list[0].amplitude, RelativelyNear(5 / 2.0 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits));
+    EXPECT_THAT(acceleration.list[0].angular_frequency,
+                RelativelyNear(30 / std::sqrt(1 - 2 * ratio * ratio), frequency_digits));
+    EXPECT_THAT(acceleration.list[0].amplitude,
+                RelativelyNear(5 / 2.0 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits));
   }
   EXPECT_TRUE(single_mass(0.75, 0, assembly::Quantity::acceleration).list.empty()) << "it only rises to F/m";
 }
@@ -93,7 +110,8 @@ TEST(PeaksOfOneMass, TransmittedForce) {
     ASSERT_EQ(found.list.size(), 1u) << ratio;
     const double r2 = (std::sqrt(1 + 8 * ratio * ratio) - 1) / (4 * ratio * ratio), c = 4 * ratio * ratio * r2;
     EXPECT_THAT(found.list[0].angular_frequency, RelativelyNear(30 * std::sqrt(r2), frequency_digits));
-    EXPECT_THAT(found.list[0].amplitude, RelativelyNear(5 * std::sqrt((1 + c) / ((1 - r2) * (1 - r2) + c)), amplitude_digits));
+    EXPECT_THAT(found.list[0].amplitude,
+                RelativelyNear(5 * std::sqrt((1 + c) / ((1 - r2) * (1 - r2) + c)), amplitude_digits));
   }
 }
 
@@ -115,9 +133,13 @@ TEST(PeaksOfOneMass, UndampedIsUnbounded) {
 
 TEST(PeaksOfOneMass, LightDampingBesideAHeavyDashpotIsNoUndampedPole) {
   // ω0 = 1 rad/s with ζ = 1e-6, and a second mass on a dashpot whose root is 1e8 times larger.
-  const auto project = test::project(test::chain({1}, {1}, {2e-6}) + "[bodies.other]\nmass = 1\nfree = [\"x\"]\n[elements.d]\ntype = \"damper\"\non = \"other\"\nat = [0, 0, 0]\naxis = \"x\"\n" +
-                                     "coefficient = 1e8\n[elements.s]\ntype = \"three_springs\"\non = \"other\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n" +
-                                     "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n");
+  const auto project =
+      test::project(test::chain({1}, {1}, {2e-6}) +
+                    "[bodies.other]\nmass = 1\nfree = [\"x\"]\n[elements.d]\ntype = \"damper\"\non = \"other\"\nat = "
+                    "[0, 0, 0]\naxis = \"x\"\n" +
+                    "coefficient = 1e8\n[elements.s]\ntype = \"three_springs\"\non = \"other\"\nat = [0, 0, "
+                    "0]\ntranslation = [1, 0, 0]\n" +
+                    "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n");
   const auto found = peaks_of(project.base().system, {"m1"}, assembly::Quantity::displacement);
   ASSERT_EQ(found.list.size(), 1u);
   EXPECT_THAT(found.list[0].amplitude, RelativelyNear(5e5, 1e-9));
@@ -125,7 +147,9 @@ TEST(PeaksOfOneMass, LightDampingBesideAHeavyDashpotIsNoUndampedPole) {
 }
 
 TEST(PeaksOfOneMass, FreeMassHasNone) {
-  const auto project = test::project("trivet = 1\n[bodies.m]\nmass = 2\nfree = [\"x\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n");
+  const auto project = test::project(
+      "trivet = 1\n[bodies.m]\nmass = 2\nfree = [\"x\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, "
+      "0]\nforce = [5, 0, 0]\n");
   EXPECT_TRUE(peaks_of(project.base().system, {"coordinates"}, assembly::Quantity::displacement).list.empty());
 }
 
@@ -160,12 +184,14 @@ TEST(PeaksOfRandomSystems, AreThoseOfADenseScan) {
   using enum test::RandomDamping;
   int compared = 0;
   for (unsigned seed = 1; seed <= 16; ++seed) {
-    const model::System system = test::checked(test::RandomSystem(seed).description(1 + seed % 2, std::array{proportional, viscous, loss}[seed % 3]));
+    const model::System system = test::checked(
+        test::RandomSystem(seed).description(1 + seed % 2, std::array{proportional, viscous, loss}[seed % 3]));
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
     const modal::Roots roots = modal::roots(system, assembled, modes);
     const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
-    const auto channels = assembly::channels(system, assembled, {"coordinates", "ground", "body 0.tip"}, static_cast<assembly::Quantity>(seed % 3));
+    const auto channels = assembly::channels(system, assembled, {"coordinates", "ground", "body 0.tip"},
+                                             static_cast<assembly::Quantity>(seed % 3));
     const response::Peaks found = response::peaks(assembled, channels, load, modes, roots, {1e-5});
     const std::vector<double> grid = dense_grid(roots.poles);
     const response::FrequencyResponse scan = response::frequency_response(assembled, channels, load, grid);

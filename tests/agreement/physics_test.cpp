@@ -32,26 +32,32 @@ struct Variant {
 
 std::vector<Variant> variants() {
   std::vector<Variant> all;
-  for (unsigned seed = 1; seed <= seeds; ++seed) all.push_back({seed, 1 + seed % 3, static_cast<RandomDamping>(seed % 4)});
+  for (unsigned seed = 1; seed <= seeds; ++seed)
+    all.push_back({seed, 1 + seed % 3, static_cast<RandomDamping>(seed % 4)});
   return all;
 }
 
 Eigen::MatrixXcd receptance(const assembly::Assembled& assembled, double omega) {
   const Eigen::Index n = assembled.matrices.size();
   Eigen::MatrixXcd result(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) result.col(j) = numerics::sweep(assembled.matrices, Eigen::VectorXcd::Unit(n, j), {omega}).response.col(0);
+  for (Eigen::Index j = 0; j < n; ++j)
+    result.col(j) = numerics::sweep(assembled.matrices, Eigen::VectorXcd::Unit(n, j), {omega}).response.col(0);
   return result;
 }
 
-std::vector<response::Curve> curves(const model::System& system, const std::vector<std::string>& of, const std::vector<double>& omega,
+std::vector<response::Curve> curves(const model::System& system, const std::vector<std::string>& of,
+                                    const std::vector<double>& omega,
                                     assembly::Quantity quantity = assembly::Quantity::displacement) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  return response::frequency_response(assembled, assembly::channels(system, assembled, of, quantity), assembly::harmonic_loading(system, assembled), omega).curves;
+  return response::frequency_response(assembled, assembly::channels(system, assembled, of, quantity),
+                                      assembly::harmonic_loading(system, assembled), omega)
+      .curves;
 }
 
 TEST(Physics, ReceptancesAreReciprocal) {
   for (const Variant& v : variants()) {
-    const assembly::Assembled assembled = assembly::assemble(test::checked(test::RandomSystem(v.seed).description(v.bodies, v.damping)));
+    const assembly::Assembled assembled =
+        assembly::assemble(test::checked(test::RandomSystem(v.seed).description(v.bodies, v.damping)));
     for (const double omega : {3.0, 40.0, 200.0}) {
       const Eigen::MatrixXcd r = receptance(assembled, omega);
       const Eigen::VectorXd scale = r.diagonal().cwiseAbs().cwiseSqrt();
@@ -65,7 +71,8 @@ TEST(Physics, ARigidMotionStoresNoEnergyInAnyElement) {
     const model::Description d = test::RandomSystem(v.seed).description(v.bodies, v.damping);
     for (const model::Element& element : d.elements) {
       const model::Span span = model::span(d.bodies, element.n, element.k);
-      const auto verdict = elements::examine(element.law.nominal_stiffness, elements::rigid_motions(span.arm, span.n_from_k));
+      const auto verdict =
+          elements::examine(element.law.nominal_stiffness, elements::rigid_motions(span.arm, span.n_from_k));
       EXPECT_LE(verdict.rigid_residual, 1e-12);
     }
   }
@@ -75,17 +82,20 @@ TEST(Physics, AFreeSystemHasSixRigidModes) {
   for (const Variant& v : variants()) {
     const model::System system = test::checked(test::RandomSystem(v.seed).description(v.bodies + 1, v.damping, false));
     const modal::Modes modes = modal::modes(system);
-    const auto rigid = std::count_if(modes.list.begin(), modes.list.end(), [](const auto& m) { return m.eigenvalue_squared == 0; });
+    const auto rigid =
+        std::count_if(modes.list.begin(), modes.list.end(), [](const auto& m) { return m.eigenvalue_squared == 0; });
     EXPECT_EQ(rigid, 6) << "seed " << v.seed;
     const modal::Roots roots = modal::roots(system);
-    const auto zero = std::count_if(roots.list.begin(), roots.list.end(), [](const auto& r) { return r.kind == modal::RootKind::rigid; });
+    const auto zero = std::count_if(roots.list.begin(), roots.list.end(),
+                                    [](const auto& r) { return r.kind == modal::RootKind::rigid; });
     EXPECT_EQ(zero, 12) << "seed " << v.seed;
   }
 }
 
 /// The same machine in a ground frame that is turned and shifted.
 model::Description moved(model::Description d, const spatial::Pose& by) {
-  for (auto& body : d.bodies) body.pose = {by.position + by.rotation * body.pose.position, by.rotation * body.pose.rotation};
+  for (auto& body : d.bodies)
+    body.pose = {by.position + by.rotation * body.pose.position, by.rotation * body.pose.rotation};
   for (auto& element : d.elements)
     if (!element.n.body) {
       element.n.at = by.position + by.rotation * element.n.at;
@@ -100,7 +110,8 @@ TEST(Physics, TurningAndShiftingTheGroundFrameChangesNothing) {
     const model::Description d = random.description(v.bodies, v.damping);
     const model::System here = test::checked(d), there = test::checked(moved(d, {random.vector(3), random.rotation()}));
     const auto a = curves(here, {"coordinates"}, {0, 10, 50}), b = curves(there, {"coordinates"}, {0, 10, 50});
-    for (std::size_t c = 0; c < a.size(); ++c) EXPECT_THAT(b[c].value, test::NearVector(a[c].value, round_off)) << "seed " << v.seed << " " << a[c].name;
+    for (std::size_t c = 0; c < a.size(); ++c)
+      EXPECT_THAT(b[c].value, test::NearVector(a[c].value, round_off)) << "seed " << v.seed << " " << a[c].name;
   }
 }
 
@@ -126,7 +137,8 @@ TEST(Physics, MovingThePoleAndTurningTheBodyAxesChangesNothingPhysical) {
   for (const Variant& v : variants()) {
     test::RandomSystem random(v.seed);
     model::Description d = random.description(v.bodies, v.damping);
-    d.excitations[0].action.amplitude = d.excitations[0].action.amplitude.cwiseAbs().cast<std::complex<double>>().eval();
+    d.excitations[0].action.amplitude =
+        d.excitations[0].action.amplitude.cwiseAbs().cast<std::complex<double>>().eval();
     const std::size_t index = v.bodies - 1;
     const spatial::Pose frame{random.vector(0.8), random.rotation()};
     model::Description other = from_other_pole(d, index, frame);
@@ -136,9 +148,11 @@ TEST(Physics, MovingThePoleAndTurningTheBodyAxesChangesNothingPhysical) {
     force.amplitude = (spatial::both_blocks(back).cast<std::complex<double>>() * force.amplitude).eval();
     const model::System one = test::checked(d), two = test::checked(other);
     const auto a = modal::modes(one), b = modal::modes(two);
-    for (std::size_t i = 0; i < a.list.size(); ++i) EXPECT_THAT(b.list[i].eigenvalue_squared, test::RelativelyNear(a.list[i].eigenvalue_squared, round_off));
+    for (std::size_t i = 0; i < a.list.size(); ++i)
+      EXPECT_THAT(b.list[i].eigenvalue_squared, test::RelativelyNear(a.list[i].eigenvalue_squared, round_off));
     const auto ground_a = curves(one, {"ground"}, {5, 60}), ground_b = curves(two, {"ground"}, {5, 60});
-    for (std::size_t c = 0; c < ground_a.size(); ++c) EXPECT_THAT(ground_b[c].value, test::NearVector(ground_a[c].value, round_off)) << ground_a[c].name;
+    for (std::size_t c = 0; c < ground_a.size(); ++c)
+      EXPECT_THAT(ground_b[c].value, test::NearVector(ground_a[c].value, round_off)) << ground_a[c].name;
   }
 }
 
@@ -161,7 +175,8 @@ TEST(Physics, EveryRootMakesTheDynamicMatrixSingular) {
     const modal::Roots roots = modal::roots(system);
     EXPECT_EQ(roots.list.size(), static_cast<std::size_t>(m.lossy() ? m.size() : 2 * m.size()));
     for (const modal::Root& root : roots.list) {
-      const Eigen::MatrixXcd z = root.eigenvalue * root.eigenvalue * m.A.cast<std::complex<double>>() + root.eigenvalue * m.B.cast<std::complex<double>>() + m.complex_stiffness();
+      const Eigen::MatrixXcd z = root.eigenvalue * root.eigenvalue * m.A.cast<std::complex<double>>() +
+          root.eigenvalue * m.B.cast<std::complex<double>>() + m.complex_stiffness();
       EXPECT_LE((z * root.shape).norm() / (z.norm() * root.shape.norm()), 1e-12) << "seed " << v.seed;
     }
   }
@@ -171,7 +186,8 @@ TEST(Physics, TwoSolversAgreeWithinRoundOffTimesCondition) {
   for (const Variant& v : variants()) {
     const model::System system = test::checked(test::RandomSystem(v.seed).description(v.bodies, v.damping));
     const assembly::Assembled assembled = assembly::assemble(system);
-    const auto check = response::deep_check(system, assembled, assembly::harmonic_loading(system, assembled), {0, 1, 7, 33, 90, 210, 500});
+    const auto check = response::deep_check(system, assembled, assembly::harmonic_loading(system, assembled),
+                                            {0, 1, 7, 33, 90, 210, 500});
     EXPECT_TRUE(check.passed) << "seed " << v.seed << ": " << check.worst_difference << " against " << check.allowed;
     EXPECT_EQ(check.frequencies, 7);
   }
@@ -204,7 +220,8 @@ TEST(Physics, GroundForceAndAppliedForceMakeTheMomentumChange) {
         momentum_change += body.mass.mass * (body.pose.rotation.cast<std::complex<double>>() * acceleration);
       }
       const Eigen::Vector3cd on_ground(ground[0].value(0), ground[1].value(0), ground[2].value(0));
-      EXPECT_LE((applied - on_ground - momentum_change).norm(), 1e-9 * (applied.norm() + on_ground.norm())) << "seed " << v.seed;
+      EXPECT_LE((applied - on_ground - momentum_change).norm(), 1e-9 * (applied.norm() + on_ground.norm()))
+          << "seed " << v.seed;
     }
   }
 }
@@ -218,7 +235,9 @@ TEST(Physics, UnitsScaleAsTheyMust) {
   unit << 1, 1, 1, length, length, length;
   spatial::Vector12 units;
   units << unit, unit;
-  const auto rescale = [&](const spatial::Matrix12& c) -> spatial::Matrix12 { return units.asDiagonal() * c * units.asDiagonal() / length; };
+  const auto rescale = [&](const spatial::Matrix12& c) -> spatial::Matrix12 {
+    return units.asDiagonal() * c * units.asDiagonal() / length;
+  };
   for (auto& body : mm.bodies) {
     body.pose.position *= length;
     body.mass.mass /= length;
@@ -229,16 +248,19 @@ TEST(Physics, UnitsScaleAsTheyMust) {
     element.n.at *= length;
     element.k.at *= length;
     element.law.nominal_stiffness = rescale(element.law.nominal_stiffness);
-    std::get<elements::DampingMatrix>(element.law.damping).matrix = rescale(std::get<elements::DampingMatrix>(element.law.damping).matrix);
+    std::get<elements::DampingMatrix>(element.law.damping).matrix =
+        rescale(std::get<elements::DampingMatrix>(element.law.damping).matrix);
   }
   const auto a = modal::modes(test::checked(d)), b = modal::modes(test::checked(mm));
-  for (std::size_t i = 0; i < a.list.size(); ++i) EXPECT_THAT(b.list[i].eigenvalue_squared, test::RelativelyNear(a.list[i].eigenvalue_squared, round_off));
+  for (std::size_t i = 0; i < a.list.size(); ++i)
+    EXPECT_THAT(b.list[i].eigenvalue_squared, test::RelativelyNear(a.list[i].eigenvalue_squared, round_off));
 }
 
 TEST(Physics, DampedResponseIsTheSumOverItsRoots) {
   // q(ω) = Σ v vᵀh / ((iω − λ) vᵀ(2λA + B)v) for a symmetric system with simple roots: poles against the direct solver.
   for (unsigned seed = 1; seed <= seeds; ++seed) {
-    const model::System system = test::checked(test::RandomSystem(seed).description(1 + seed % 2, RandomDamping::viscous));
+    const model::System system =
+        test::checked(test::RandomSystem(seed).description(1 + seed % 2, RandomDamping::viscous));
     const assembly::Assembled assembled = assembly::assemble(system);
     const Eigen::VectorXcd h = assembly::harmonic_loading(system, assembled).force.at(0);
     const modal::Roots roots = modal::roots(system);
@@ -246,11 +268,13 @@ TEST(Physics, DampedResponseIsTheSumOverItsRoots) {
       Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(h.size());
       for (const modal::Root& root : roots.list) {
         const Eigen::VectorXcd& v = root.shape;
-        const std::complex<double> slope = v.transpose() * (2.0 * root.eigenvalue * assembled.matrices.A + assembled.matrices.B) * v;
+        const std::complex<double> slope =
+            v.transpose() * (2.0 * root.eigenvalue * assembled.matrices.A + assembled.matrices.B) * v;
         const std::complex<double> drive = v.transpose() * h;
         sum += v * drive / ((std::complex<double>(0, omega) - root.eigenvalue) * slope);
       }
-      EXPECT_THAT(sum, test::NearVector(numerics::sweep(assembled.matrices, h, {omega}).response.col(0).eval(), 1e-9)) << "seed " << seed;
+      EXPECT_THAT(sum, test::NearVector(numerics::sweep(assembled.matrices, h, {omega}).response.col(0).eval(), 1e-9))
+          << "seed " << seed;
     }
   }
 }

@@ -24,7 +24,9 @@ struct QuadComplex {
   Quad re = 0, im = 0;
 };
 QuadComplex operator-(const QuadComplex& a, const QuadComplex& b) { return {a.re - b.re, a.im - b.im}; }
-QuadComplex operator*(const QuadComplex& a, const QuadComplex& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+QuadComplex operator*(const QuadComplex& a, const QuadComplex& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
 QuadComplex operator/(const QuadComplex& a, const QuadComplex& b) {
   const Quad square = b.re * b.re + b.im * b.im;
   return {(a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square};
@@ -32,11 +34,12 @@ QuadComplex operator/(const QuadComplex& a, const QuadComplex& b) {
 double modulus(const QuadComplex& z) { return std::hypot(static_cast<double>(z.re), static_cast<double>(z.im)); }
 
 struct Comparison {
-  double forward = 0;    ///< ‖q − exact‖ / ‖exact‖
-  double backward = 0;   ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal
+  double forward = 0;   ///< ‖q − exact‖ / ‖exact‖
+  double backward = 0;  ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal
 };
 
-Comparison compare(const DynamicMatrices& given, const Eigen::VectorXcd& load, double omega, const Eigen::VectorXcd& q) {
+Comparison compare(const DynamicMatrices& given, const Eigen::VectorXcd& load, double omega,
+                   const Eigen::VectorXcd& q) {
   const auto n = static_cast<std::size_t>(given.size());
   const Eigen::VectorXd d = numerics::unit_scale(given.A);
   std::vector<std::vector<QuadComplex>> z(n, std::vector<QuadComplex>(n));
@@ -50,11 +53,13 @@ Comparison compare(const DynamicMatrices& given, const Eigen::VectorXcd& load, d
     for (std::size_t j = 0; j < n; ++j) {
       const auto column = static_cast<Eigen::Index>(j);
       const Quad scale = Quad(d(row)) * d(column);
-      z[i][j] = {scale * (Quad(given.K(row, column)) - Quad(omega) * omega * given.A(row, column)), scale * Quad(omega) * given.B(row, column)};
+      z[i][j] = {scale * (Quad(given.K(row, column)) - Quad(omega) * omega * given.A(row, column)),
+                 scale * Quad(omega) * given.B(row, column)};
       r = r - z[i][j] * QuadComplex{Quad(q(column).real()) / d(column), Quad(q(column).imag()) / d(column)};
       sum += modulus(z[i][j]);
     }
-    norm = std::max(norm, sum), residual = std::max(residual, modulus(r)), h = std::max(h, modulus(x[i])), size = std::max(size, std::abs(q(row)) / d(row));
+    norm = std::max(norm, sum), residual = std::max(residual, modulus(r)), h = std::max(h, modulus(x[i])),
+    size = std::max(size, std::abs(q(row)) / d(row));
   }
   for (std::size_t c = 0; c < n; ++c) {
     std::size_t pivot = c;
@@ -129,12 +134,13 @@ TEST(PoleSweep, WhereItAnswersItIsRightNearEveryResonanceOfEveryHardCase) {
 TEST(PoleSweep, DeclinesWhatItCannotProve) {
   for (const test::HardCase& hard : test::hard_cases()) {
     const std::string name = hard.name;
-    const bool impossible = name.starts_with("critical") || name == "exceptional point" || name == "indefinite mass" || name == "unsymmetric" ||
-                            name.starts_with("loss factor");
+    const bool impossible = name.starts_with("critical") || name == "exceptional point" || name == "indefinite mass" ||
+        name == "unsymmetric" || name.starts_with("loss factor");
     if (impossible) {
       EXPECT_FALSE(PoleSweep::of(hard.m, test::load())) << name;
     }
-    const bool regular = name.starts_with("general") || name.starts_with("proportional") || name.starts_with("coincident");
+    const bool regular =
+        name.starts_with("general") || name.starts_with("proportional") || name.starts_with("coincident");
     if (regular) {
       EXPECT_TRUE(PoleSweep::of(hard.m, test::load())) << name;
     }
@@ -162,9 +168,11 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
     for (int n = 1; n <= 12; ++n)
       for (const double damping : {0.01, 1.0}) {
         const DynamicMatrices m = random_system(n, static_cast<unsigned>(n), damping);
-        const Eigen::VectorXcd load = Eigen::VectorXcd::LinSpaced(n, std::complex<double>(1, n % 2), std::complex<double>(-0.7, 0.4));
+        const Eigen::VectorXcd load =
+            Eigen::VectorXcd::LinSpaced(n, std::complex<double>(1, n % 2), std::complex<double>(-0.7, 0.4));
         const std::optional<PoleSweep> poles = PoleSweep::of(m, load);
-        const bool fused = set != "SCALAR" && set != "EMU128";  // without fused products light resonances cannot be checked
+        const bool fused =
+            set != "SCALAR" && set != "EMU128";  // without fused products light resonances cannot be checked
         if (!poles && !fused) continue;
         ASSERT_TRUE(poles) << set << ", n = " << n << ", damping " << damping;
         ++proven;
@@ -173,7 +181,8 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
           for (int i = 0; i < count; ++i) omega.push_back(3.1 * i);
           const Answer found = response(*poles, omega, n);
           EXPECT_TRUE(found.proven);
-          for (std::size_t i = 0; i < omega.size(); ++i) EXPECT_LE(compare(m, load, omega[i], at(found, i)).forward, 1e-12) << set << ", n = " << n;
+          for (std::size_t i = 0; i < omega.size(); ++i)
+            EXPECT_LE(compare(m, load, omega[i], at(found, i)).forward, 1e-12) << set << ", n = " << n;
         }
       }
     EXPECT_GE(proven, 12) << set;
@@ -194,7 +203,8 @@ TEST(PoleSweep, OfMoreThanCachesHoldIsThatOfItsPieces) {
       const Eigen::Index taken = std::min(piece, count - first);
       Eigen::ArrayXXd re(taken, 6), im(taken, 6);
       ASSERT_TRUE(poles->response(omega.segment(first, taken), re, im));
-      ASSERT_TRUE((memory_re.middleRows(first, taken) == re).all() && (memory_im.middleRows(first, taken) == im).all()) << rows << " " << first;
+      ASSERT_TRUE((memory_re.middleRows(first, taken) == re).all() && (memory_im.middleRows(first, taken) == im).all())
+          << rows << " " << first;
     }
   }
 }
@@ -207,7 +217,8 @@ TEST(PoleSweep, NeedsArraysOfTheRightSize) {
 }
 
 TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne) {
-  constexpr double round_off_at_resonances = 3e-8;  // of the direct way: 100 epsilon over the smallest damping ratio of these cases, 1e-6
+  constexpr double round_off_at_resonances =
+      3e-8;  // of the direct way: 100 epsilon over the smallest damping ratio of these cases, 1e-6
   std::vector<double> omega;
   for (int i = 0; i < 30000; ++i) omega.push_back(1e-4 * i);
   for (const auto& hard : test::hard_cases()) {
@@ -220,9 +231,11 @@ TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne)
     EXPECT_TRUE((one.re == sixteen.re).all() && (one.im == sixteen.im).all()) << hard.name;
     bool differs = false;
     for (Eigen::Index f = 0; f < direct.response.cols(); ++f) {
-      const Eigen::VectorXcd q = one.re.row(f).transpose().matrix() + numerics::Complex(0, 1) * one.im.row(f).transpose().matrix();
+      const Eigen::VectorXcd q =
+          one.re.row(f).transpose().matrix() + numerics::Complex(0, 1) * one.im.row(f).transpose().matrix();
       differs = differs || q != direct.response.col(f);
-      EXPECT_LE((q - direct.response.col(f)).norm(), round_off_at_resonances * q.norm()) << hard.name << " at " << omega[static_cast<std::size_t>(f)];
+      EXPECT_LE((q - direct.response.col(f)).norm(), round_off_at_resonances * q.norm())
+          << hard.name << " at " << omega[static_cast<std::size_t>(f)];
     }
     EXPECT_TRUE(differs) << hard.name << ": solved directly";
   }

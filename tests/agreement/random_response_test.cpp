@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Variances of random vibration by other ways: sums over a fine grid of the frequency response, the Lyapunov equation, limits.
+// Variances of random vibration by other ways: sums over a fine grid of the frequency response, the Lyapunov equation,
+// limits.
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
@@ -59,9 +60,10 @@ excitation::Spectrum two_pieces(double from, double middle, double to) {
   return {{{from, middle, 2, 5, true}, {middle, to, 3, 0.07, false}}};
 }
 
-/// Mean squares of all channels and, with `derivative`, of what is that often differentiated, by Simpson's rule between breakpoints.
-Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& channels, const response::RandomLoading& loading, int steps,
-                       int derivative = 0) {
+/// Mean squares of all channels and, with `derivative`, of what is that often differentiated, by Simpson's rule between
+/// breakpoints.
+Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& channels,
+                       const response::RandomLoading& loading, int steps, int derivative = 0) {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(channels.size()));
   const std::vector<double> ends = excitation::breakpoints(loading.inputs[0].spectrum);
   for (std::size_t piece = 1; piece < ends.size(); ++piece) {
@@ -70,19 +72,21 @@ Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& chan
     std::vector<double> omega;
     for (int i = 0; i <= steps; ++i) omega.push_back(a + h * i);
     std::vector<response::FrequencyResponse> responses;
-    for (const auto& input : loading.inputs) responses.push_back(response::frequency_response(c.assembled, channels, input.loading, omega));
+    for (const auto& input : loading.inputs)
+      responses.push_back(response::frequency_response(c.assembled, channels, input.loading, omega));
     excitation::RandomInputs inputs{{}, loading.pairs};
     for (const auto& input : loading.inputs) inputs.spectra.push_back(input.spectrum);
     for (int i = 0; i <= steps; ++i) {
       const double weight = h / 3 *
-                            (i == 0 || i == steps ? 1
-                             : i % 2 == 1         ? 4
-                                                  : 2) *
-                            std::pow(omega[static_cast<std::size_t>(i)], 2 * derivative);
+          (i == 0 || i == steps ? 1
+               : i % 2 == 1     ? 4
+                                : 2) *
+          std::pow(omega[static_cast<std::size_t>(i)], 2 * derivative);
       const Eigen::MatrixXcd density = excitation::density_matrix(inputs, omega[static_cast<std::size_t>(i)]);
       for (std::size_t k = 0; k < channels.size(); ++k) {
         Eigen::VectorXcd h_k(static_cast<Eigen::Index>(responses.size()));
-        for (std::size_t r = 0; r < responses.size(); ++r) h_k(static_cast<Eigen::Index>(r)) = responses[r].curves[k].value(i);
+        for (std::size_t r = 0; r < responses.size(); ++r)
+          h_k(static_cast<Eigen::Index>(r)) = responses[r].curves[k].value(i);
         total(static_cast<Eigen::Index>(k)) += weight * h_k.dot(density * h_k).real();
       }
     }
@@ -117,7 +121,8 @@ TEST(RandomResponse, AccelerationsOfABodyAreThoseOfAFineGrid) {
   const Case c = drawn(22, 1, test::RandomDamping::viscous);
   const auto channels = c.channels({"body 0", "body 0.tip.relative"}, assembly::Quantity::acceleration);
   const response::RandomLoading loading{{{"floor", base(c, 2), two_pieces(3, 60, 300)}}, {}};
-  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 20000), truncation);
+  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 20000),
+                      truncation);
 }
 
 TEST(RandomResponse, ProportionalDampingIsSolvedModeByModeAndAgrees) {
@@ -133,14 +138,17 @@ TEST(RandomResponse, ALossFactorAgreesWithAFineGrid) {
   const Case c = drawn(24, 2, test::RandomDamping::loss);
   const auto channels = c.channels({"coordinates", "ground"});
   const response::RandomLoading loading{{{"input", force(c, 1), two_pieces(2, 40, 400)}}, {}};
-  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000), truncation);
+  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000),
+                      truncation);
 }
 
 TEST(RandomResponse, ATravellingWaveAgreesWithAFineGrid) {
   const Case c = drawn(25, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates", "element 0.deflection"});
-  const response::RandomLoading loading{{{"wave", base(c, 0, model::Wave{Eigen::Vector3d(0.6, 0.8, 0), 4.0}), two_pieces(2, 40, 400)}}, {}};
-  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000), truncation);
+  const response::RandomLoading loading{
+      {{"wave", base(c, 0, model::Wave{Eigen::Vector3d(0.6, 0.8, 0), 4.0}), two_pieces(2, 40, 400)}}, {}};
+  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000),
+                      truncation);
 }
 
 TEST(RandomResponse, AVeryFastWaveIsAnInPhaseMotionOfAllGroundPoints) {
@@ -150,11 +158,12 @@ TEST(RandomResponse, AVeryFastWaveIsAnInPhaseMotionOfAllGroundPoints) {
   model::Action together;
   together.amplitude << 0.3, -0.2, 1, 0.05, 0.1, 0;
   for (const auto& end : c.assembled.ground.ends) together.elements.push_back(end.element);
-  const auto wave =
-      response::random_response(c.assembled, channels, {{{"wave", base(c, 0, model::Wave{Eigen::Vector3d::UnitX(), 1e12}), spectrum}}, {}});
-  const auto in_phase =
-      response::random_response(c.assembled, channels, {{{"all", assembly::loading(c.assembled, together), spectrum}}, {}});
-  for (std::size_t i = 0; i < channels.size(); ++i) EXPECT_NEAR(*wave.answers[i].rms / *in_phase.answers[i].rms, 1, round_off);
+  const auto wave = response::random_response(
+      c.assembled, channels, {{{"wave", base(c, 0, model::Wave{Eigen::Vector3d::UnitX(), 1e12}), spectrum}}, {}});
+  const auto in_phase = response::random_response(c.assembled, channels,
+                                                  {{{"all", assembly::loading(c.assembled, together), spectrum}}, {}});
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    EXPECT_NEAR(*wave.answers[i].rms / *in_phase.answers[i].rms, 1, round_off);
 }
 
 /// Covariance of (q, q̇) under one white force, 0 … ∞, by the Lyapunov equation.
@@ -176,8 +185,8 @@ TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {
   const auto channels = c.channels({"coordinates"});
   const assembly::Loading load = force(c, 2);
   constexpr double density = 0.7, highest = 1e7;
-  const auto random =
-      response::random_response(c.assembled, channels, {{{"noise", load, excitation::flat_spectrum(density, 0, highest)}}, {}});
+  const auto random = response::random_response(
+      c.assembled, channels, {{{"noise", load, excitation::flat_spectrum(density, 0, highest)}}, {}});
   const Eigen::Index n = c.assembled.matrices.size();
   const Eigen::MatrixXd covariance = white_noise_covariance(c, load, density);
   const Eigen::VectorXd push = c.assembled.matrices.A.inverse() * load.force.at(0).real();
@@ -188,9 +197,11 @@ TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {
 
 TEST(RandomResponse, VeryLightDampingLeavesEachModeOnItsOwn) {
   // A millionth of the damping: what one mode tells another is a ratio of damping, 1e-8. Σ π S (φᵀh)² φ²/(2 ω² φᵀBφ).
-  constexpr double of_conditioning = 1e-7, estimated = 1e-6;  // what the form promises of itself varies with the compiler
+  constexpr double of_conditioning = 1e-7,
+                   estimated = 1e-6;  // what the form promises of itself varies with the compiler
   model::Description description = test::RandomSystem(35).description(2, test::RandomDamping::viscous);
-  for (model::Element& element : description.elements) std::get<elements::DampingMatrix>(element.law.damping).matrix *= 1e-6;
+  for (model::Element& element : description.elements)
+    std::get<elements::DampingMatrix>(element.law.damping).matrix *= 1e-6;
   const Case c{test::checked(description)};
   const assembly::Loading load = force(c, 1);
   const auto& m = c.assembled.matrices;
@@ -201,8 +212,8 @@ TEST(RandomResponse, VeryLightDampingLeavesEachModeOnItsOwn) {
     const double push = phi.dot(load.force.at(0).real());
     expected += std::numbers::pi * push * push / (2 * modes.lambda(k) * phi.dot(m.B * phi)) * phi.cwiseAbs2();
   }
-  const auto random =
-      response::random_response(c.assembled, c.channels({"coordinates"}), {{{"noise", load, excitation::flat_spectrum(1, 0, 1e6)}}, {}});
+  const auto random = response::random_response(c.assembled, c.channels({"coordinates"}),
+                                                {{{"noise", load, excitation::flat_spectrum(1, 0, 1e6)}}, {}});
   EXPECT_EQ(random.method, RandomMethod::poles) << random.remark;
   for (const response::RandomAnswer& answer : random.answers) EXPECT_LE(answer.estimated_error, estimated);
   expect_mean_squares(random, expected, of_conditioning);
@@ -213,11 +224,13 @@ TEST(RandomResponse, ANarrowInputElsewhereIsNotOverlooked) {
   model::Description description = test::RandomSystem(36).description(1, test::RandomDamping::viscous);
   test::RandomSystem other(37);
   description.bodies.push_back(other.body("other"));
-  description.elements.push_back(other.element("its own", std::nullopt, 1, description.bodies, test::RandomDamping::viscous));
+  description.elements.push_back(
+      other.element("its own", std::nullopt, 1, description.bodies, test::RandomDamping::viscous));
   const Case c{test::checked(description)};
   const auto channels = c.channels({"other"});
   const response::RandomInput narrow{"narrow", force(c, 1), excitation::flat_spectrum(1, 33, 33.01)};
-  const auto both = response::random_response(c.assembled, channels, {{{"wide", force(c, 0), two_pieces(2, 40, 400)}, narrow}, {}});
+  const auto both =
+      response::random_response(c.assembled, channels, {{{"wide", force(c, 0), two_pieces(2, 40, 400)}, narrow}, {}});
   const auto alone = response::random_response(c.assembled, channels, {{narrow}, {}});
   for (std::size_t i = 0; i < channels.size(); ++i) {
     EXPECT_GT(*both.answers[i].rms, 0);
@@ -234,7 +247,8 @@ TEST(RandomResponse, CoherentEqualInputsAreOneInputAndUncorrelatedOnesAddUp) {
   for (const auto& term : other.force.terms()) both.force.add(term);
   const response::RandomInput first{"first", one, spectrum}, second{"second", other, spectrum};
   const auto together = response::random_response(c.assembled, channels, {{{"both", both, spectrum}}, {}});
-  const auto coherent = response::random_response(c.assembled, channels, {{first, second}, {{0, 1, {.at_zero = 1}, 0}}});
+  const auto coherent =
+      response::random_response(c.assembled, channels, {{first, second}, {{0, 1, {.at_zero = 1}, 0}}});
   const auto apart = response::random_response(c.assembled, channels, {{first, second}, {}});
   const auto only_first = response::random_response(c.assembled, channels, {{first}, {}}),
              only_second = response::random_response(c.assembled, channels, {{second}, {}});
@@ -253,7 +267,8 @@ TEST(RandomResponse, PartlyCoherentLateInputsAgreeWithAFineGrid) {
   const excitation::Spectrum rising = two_pieces(2, 40, 400), flat = excitation::flat_spectrum(0.4, 2, 400);
   const response::RandomLoading loading{{{"first", force(c, 0), rising}, {"second", base(c, 0), flat}},
                                         {{0, 1, {0.8, 3.0, 2.0, 30.0}, 0.05}}};
-  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000), truncation);
+  expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000),
+                      truncation);
 }
 
 TEST(RandomResponse, ADelayOfAPairIsTheDelayOfItsSecondInput) {
@@ -266,12 +281,15 @@ TEST(RandomResponse, ADelayOfAPairIsTheDelayOfItsSecondInput) {
   late.amplitude << 3, -1, 2, 0.5, 0.2, -0.4;
   late.delay = 0.06;
   const auto by_pair = response::random_response(
-      c.assembled, channels, {{{"a", force(c, 0), spectrum}, {"b", force(c, 1), spectrum}}, {{0, 1, {.at_zero = 1}, 0.06}}});
-  const auto other_way = response::random_response(
-      c.assembled, channels, {{{"a", force(c, 0), spectrum}, {"b", force(c, 1), spectrum}}, {{1, 0, {.at_zero = 1}, -0.06}}});
-  const auto by_action = response::random_response(
       c.assembled, channels,
-      {{{"a", force(c, 0), spectrum}, {"b", assembly::loading(c.assembled, late), spectrum}}, {{0, 1, {.at_zero = 1}, 0}}});
+      {{{"a", force(c, 0), spectrum}, {"b", force(c, 1), spectrum}}, {{0, 1, {.at_zero = 1}, 0.06}}});
+  const auto other_way = response::random_response(
+      c.assembled, channels,
+      {{{"a", force(c, 0), spectrum}, {"b", force(c, 1), spectrum}}, {{1, 0, {.at_zero = 1}, -0.06}}});
+  const auto by_action =
+      response::random_response(c.assembled, channels,
+                                {{{"a", force(c, 0), spectrum}, {"b", assembly::loading(c.assembled, late), spectrum}},
+                                 {{0, 1, {.at_zero = 1}, 0}}});
   for (std::size_t i = 0; i < channels.size(); ++i) {
     EXPECT_NEAR(*by_pair.answers[i].rms / *by_action.answers[i].rms, 1, round_off);
     EXPECT_NEAR(*other_way.answers[i].rms / *by_action.answers[i].rms, 1, round_off);
@@ -283,8 +301,8 @@ TEST(RandomResponse, AGroundAccelerationIsADisplacementWithItsSpectrumIntegrated
   const auto channels = c.channels({"coordinates", "element 0", "element 1.deflection"});
   const excitation::Spectrum acceleration = two_pieces(2, 40, 400);
   const auto given = response::random_response(c.assembled, channels, {{{"a", base(c, 2), acceleration}}, {}});
-  const auto integrated =
-      response::random_response(c.assembled, channels, {{{"a", base(c, 0), excitation::differentiated(acceleration, -2)}}, {}});
+  const auto integrated = response::random_response(
+      c.assembled, channels, {{{"a", base(c, 0), excitation::differentiated(acceleration, -2)}}, {}});
   EXPECT_EQ(given.method, RandomMethod::poles) << given.remark;
   for (std::size_t i = 0; i < channels.size(); ++i)
     EXPECT_NEAR(*given.answers[i].rms / *integrated.answers[i].rms, 1, round_off) << channels[i].name;
@@ -294,20 +312,29 @@ TEST(RandomResponse, ElementsThatDependOnFrequencyAreIntegratedToTheSameValues) 
   model::Description description = test::RandomSystem(32).description(2, test::RandomDamping::viscous);
   const Case plain{test::checked(description)};
   for (model::Element& element : description.elements) {
-    const spatial::Matrix12 stiffness = elements::stiffness(element.law), damping = elements::viscous_damping(element.law);
+    const spatial::Matrix12 stiffness = elements::stiffness(element.law),
+                            damping = elements::viscous_damping(element.law);
     element.law.scale = 1;
     element.law.nominal_stiffness = stiffness;
     element.law.damping = {};
-    element.law.frequency_dependence = elements::FrequencyDependence{[=](std::complex<double> omega, double) -> elements::Matrix12c {
-      return stiffness.cast<std::complex<double>>() + std::complex<double>(0, 1) * omega * damping.cast<std::complex<double>>();
-    }, false, 0, std::numeric_limits<double>::infinity(), {}};
+    element.law.frequency_dependence =
+        elements::FrequencyDependence{[=](std::complex<double> omega, double) -> elements::Matrix12c {
+                                        return stiffness.cast<std::complex<double>>() +
+                                            std::complex<double>(0, 1) * omega * damping.cast<std::complex<double>>();
+                                      },
+                                      false,
+                                      0,
+                                      std::numeric_limits<double>::infinity(),
+                                      {}};
   }
   const Case exact{test::checked(description)};
   const std::vector<std::string> of = {"coordinates", "element 0", "ground"};
   const excitation::Spectrum spectrum = two_pieces(2, 40, 400);
   for (const auto& load : {force, +[](const Case& c, std::size_t) { return base(c, 0); }}) {
-    const auto by_poles = response::random_response(plain.assembled, plain.channels(of), {{{"f", load(plain, 1), spectrum}}, {}});
-    const auto by_quadrature = response::random_response(exact.assembled, exact.channels(of), {{{"f", load(exact, 1), spectrum}}, {}});
+    const auto by_poles =
+        response::random_response(plain.assembled, plain.channels(of), {{{"f", load(plain, 1), spectrum}}, {}});
+    const auto by_quadrature =
+        response::random_response(exact.assembled, exact.channels(of), {{{"f", load(exact, 1), spectrum}}, {}});
     EXPECT_EQ(by_quadrature.method, RandomMethod::quadrature);
     for (std::size_t i = 0; i < by_poles.answers.size(); ++i) {
       EXPECT_NEAR(*by_quadrature.answers[i].rms / *by_poles.answers[i].rms, 1, settled) << by_poles.answers[i].name;
@@ -322,7 +349,8 @@ TEST(RandomResponse, TwoEqualCoherentInputsHaveFourTimesTheDensityOfOne) {
   const auto channels = c.channels({"coordinates"});
   const response::RandomInput input{"one", force(c, 0), two_pieces(2, 40, 400)};
   const auto one = response::random_curves(c.assembled, channels, {{input}, {}}, {3, 30, 300});
-  const auto two = response::random_curves(c.assembled, channels, {{input, input}, {{0, 1, {.at_zero = 1}, 0}}}, {3, 30, 300});
+  const auto two =
+      response::random_curves(c.assembled, channels, {{input, input}, {{0, 1, {.at_zero = 1}, 0}}}, {3, 30, 300});
   for (std::size_t k = 0; k < channels.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(two.density[k][i] / one.density[k][i], 4, 1e-12);
 }
@@ -339,7 +367,8 @@ TEST(RandomResponse, TheSpectralDensitiesAddUpToTheVariance) {
   for (std::size_t k = 0; k < channels.size(); ++k) {
     double sum = 0;
     for (std::size_t i = 1; i < curves.angular_frequency.size(); ++i)
-      sum += 0.5 * (curves.density[k][i] + curves.density[k][i - 1]) * (curves.angular_frequency[i] - curves.angular_frequency[i - 1]);
+      sum += 0.5 * (curves.density[k][i] + curves.density[k][i - 1]) *
+          (curves.angular_frequency[i] - curves.angular_frequency[i - 1]);
     EXPECT_NEAR(sum / std::pow(*random.answers[k].rms, 2), 1, trapezoids) << channels[k].name;
   }
 }

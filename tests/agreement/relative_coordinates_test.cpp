@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions against a ground that is given by its acceleration, against the same machine on a ground at rest under the forces of inertia.
+// Motions against a ground that is given by its acceleration, against the same machine on a ground at rest under the
+// forces of inertia.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,13 +28,15 @@ unsigned machines(unsigned few, unsigned many) {
 }
 
 Eigen::Vector3cd shake(test::RandomSystem& draw) {
-  return {std::polar(draw.number(0.1, 1), draw.number(-3, 3)), std::polar(draw.number(0.1, 1), draw.number(-3, 3)), std::polar(draw.number(0.1, 1), draw.number(-3, 3))};
+  return {std::polar(draw.number(0.1, 1), draw.number(-3, 3)), std::polar(draw.number(0.1, 1), draw.number(-3, 3)),
+          std::polar(draw.number(0.1, 1), draw.number(-3, 3))};
 }
 
 void expect_same_peaks(const model::Description& machine, const Eigen::Vector3cd& acceleration, unsigned seed) {
   const test::ShakenAndPushed both(machine, acceleration);
   const test::Assembly shaken(both.shaken), pushed(both.pushed);
-  const response::Peaks found = shaken.peaks(shaken.channels(both.relative)), wanted = pushed.peaks(pushed.channels(both.plain));
+  const response::Peaks found = shaken.peaks(shaken.channels(both.relative)),
+                        wanted = pushed.peaks(pushed.channels(both.plain));
   ASSERT_EQ(found.list.size(), wanted.list.size()) << "seed " << seed;
   for (std::size_t k = 0; k < found.list.size(); ++k) {
     const response::Peak &a = found.list[k], &b = wanted.list[k];
@@ -44,7 +47,10 @@ void expect_same_peaks(const model::Description& machine, const Eigen::Vector3cd
   }
   for (std::size_t c = 0; c < found.curves.size(); ++c) {
     ASSERT_TRUE(found.curves[c].static_amplitude.has_value()) << found.curves[c].name << ", seed " << seed;
-    if (!wanted.curves[c].vanishes) EXPECT_NEAR(*found.curves[c].static_amplitude, *wanted.curves[c].static_amplitude, round_off * wanted.curves[c].highest) << found.curves[c].name << ", seed " << seed;
+    if (!wanted.curves[c].vanishes)
+      EXPECT_NEAR(*found.curves[c].static_amplitude, *wanted.curves[c].static_amplitude,
+                  round_off * wanted.curves[c].highest)
+          << found.curves[c].name << ", seed " << seed;
   }
 }
 
@@ -68,16 +74,24 @@ TEST(RelativeCoordinates, OverdampedMachinesHaveThePeaksOfForcesOfInertia) {
 TEST(RelativeCoordinates, GiveRandomAnswersOfForcesOfInertia) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     test::RandomSystem draw(seed);
-    const test::ShakenAndPushed both(draw.description(2, test::RandomDamping::viscous), shake(draw).real().cast<Complex>());
+    const test::ShakenAndPushed both(draw.description(2, test::RandomDamping::viscous),
+                                     shake(draw).real().cast<Complex>());
     const test::Assembly base(both.shaken), force(both.pushed);
     for (const auto& [from, to] : {std::pair{0.0, 500.0}, {1e-5, 1e-2}}) {
       const excitation::Spectrum flat = excitation::flat_spectrum(1, from, to);
-      const auto found = response::random_response(base.assembled, base.channels(both.relative), {{{"base", base.loading(), flat}}, {}}).answers;
-      const auto wanted = response::random_response(force.assembled, force.channels(both.plain), {{{"force", force.loading(), flat}}, {}}).answers;
+      const auto found = response::random_response(base.assembled, base.channels(both.relative),
+                                                   {{{"base", base.loading(), flat}}, {}})
+                             .answers;
+      const auto wanted = response::random_response(force.assembled, force.channels(both.plain),
+                                                    {{{"force", force.loading(), flat}}, {}})
+                              .answers;
       for (std::size_t c = 0; c < found.size(); ++c) {
-        ASSERT_TRUE(found[c].rms && wanted[c].rms && found[c].zero_crossings && wanted[c].zero_crossings) << found[c].name << ": " << found[c].reason;
-        EXPECT_NEAR(*found[c].rms, *wanted[c].rms, round_off * *wanted[c].rms) << found[c].name << ", seed " << seed << ", from " << from;
-        EXPECT_NEAR(*found[c].zero_crossings, *wanted[c].zero_crossings, 1e-7 * *wanted[c].zero_crossings) << found[c].name << ", seed " << seed << ", from " << from;
+        ASSERT_TRUE(found[c].rms && wanted[c].rms && found[c].zero_crossings && wanted[c].zero_crossings)
+            << found[c].name << ": " << found[c].reason;
+        EXPECT_NEAR(*found[c].rms, *wanted[c].rms, round_off * *wanted[c].rms)
+            << found[c].name << ", seed " << seed << ", from " << from;
+        EXPECT_NEAR(*found[c].zero_crossings, *wanted[c].zero_crossings, 1e-7 * *wanted[c].zero_crossings)
+            << found[c].name << ", seed " << seed << ", from " << from;
       }
     }
   }
@@ -97,8 +111,12 @@ TEST(RelativeCoordinates, KeepTheDigitsOfADriftingRecord) {
   options.from = 599.9;
   options.to = 600.5;
   options.step = 0.01;
-  const auto found = response::transient_response(base.system, base.assembled, base.channels(both.relative), {{"record", record, base.loading()}}, options).curves;
-  const auto wanted = response::transient_response(force.system, force.assembled, force.channels(both.plain), {{"record", record, force.loading()}}, options).curves;
+  const auto found = response::transient_response(base.system, base.assembled, base.channels(both.relative),
+                                                  {{"record", record, base.loading()}}, options)
+                         .curves;
+  const auto wanted = response::transient_response(force.system, force.assembled, force.channels(both.plain),
+                                                   {{"record", record, force.loading()}}, options)
+                          .curves;
   for (std::size_t c = 0; c < found.size(); ++c) {
     const double scale = wanted[c].values.cwiseAbs().maxCoeff();
     EXPECT_LE((found[c].values - wanted[c].values).cwiseAbs().maxCoeff(), round_off * scale) << found[c].name;
@@ -116,46 +134,63 @@ TEST(RelativeCoordinates, CountGivenInitialStatesFromTheGroundThatMoves) {
   options.from = 2;  // in the midst of the motion
   options.to = 4;
   options.step = 0.01;
-  options.initial = response::initial_state(base.assembled, Eigen::VectorXd::LinSpaced(6, 0.1, 0.6), Eigen::VectorXd::LinSpaced(6, -3, 3));
+  options.initial = response::initial_state(base.assembled, Eigen::VectorXd::LinSpaced(6, 0.1, 0.6),
+                                            Eigen::VectorXd::LinSpaced(6, -3, 3));
   const auto channels = base.channels({"coordinates", "body 0.relative"});
   // The same motion of the ground as 0.4 m/s² and as the parabola 0.2 t².
-  const auto found = response::transient_response(base.system, base.assembled, channels, {{"u", excitation::Signal{{{0, 0.4, 0, 0, 0}}}, base.loading()}}, options).curves;
-  const auto wanted = response::transient_response(base.system, base.assembled, channels, {{"u", excitation::Signal{{{0, 0, 0, 0.4, 0}}}, assembly::loading(base.assembled, by_displacement)}}, options).curves;
+  const auto found =
+      response::transient_response(base.system, base.assembled, channels,
+                                   {{"u", excitation::Signal{{{0, 0.4, 0, 0, 0}}}, base.loading()}}, options)
+          .curves;
+  const auto wanted =
+      response::transient_response(
+          base.system, base.assembled, channels,
+          {{"u", excitation::Signal{{{0, 0, 0, 0.4, 0}}}, assembly::loading(base.assembled, by_displacement)}}, options)
+          .curves;
   for (std::size_t c = 0; c < found.size(); ++c)
-    EXPECT_LE((found[c].values - wanted[c].values).cwiseAbs().maxCoeff(), round_off * wanted[c].values.cwiseAbs().maxCoeff()) << found[c].name;
+    EXPECT_LE((found[c].values - wanted[c].values).cwiseAbs().maxCoeff(),
+              round_off * wanted[c].values.cwiseAbs().maxCoeff())
+        << found[c].name;
 }
 
 /// Answers of the shaken machine against those of the pushed one at these ω.
 void expect_same_response(const model::Description& machine, const std::vector<double>& omega) {
   const test::ShakenAndPushed both(machine, Eigen::Vector3cd(0.3, Complex(0, -0.2), 1));
   const test::Assembly base(both.shaken), force(both.pushed);
-  const auto found = response::frequency_response(base.assembled, base.channels(both.relative), base.loading(), omega).curves;
-  const auto wanted = response::frequency_response(force.assembled, force.channels(both.plain), force.loading(), omega).curves;
+  const auto found =
+      response::frequency_response(base.assembled, base.channels(both.relative), base.loading(), omega).curves;
+  const auto wanted =
+      response::frequency_response(force.assembled, force.channels(both.plain), force.loading(), omega).curves;
   for (std::size_t c = 0; c < found.size(); ++c)
     for (Eigen::Index i = 0; i < std::ssize(omega); ++i)
-      EXPECT_LE(std::abs(found[c].value(i) - wanted[c].value(i)), round_off * wanted[c].value.cwiseAbs().maxCoeff()) << found[c].name << " at " << omega[static_cast<std::size_t>(i)];
+      EXPECT_LE(std::abs(found[c].value(i) - wanted[c].value(i)), round_off * wanted[c].value.cwiseAbs().maxCoeff())
+          << found[c].name << " at " << omega[static_cast<std::size_t>(i)];
 }
 
-const std::vector<double> from_rest_on = {0, 1e-9, 1e-4, 1, 30}, above_rest = {1e-9, 1e-4, 1, 30};  // [rad/s], up to the first resonances
+const std::vector<double> from_rest_on = {0, 1e-9, 1e-4, 1, 30},
+                          above_rest = {1e-9, 1e-4, 1, 30};  // [rad/s], up to the first resonances
 
 TEST(RelativeCoordinates, HoldForInternalCoordinatesOfElements) {
   test::RandomSystem draw(11);
   model::Description machine = draw.description(2, test::RandomDamping::none);
-  for (model::Element& element : machine.elements) element.law.damping = elements::Viscoelastic{elements::GeneralizedMaxwell{{0.7, 0.2}, {0.04, 0.5}}};
+  for (model::Element& element : machine.elements)
+    element.law.damping = elements::Viscoelastic{elements::GeneralizedMaxwell{{0.7, 0.2}, {0.04, 0.5}}};
   expect_same_response(machine, from_rest_on);
 }
 
 TEST(RelativeCoordinates, HoldForElementsThatDependOnFrequencyInTheirOwnWay) {
   test::RandomSystem draw(12);
   model::Description machine = draw.description(2, test::RandomDamping::none);
-  for (model::Element& element : machine.elements) element.law.damping = elements::Viscoelastic{elements::FractionalZener{0.7, 0.04, 0.5}};
+  for (model::Element& element : machine.elements)
+    element.law.damping = elements::Viscoelastic{elements::FractionalZener{0.7, 0.04, 0.5}};
   expect_same_response(machine, above_rest);
 }
 
 TEST(RelativeCoordinates, HoldForTheDampingOfTheSystemAsAWhole) {
   test::RandomSystem draw(13);
   model::Description machine = draw.description(2, test::RandomDamping::none);
-  for (const model::SystemDamping& damping : {model::SystemDamping(model::RayleighDamping{0.3, 1e-4}), model::SystemDamping(model::ModalDamping{{0.02}})}) {
+  for (const model::SystemDamping& damping :
+       {model::SystemDamping(model::RayleighDamping{0.3, 1e-4}), model::SystemDamping(model::ModalDamping{{0.02}})}) {
     machine.damping = damping;
     expect_same_response(machine, from_rest_on);
   }
@@ -171,7 +206,8 @@ void put_on_impedances(model::Description& machine, const std::vector<int>& dire
     joint.name = element.name + ".foundation";
     joint.type = "foundation";
     joint.is_foundation = true;
-    element.n.foundation = model::OnFoundation{machine.foundations.size(), shape, spatial::Matrix6::Identity() - shape * shape.transpose()};
+    element.n.foundation = model::OnFoundation{machine.foundations.size(), shape,
+                                               spatial::Matrix6::Identity() - shape * shape.transpose()};
     joint.n.at = joint.k.at = element.n.at;
     joint.k.foundation = element.n.foundation;
     joint.law.nominal_stiffness = elements::from_moved_end(draw.stiffness(5e4, 0.2), Eigen::Vector3d::Zero());
@@ -200,13 +236,18 @@ TEST(RelativeCoordinates, HaveTheLimitOfElementsWithMass) {
   }
   const test::ShakenAndPushed both(machine, Eigen::Vector3cd(1, 0, 0));
   const test::Assembly base(both.shaken);
-  // Between ω = 0 and 0.01 rad/s everything changes by 2ζ 0.01/ω₀; there the difference of motions in space still has its digits.
-  const auto found = response::frequency_response(base.assembled, base.channels(both.relative), base.loading(), {0, 0.01}).curves;
-  const auto space = response::frequency_response(base.assembled, base.channels({"body 0"}), base.loading(), {0.01}).curves;
-  for (std::size_t j = 0; j < 6; ++j) EXPECT_LE(std::abs(found[j].value(0) - found[j].value(1)), 1e-3 * std::abs(found[j].value(1))) << found[j].name;
+  // Between ω = 0 and 0.01 rad/s everything changes by 2ζ 0.01/ω₀; there the difference of motions in space still has
+  // its digits.
+  const auto found =
+      response::frequency_response(base.assembled, base.channels(both.relative), base.loading(), {0, 0.01}).curves;
+  const auto space =
+      response::frequency_response(base.assembled, base.channels({"body 0"}), base.loading(), {0.01}).curves;
+  for (std::size_t j = 0; j < 6; ++j)
+    EXPECT_LE(std::abs(found[j].value(0) - found[j].value(1)), 1e-3 * std::abs(found[j].value(1))) << found[j].name;
   const Eigen::VectorXd carried = base.system.bodies()[0].pose.rotation.transpose().col(0);
   for (Eigen::Index j = 0; j < 3; ++j) {
-    const Complex wanted = space[static_cast<std::size_t>(j)].value(0) + carried(j) / (0.01 * 0.01), was = found[static_cast<std::size_t>(j)].value(1);
+    const Complex wanted = space[static_cast<std::size_t>(j)].value(0) + carried(j) / (0.01 * 0.01),
+                  was = found[static_cast<std::size_t>(j)].value(1);
     EXPECT_LE(std::abs(was - wanted), 1e-9 * carried.norm() / (0.01 * 0.01)) << found[static_cast<std::size_t>(j)].name;
   }
 }
@@ -218,14 +259,19 @@ TEST(RelativeCoordinates, FollowSupportsThatMoveTogether) {
   supports.excitations[0].action.elements = {0, 1};  // all that stand on the ground
   const test::Assembly base(both.shaken), moved(supports);
   const std::vector<std::string> deflections(both.relative.begin() + 2, both.relative.end());
-  const auto found = response::frequency_response(moved.assembled, moved.channels(deflections), moved.loading(), from_rest_on).curves;
-  const auto wanted = response::frequency_response(base.assembled, base.channels(deflections), base.loading(), from_rest_on).curves;
+  const auto found =
+      response::frequency_response(moved.assembled, moved.channels(deflections), moved.loading(), from_rest_on).curves;
+  const auto wanted =
+      response::frequency_response(base.assembled, base.channels(deflections), base.loading(), from_rest_on).curves;
   for (std::size_t c = 0; c < found.size(); ++c)
-    EXPECT_LE((found[c].value - wanted[c].value).cwiseAbs().maxCoeff(), round_off * wanted[c].value.cwiseAbs().maxCoeff()) << found[c].name;
+    EXPECT_LE((found[c].value - wanted[c].value).cwiseAbs().maxCoeff(),
+              round_off * wanted[c].value.cwiseAbs().maxCoeff())
+        << found[c].name;
 }
 
 TEST(RelativeCoordinates, DragGuidedBodiesAsAtRest) {
-  // A skew spring pushes the lower body, which can only rise, out of the way of the ground: without bound towards rest, and so is the upper one carried.
+  // A skew spring pushes the lower body, which can only rise, out of the way of the ground: without bound towards rest,
+  // and so is the upper one carried.
   model::Description d;
   for (const char* name : {"low", "high"}) {
     model::Body body;
@@ -254,7 +300,9 @@ TEST(RelativeCoordinates, DragGuidedBodiesAsAtRest) {
   // z_low = x k_zx / k_zz = x/2 at rest; the upper mass is accelerated with it and stretches its spring by m z̈ / k.
   const double stretched = 2 * 0.5 / 800;
   for (const double omega : {1e-8, 1e-5, 1e-3}) {
-    const auto found = response::frequency_response(a.assembled, a.channels({"neck.deflection.z", "low.z"}), a.loading(), {omega}).curves;
+    const auto found =
+        response::frequency_response(a.assembled, a.channels({"neck.deflection.z", "low.z"}), a.loading(), {omega})
+            .curves;
     EXPECT_NEAR(std::abs(found[0].value(0)), stretched, 1e-6 * stretched) << omega;  // (ω/ω₀)²
     EXPECT_NEAR(std::abs(found[1].value(0)) * omega * omega, 0.5, 1e-6) << omega;
   }
@@ -265,7 +313,9 @@ TEST(RelativeCoordinates, DoNotVanishAtRest) {
   const test::ShakenAndPushed both(draw.description(2, test::RandomDamping::viscous), Eigen::Vector3cd(0.3, -0.2, 1));
   const test::Assembly base(both.shaken);
   const modal::Roots roots = modal::roots(base.system, base.assembled, modal::modes(base.system, base.assembled));
-  for (const bool vanishes : response::vanish_at_both_ends(base.assembled, base.channels(both.relative), base.loading(), roots)) EXPECT_FALSE(vanishes);
+  for (const bool vanishes :
+       response::vanish_at_both_ends(base.assembled, base.channels(both.relative), base.loading(), roots))
+    EXPECT_FALSE(vanishes);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid solids by two ways: triangles against closed forms, with the order of their error; STEP against its own triangles.
+// Rigid solids by two ways: triangles against closed forms, with the order of their error; STEP against its own
+// triangles.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -37,7 +38,8 @@ spatial::MassProperties of_triangles(const test::Triangles& triangles) {
 test::Triangles torus(int around, int section) {
   return test::grid_surface(around, section, [=](int i, int j) {
     const double u = 2 * pi * (i % around) / around, v = 2 * pi * (j % section) / section;
-    return Eigen::Vector3d((30 + 10 * std::cos(v)) * std::cos(u), (30 + 10 * std::cos(v)) * std::sin(u), 10 * std::sin(v));
+    return Eigen::Vector3d((30 + 10 * std::cos(v)) * std::cos(u), (30 + 10 * std::cos(v)) * std::sin(u),
+                           10 * std::sin(v));
   });
 }
 
@@ -46,13 +48,15 @@ test::Triangles sphere(int around) {
   return test::grid_surface(around, around / 2, [=](int i, int j) {
     const double u = 2 * pi * (i % around) / around, v = pi * j / (around / 2);
     const bool pole = j == 0 || j == around / 2;
-    return pole ? Eigen::Vector3d(0, 0, j == 0 ? -20 : 20) : Eigen::Vector3d(20 * std::sin(v) * std::cos(u), 20 * std::sin(v) * std::sin(u), -20 * std::cos(v));
+    return pole ? Eigen::Vector3d(0, 0, j == 0 ? -20 : 20)
+                : Eigen::Vector3d(20 * std::sin(v) * std::cos(u), 20 * std::sin(v) * std::sin(u), -20 * std::cos(v));
   });
 }
 
 TEST(StlSolid, OfATorusTendsToTheTorusAtSecondOrder) {
   const double volume = 2 * pi * pi * 30 * 100 * 1e-9 * 1000;
-  const double coarse = 1 - of_triangles(torus(60, 30)).mass / volume, fine = 1 - of_triangles(torus(120, 60)).mass / volume;
+  const double coarse = 1 - of_triangles(torus(60, 30)).mass / volume,
+               fine = 1 - of_triangles(torus(120, 60)).mass / volume;
   EXPECT_GT(fine, 0) << "chords lie inside";
   EXPECT_NEAR(coarse / fine, 4, 0.05);
   const double extrapolated = of_triangles(torus(120, 60)).mass * (1 + fine);  // to first order
@@ -60,11 +64,13 @@ TEST(StlSolid, OfATorusTendsToTheTorusAtSecondOrder) {
 }
 
 TEST(StlSolid, OfAFineSphereIsTheSphere) {
-  const spatial::MassProperties exact = properties({"ball", Sphere{40 * mm}, 1000}), triangles = of_triangles(sphere(200));
+  const spatial::MassProperties exact = properties({"ball", Sphere{40 * mm}, 1000}),
+                                triangles = of_triangles(sphere(200));
   constexpr double faceted = 1e-3;  // volume 1 − (2π/200)²·0.5, moments twice as far
   EXPECT_THAT(triangles.mass, test::RelativelyNear(exact.mass, faceted));
   EXPECT_LE(triangles.centre.norm(), 1e-15);
-  EXPECT_LE((triangles.inertia_about_centre - exact.inertia_about_centre).norm(), 2 * faceted * exact.inertia_about_centre.norm());
+  EXPECT_LE((triangles.inertia_about_centre - exact.inertia_about_centre).norm(),
+            2 * faceted * exact.inertia_about_centre.norm());
 }
 
 TEST(StepSolid, AgreesWithTheTrianglesThatGmshMakesOfIt) {
@@ -74,8 +80,10 @@ TEST(StepSolid, AgreesWithTheTrianglesThatGmshMakesOfIt) {
     BooleanUnion(4) = { Volume{1}; Delete; }{ Volume{3}; Delete; };
     BooleanDifference(5) = { Volume{4}; Delete; }{ Volume{2}; Delete; };)";
   test::write_step(folder.path() / "bracket.step", bracket);
-  test::write_file(folder.path() / "mesh.geo", "SetFactory(\"OpenCASCADE\"); Geometry.OCCTargetUnit = \"MM\"; Merge \"bracket.step\"; Mesh.MeshSizeMax = 6; "
-                                               "Mesh.MeshSizeFromCurvature = 200; Mesh.Binary = 1; Mesh 2; Save \"bracket.stl\";\n");
+  test::write_file(
+      folder.path() / "mesh.geo",
+      "SetFactory(\"OpenCASCADE\"); Geometry.OCCTargetUnit = \"MM\"; Merge \"bracket.step\"; Mesh.MeshSizeMax = 6; "
+      "Mesh.MeshSizeFromCurvature = 200; Mesh.Binary = 1; Mesh 2; Save \"bracket.stl\";\n");
   const auto gmsh = foundation::program_on_path("gmsh");
   ASSERT_TRUE(gmsh);
   ASSERT_TRUE(foundation::run({.program = *gmsh, .arguments = {"mesh.geo", "-"}, .folder = folder.path()}).succeeded());
@@ -84,8 +92,10 @@ TEST(StepSolid, AgreesWithTheTrianglesThatGmshMakesOfIt) {
   constexpr double faceted = 2e-5;  // a bore of 200 chords: (2π/200)²/6 of the 8 % of volume that it takes
   EXPECT_THAT(triangles.mass, test::RelativelyNear(exact.mass, faceted));
   EXPECT_LE((triangles.centre - exact.centre).norm(), faceted * 0.08);
-  EXPECT_LE((triangles.inertia_about_centre - exact.inertia_about_centre).norm(), faceted * exact.inertia_about_centre.norm());
-  EXPECT_GT(std::abs(exact.inertia_about_centre(0, 2)), 0.1 * exact.inertia_about_centre(1, 1)) << "skew enough to test products of inertia";
+  EXPECT_LE((triangles.inertia_about_centre - exact.inertia_about_centre).norm(),
+            faceted * exact.inertia_about_centre.norm());
+  EXPECT_GT(std::abs(exact.inertia_about_centre(0, 2)), 0.1 * exact.inertia_about_centre(1, 1))
+      << "skew enough to test products of inertia";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed formulas of bonded rubber against the finite elements of this library, over the range for which the formulas are offered.
+// Closed formulas of bonded rubber against the finite elements of this library, over the range for which the formulas
+// are offered.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -27,12 +28,15 @@ double bending(const elements::Matrix12& k, int axis, double thickness) {
   return k(9 + axis, 9 + axis) - k(shear, shear) * thickness * thickness / 4;
 }
 
-void compare(const elements::Matrix12& formula, const elements::Matrix12& elements, double thickness, const Promise& promise, const std::string& what) {
+void compare(const elements::Matrix12& formula, const elements::Matrix12& elements, double thickness,
+             const Promise& promise, const std::string& what) {
   EXPECT_LE(apart(formula(8, 8), elements(8, 8)), promise.axial + mesh) << what << " axial";
   EXPECT_LE(apart(formula(6, 6), elements(6, 6)), promise.shear + mesh) << what << " shear along e1";
   EXPECT_LE(apart(formula(7, 7), elements(7, 7)), promise.shear + mesh) << what << " shear along e2";
-  EXPECT_LE(apart(bending(formula, 0, thickness), bending(elements, 0, thickness)), promise.tilt + mesh) << what << " tilt about e1";
-  EXPECT_LE(apart(bending(formula, 1, thickness), bending(elements, 1, thickness)), promise.tilt + mesh) << what << " tilt about e2";
+  EXPECT_LE(apart(bending(formula, 0, thickness), bending(elements, 0, thickness)), promise.tilt + mesh)
+      << what << " tilt about e1";
+  EXPECT_LE(apart(bending(formula, 1, thickness), bending(elements, 1, thickness)), promise.tilt + mesh)
+      << what << " tilt about e2";
   EXPECT_LE(apart(formula(11, 11), elements(11, 11)), promise.torsion + mesh) << what << " torsion";
 }
 
@@ -43,8 +47,10 @@ TEST(RubberFormulas, OfDiscsAgreeWithFiniteElements) {
     disc.rubber = rubber;
     disc.radius = 0.025;
     disc.thickness = disc.radius / (2 * shape_factor);
-    const auto solid = fem::condense(fem::Disc{2 * disc.radius, {{disc.thickness, 0, false}}}, {fem::neo_hookean(1e6, 2e9)}, mesh_level);
-    compare(elements::rubber_disc(disc), solid.stiffness, disc.thickness, {0.005, 0.005, 0.012, 0.001}, "S = " + std::to_string(shape_factor));
+    const auto solid = fem::condense(fem::Disc{2 * disc.radius, {{disc.thickness, 0, false}}},
+                                     {fem::neo_hookean(1e6, 2e9)}, mesh_level);
+    compare(elements::rubber_disc(disc), solid.stiffness, disc.thickness, {0.005, 0.005, 0.012, 0.001},
+            "S = " + std::to_string(shape_factor));
   }
 }
 
@@ -56,8 +62,10 @@ TEST(RubberFormulas, OfBlocksAgreeWithFiniteElements) {
       block.width_1 = 0.06;
       block.width_2 = 0.06 * ratio;
       block.thickness = thickness;
-      const auto solid = fem::condense(fem::Block{block.width_1, block.width_2, {{thickness, 0, false}}}, {fem::neo_hookean(1e6, 2e9)}, mesh_level);
-      compare(elements::rubber_block(block), solid.stiffness, thickness, {0.016, 0.039, 0.046, 0.048}, "1 : " + std::to_string(ratio) + ", " + std::to_string(thickness) + " m");
+      const auto solid = fem::condense(fem::Block{block.width_1, block.width_2, {{thickness, 0, false}}},
+                                       {fem::neo_hookean(1e6, 2e9)}, mesh_level);
+      compare(elements::rubber_block(block), solid.stiffness, thickness, {0.016, 0.039, 0.046, 0.048},
+              "1 : " + std::to_string(ratio) + ", " + std::to_string(thickness) + " m");
     }
 }
 
@@ -69,7 +77,8 @@ TEST(RubberFormulas, OfBushesAgreeWithFiniteElements) {
       bush.inner_radius = 0.015;
       bush.outer_radius = 0.015 * outer;
       bush.length = length * (bush.outer_radius - bush.inner_radius);
-      const auto solid = fem::condense(fem::Bush{2 * bush.inner_radius, 2 * bush.outer_radius, bush.length, 0}, {fem::neo_hookean(1e6, 2e9)}, mesh_level);
+      const auto solid = fem::condense(fem::Bush{2 * bush.inner_radius, 2 * bush.outer_radius, bush.length, 0},
+                                       {fem::neo_hookean(1e6, 2e9)}, mesh_level);
       const elements::Matrix12 formula = elements::rubber_bush(bush);
       const std::string what = "ro/ri = " + std::to_string(outer) + ", L/t = " + std::to_string(length);
       EXPECT_LE(apart(formula(8, 8), solid.stiffness(8, 8)), 0.032 + mesh) << what << " axial";

@@ -14,7 +14,8 @@ namespace {
 
 using namespace trivet::excitation;
 
-/// Largest and smallest values over steps of the classical Runge–Kutta method; pieces end at whole steps, so that no step crosses a jump.
+/// Largest and smallest values over steps of the classical Runge–Kutta method; pieces end at whole steps, so that no
+/// step crosses a jump.
 ShockResponse stepped(const Signal& base, double omega, double zeta, double ring_out) {
   ShockResponse r{omega};
   double z = 0, v = 0;
@@ -35,8 +36,9 @@ ShockResponse stepped(const Signal& base, double omega, double zeta, double ring
       smallest = std::min(smallest, absolute);
       r.relative_displacement = std::max(r.relative_displacement, std::abs(z));
       if (k == count) break;
-      const double s = k * h, a1 = acceleration(s, z, v), v2 = v + h / 2 * a1, a2 = acceleration(s + h / 2, z + h / 2 * v, v2),
-                   v3 = v + h / 2 * a2, a3 = acceleration(s + h / 2, z + h / 2 * v2, v3), v4 = v + h * a3,
+      const double s = k * h, a1 = acceleration(s, z, v), v2 = v + h / 2 * a1,
+                   a2 = acceleration(s + h / 2, z + h / 2 * v, v2), v3 = v + h / 2 * a2,
+                   a3 = acceleration(s + h / 2, z + h / 2 * v2, v3), v4 = v + h * a3,
                    a4 = acceleration(s + h, z + h * v3, v4);
       z += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
       v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);

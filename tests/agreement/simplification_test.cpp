@@ -75,7 +75,8 @@ TEST(Simplification, ChangesNothingForAMatrixThatIsThreeSprings) {
     EXPECT_NEAR(mode.likeness, 1, round_off) << mode.name;
   }
   ASSERT_EQ(simple.peaks.size(), 6u);
-  for (const auto& peak : simple.peaks) EXPECT_NEAR(peak.simplified->amplitude / peak.full->amplitude, 1, 1e-9) << peak.name;  // Newton's stop
+  for (const auto& peak : simple.peaks)
+    EXPECT_NEAR(peak.simplified->amplitude / peak.full->amplitude, 1, 1e-9) << peak.name;  // Newton's stop
   EXPECT_TRUE(simple.free_motions.empty());
 }
 
@@ -83,7 +84,8 @@ TEST(Simplification, KeepsTheBounceOfACoilSpringAndLosesItsTilting) {
   const auto project = trivet::test::project(body + coil);
   const Simplification simple = trivet::study::simplification(project.base(), {0});
   const auto& stiffness = project.base().system.elements()[0].law.nominal_stiffness;
-  // On a single spring's seat the vertical stiffness alone sets the bounce, but for the coupling that the helix has of itself.
+  // On a single spring's seat the vertical stiffness alone sets the bounce, but for the coupling that the helix has of
+  // itself.
   const ModeComparison& bounce = named(simple, "translation along z");
   EXPECT_NEAR(*bounce.simplified, std::sqrt(stiffness(8, 8) / 50), round_off * *bounce.simplified);
   EXPECT_NEAR(*trivet::study::relative_difference(bounce.full, bounce.simplified), 0, 1e-3);
@@ -101,8 +103,10 @@ TEST(Simplification, IsTheModelWrittenWithThreeSprings) {
   const auto& stiffness = full.base().system.elements()[0].law.nominal_stiffness;
   const Simplification simple = trivet::study::simplification(full.base(), {0});
   char text[300];
-  std::snprintf(text, sizeof text, "[elements.spring]\ntype = \"three_springs\"\non = \"mass\"\nat = [0, 0, 0]\ntranslation = [%.17g, %.17g, %.17g]\n", stiffness(6, 6),
-                stiffness(7, 7), stiffness(8, 8));
+  std::snprintf(text, sizeof text,
+                "[elements.spring]\ntype = \"three_springs\"\non = \"mass\"\nat = [0, 0, 0]\ntranslation = [%.17g, "
+                "%.17g, %.17g]\n",
+                stiffness(6, 6), stiffness(7, 7), stiffness(8, 8));
   const auto written = trivet::test::project(body + text);
   const auto modes = trivet::modal::modes(written.base().system);
   std::vector<double> expected, found;

@@ -30,7 +30,8 @@ TEST(SolidMount, OfTetrahedraAndOfHexahedraAgreeWithinTheirEstimates) {
   constexpr double other_half = 0.006;  // the bracket is an estimate, not a bound
   const std::vector<fem::Material> rubber{fem::linear_elastic(3e6, 0.4995)};
   const fem::SolidStiffness hexahedra = fem::condense(block, rubber, 3);
-  const fem::SolidStiffness tetrahedra = fem::condense(test::in_tetrahedra(fem::mesh(block, 3)), rubber, fem::frame(block));
+  const fem::SolidStiffness tetrahedra =
+      fem::condense(test::in_tetrahedra(fem::mesh(block, 3)), rubber, fem::frame(block));
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j)
       EXPECT_LT(scaled_difference(hexahedra.stiffness, tetrahedra.stiffness, i, j),
@@ -47,16 +48,19 @@ TEST(SolidMount, PreloadedTetrahedraOfBothPressuresAgreeWithHexahedra) {
   const auto expected = fem::preloaded_stiffness(hexahedra, rubber, fem::frame(block), load);
   ASSERT_TRUE(expected.converged) << expected.why_not;
   for (const auto pressure : {fem::TetPressure::constant, fem::TetPressure::continuous}) {
-    const auto solid = fem::preloaded_stiffness(tetrahedra, rubber, fem::frame(block), load, {.tet_pressure = pressure});
+    const auto solid =
+        fem::preloaded_stiffness(tetrahedra, rubber, fem::frame(block), load, {.tet_pressure = pressure});
     ASSERT_TRUE(solid.converged) << solid.why_not;
     EXPECT_EQ(solid.negative_eigenvalues, 0);
     for (int i = 0; i < 12; ++i)
-      for (int j = 0; j < 12; ++j) EXPECT_LT(scaled_difference(expected.stiffness, solid.stiffness, i, j), meshes) << i << ", " << j;
+      for (int j = 0; j < 12; ++j)
+        EXPECT_LT(scaled_difference(expected.stiffness, solid.stiffness, i, j), meshes) << i << ", " << j;
   }
 }
 
 TEST(SolidMount, TangentIsTheSlopeOfThePreload) {
-  // A little more displacement changes the force by the tangent; central differences of second order, steps of 1e-3 of the load.
+  // A little more displacement changes the force by the tangent; central differences of second order, steps of 1e-3 of
+  // the load.
   constexpr double truncation = 1e-5;
   const std::vector<fem::Material> rubber{fem::yeoh(0.5e6, -0.05e6, 0.02e6, 1e9)};
   const fem::Mesh mesh = fem::mesh(block, 1);
@@ -70,18 +74,22 @@ TEST(SolidMount, TangentIsTheSlopeOfThePreload) {
     more.value(j) += step;
     less.value(j) -= step;
     const spatial::Vector12 slope = (fem::preloaded_stiffness(mesh, rubber, fem::frame(block), more).preload -
-                                     fem::preloaded_stiffness(mesh, rubber, fem::frame(block), less).preload) / (2 * step);
+                                     fem::preloaded_stiffness(mesh, rubber, fem::frame(block), less).preload) /
+        (2 * step);
     // Forces only: the tangent's moments are those of rotation vectors, and a translation changes the arm.
     for (const int i : {0, 1, 2, 6, 7, 8})
-      EXPECT_NEAR(slope(i), here.stiffness(i, 6 + j), truncation * std::sqrt(here.stiffness(i, i) * here.stiffness(j, j)));
+      EXPECT_NEAR(slope(i), here.stiffness(i, 6 + j),
+                  truncation * std::sqrt(here.stiffness(i, i) * here.stiffness(j, j)));
   }
 }
 
 /// CalculiX's stiffness of the K end: one static step per unit motion of the plate, C3D20R on the same nodes.
 class CalculiX {
  public:
-  CalculiX(const fem::Mesh& mesh, const fem::ElementFrame& frame, double young, double nu) : mesh_(mesh), frame_(frame) {
-    folder_ = std::filesystem::temp_directory_path() / ("trivet_ccx_" + std::to_string(std::rand()) + testing::UnitTest::GetInstance()->current_test_info()->name());
+  CalculiX(const fem::Mesh& mesh, const fem::ElementFrame& frame, double young, double nu)
+      : mesh_(mesh), frame_(frame) {
+    folder_ = std::filesystem::temp_directory_path() /
+        ("trivet_ccx_" + std::to_string(std::rand()) + testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::create_directories(folder_);
     write_input(young, nu);
   }
@@ -126,11 +134,13 @@ class CalculiX {
     file.precision(16);
     file << "*NODE, NSET=ALL\n";
     for (Eigen::Index a = 0; a < mesh_.nodes.cols(); ++a)
-      if (used[static_cast<std::size_t>(a)]) file << a + 1 << ", " << mesh_.nodes(0, a) << ", " << mesh_.nodes(1, a) << ", " << mesh_.nodes(2, a) << "\n";
+      if (used[static_cast<std::size_t>(a)])
+        file << a + 1 << ", " << mesh_.nodes(0, a) << ", " << mesh_.nodes(1, a) << ", " << mesh_.nodes(2, a) << "\n";
     file << "*ELEMENT, TYPE=C3D20R, ELSET=SOLID\n" << elements.str() << "*NSET, NSET=PLATE\n";
     for (const int a : mesh_.plate_k)
       if (used[static_cast<std::size_t>(a)]) file << a + 1 << ",\n";
-    file << "*MATERIAL, NAME=RUBBER\n*ELASTIC\n" << young << ", " << nu << "\n*SOLID SECTION, ELSET=SOLID, MATERIAL=RUBBER\n";
+    file << "*MATERIAL, NAME=RUBBER\n*ELASTIC\n"
+         << young << ", " << nu << "\n*SOLID SECTION, ELSET=SOLID, MATERIAL=RUBBER\n";
     for (int motion = 0; motion < 6; ++motion) {
       file << "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n";
       for (const int a : mesh_.plate_n)
@@ -151,11 +161,13 @@ class CalculiX {
 
 TEST(SolidMount, AgreesWithCalculiX) {
   ASSERT_EQ(std::system("command -v ccx > /dev/null 2>&1"), 0) << "CalculiX is missing: scripts/packages tests";
-  // Compressible enough that serendipity elements with reduced integration converge fast; both meshes are within a few per mille.
+  // Compressible enough that serendipity elements with reduced integration converge fast; both meshes are within a few
+  // per mille.
   constexpr double young = 3e6, nu = 0.45, meshes = 0.005;
   const fem::Mesh mesh = fem::mesh(block, 3);
   const spatial::Matrix6 theirs = CalculiX(mesh, fem::frame(block), young, nu).stiffness();
-  const spatial::Matrix6 ours = fem::condense(mesh, {fem::linear_elastic(young, nu)}, fem::frame(block)).stiffness.bottomRightCorner<6, 6>();
+  const spatial::Matrix6 ours =
+      fem::condense(mesh, {fem::linear_elastic(young, nu)}, fem::frame(block)).stiffness.bottomRightCorner<6, 6>();
   const spatial::Vector6 scale = ours.diagonal().cwiseSqrt();
   EXPECT_THAT(theirs, test::NearInUnits(ours, scale, meshes));
 }

@@ -49,7 +49,8 @@ void stand_on_foundation(RandomSystem& random, model::Description& d) {
   model::OnFoundation on{0, Eigen::Matrix<double, 6, Eigen::Dynamic>::Identity(6, 6)};
   d.elements[1].n.foundation = on;
   d.foundations = {deck};
-  for (model::Excitation& excitation : d.excitations)  // a rigid motion of the whole ground would have to say how the deck follows
+  for (model::Excitation& excitation :
+       d.excitations)  // a rigid motion of the whole ground would have to say how the deck follows
     if (!excitation.action.body && excitation.action.elements.empty()) excitation.action.elements = {0};
 }
 
@@ -57,34 +58,40 @@ enum class Damping { none, proportional, viscous, loss, rayleigh, modal, zener, 
 
 model::Description random_description(unsigned seed, Damping damping) {
   RandomSystem random(seed);
-  const RandomDamping of_elements = damping == Damping::none ? RandomDamping::none
-                                    : damping == Damping::viscous || damping == Damping::foundation ? RandomDamping::viscous
-                                    : damping == Damping::loss ? RandomDamping::loss
-                                                               : RandomDamping::proportional;
+  const RandomDamping of_elements = damping == Damping::none          ? RandomDamping::none
+      : damping == Damping::viscous || damping == Damping::foundation ? RandomDamping::viscous
+      : damping == Damping::loss                                      ? RandomDamping::loss
+                                                                      : RandomDamping::proportional;
   model::Description d = random.description(2, of_elements);
   if (damping == Damping::rayleigh) d.damping = model::RayleighDamping{0.7, 2e-4};
   if (damping == Damping::modal) d.damping = model::ModalDamping{{0.03}};
   if (damping == Damping::zener) d.elements[0].law.damping = elements::Viscoelastic{elements::Zener{2, 0.01}};
-  if (damping == Damping::fractional) d.elements[0].law.damping = elements::Viscoelastic{elements::FractionalZener{2, 0.01, 0.4}};
+  if (damping == Damping::fractional)
+    d.elements[0].law.damping = elements::Viscoelastic{elements::FractionalZener{2, 0.01, 0.4}};
   shake_the_ground(random, d);
   if (damping == Damping::foundation) stand_on_foundation(random, d);
   return d;
 }
 
-const Damping all_kinds[] = {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::rayleigh, Damping::modal,
-                             Damping::zener, Damping::fractional, Damping::foundation};
+const Damping all_kinds[] = {Damping::none,  Damping::proportional, Damping::viscous,
+                             Damping::loss,  Damping::rayleigh,     Damping::modal,
+                             Damping::zener, Damping::fractional,   Damping::foundation};
 
 TEST(PowerBalance, WhatForcesAndGroundFeedInIsDissipated) {
   for (const Damping damping : all_kinds)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const model::System system = test::checked(random_description(seed, damping));
       const assembly::Assembled assembled = assembly::assemble(system);
-      const response::PowerFlow flow = response::power_flow(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
+      const response::PowerFlow flow =
+          response::power_flow(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
       for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(frequencies.size()); ++i) {
         const double in = flow.by_forces(i) + flow.by_ground(i);
-        const double out = flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
-        const double scale = std::abs(flow.by_forces(i)) + std::abs(flow.by_ground(i)) + flow.dissipated.col(i).cwiseAbs().sum();
-        EXPECT_NEAR(in, out, digits * scale) << static_cast<int>(damping) << " " << seed << " " << frequencies[static_cast<std::size_t>(i)];
+        const double out =
+            flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
+        const double scale =
+            std::abs(flow.by_forces(i)) + std::abs(flow.by_ground(i)) + flow.dissipated.col(i).cwiseAbs().sum();
+        EXPECT_NEAR(in, out, digits * scale)
+            << static_cast<int>(damping) << " " << seed << " " << frequencies[static_cast<std::size_t>(i)];
         EXPECT_GE(flow.dissipated.col(i).minCoeff(), -digits * scale);
         EXPECT_EQ(out > digits * scale, damping != Damping::none);
         EXPECT_EQ(flow.dissipated_by_foundations(i) > 0, damping == Damping::foundation);
@@ -102,7 +109,8 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
     ASSERT_EQ(flow.mounts.size(), 2u);
     for (std::size_t m = 0; m < flow.mounts.size(); ++m) {
       const auto forces = assembly::channels(system, assembled, {flow.mounts[m]}, assembly::Quantity::displacement);
-      const auto velocities = assembly::channels(system, assembled, {flow.mounts[m] + ".foot"}, assembly::Quantity::velocity);
+      const auto velocities =
+          assembly::channels(system, assembled, {flow.mounts[m] + ".foot"}, assembly::Quantity::velocity);
       const auto force = response::frequency_response(assembled, forces, loading, frequencies);
       const auto velocity = response::frequency_response(assembled, velocities, loading, frequencies);
       for (Eigen::Index i = 0; i < flow.into_ground.cols(); ++i) {
@@ -112,7 +120,8 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
           power += product.real();
           size += std::abs(product);
         }
-        EXPECT_NEAR(flow.into_ground(static_cast<Eigen::Index>(m), i), power, digits * size) << static_cast<int>(damping);
+        EXPECT_NEAR(flow.into_ground(static_cast<Eigen::Index>(m), i), power, digits * size)
+            << static_cast<int>(damping);
       }
     }
     EXPECT_THAT(flow.into_ground_in_total(0), RelativelyNear(flow.into_ground(0, 0) + flow.into_ground(1, 0), digits));
@@ -124,26 +133,31 @@ TEST(PowerIntoTheGround, IsNoneWhileItRests) {
   d.excitations.resize(1);
   const model::System system = test::checked(d);
   const assembly::Assembled assembled = assembly::assemble(system);
-  const response::PowerFlow flow = response::power_flow(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
+  const response::PowerFlow flow =
+      response::power_flow(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
   EXPECT_TRUE(flow.into_ground.isZero(0));
   EXPECT_TRUE(flow.by_ground.isZero(0));
   EXPECT_GT(flow.by_forces.minCoeff(), 0);
 }
 
 TEST(Transmissibility, OfForceIsThatOfDisplacement) {
-  // Reciprocity: the ground feels of a unit force at a point what the point follows of a unit motion of the ground, in any two directions.
-  for (const Damping damping : {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::zener, Damping::fractional}) {
+  // Reciprocity: the ground feels of a unit force at a point what the point follows of a unit motion of the ground, in
+  // any two directions.
+  for (const Damping damping :
+       {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::zener, Damping::fractional}) {
     RandomSystem random(11);
     const model::System system = test::checked(random_description(4, damping));
     const assembly::Assembled assembled = assembly::assemble(system);
     for (const bool rotation : {false, true}) {
       const response::Direction here{random.vector(2), rotation}, there{random.vector(2), rotation};
-      const auto force = response::force_transmission(system, assembled, {1, system.bodies()[1].points[0].at, here}, there);
+      const auto force =
+          response::force_transmission(system, assembled, {1, system.bodies()[1].points[0].at, here}, there);
       const auto motion = response::displacement_transmission(system, assembled, {"body 1.tip"}, there, here);
       const auto felt = response::frequency_response(assembled, force.channels, force.loading, frequencies);
       const auto followed = response::frequency_response(assembled, motion.channels, motion.loading, frequencies);
       for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(frequencies.size()); ++i)
-        EXPECT_NEAR(std::abs(felt.curves[0].value(i) - followed.curves[0].value(i)), 0, digits * (1 + std::abs(felt.curves[0].value(i))));
+        EXPECT_NEAR(std::abs(felt.curves[0].value(i) - followed.curves[0].value(i)), 0,
+                    digits * (1 + std::abs(felt.curves[0].value(i))));
       const auto slowly = response::frequency_response(assembled, force.channels, force.loading, {1e-3});
       EXPECT_NEAR(std::abs(slowly.curves[0].value(0) - here.axis.normalized().dot(there.axis.normalized())), 0, 1e-6)
           << "at rest the ground answers the load; (ω/ω1)²";
@@ -160,10 +174,11 @@ TEST(Crossover, LeavesNothingAboveOneBehindIt) {
       RandomSystem random(seed + 20);
       const model::System system = test::checked(random_description(seed, damping));
       const assembly::Assembled assembled = assembly::assemble(system);
-      const auto force = response::force_transmission(system, assembled, {0, Eigen::Vector3d::Zero(), {random.vector(1), false}});
+      const auto force =
+          response::force_transmission(system, assembled, {0, Eigen::Vector3d::Zero(), {random.vector(1), false}});
       const modal::Modes modes = modal::modes(system, assembled);
-      const response::Peaks peaks = response::peaks(assembled, force.channels, force.loading, modes, modal::roots(system, assembled, modes),
-                                                    {1e-6, 3000});
+      const response::Peaks peaks = response::peaks(assembled, force.channels, force.loading, modes,
+                                                    modal::roots(system, assembled, modes), {1e-6, 3000});
       const auto found = response::crossovers(assembled, force, peaks);
       const std::vector<double> scan = response::logarithmic_grid({0.1, 3000}, 4000);
       const auto curves = response::frequency_response(assembled, force.channels, force.loading, scan);
@@ -175,7 +190,8 @@ TEST(Crossover, LeavesNothingAboveOneBehindIt) {
         EXPECT_NEAR(*found[c].angular_frequency, last_above, 0.003 * last_above) << "one step of the scan";
         EXPECT_GE(*found[c].angular_frequency, last_above);
         if (last_above == 0) continue;
-        const auto there = response::frequency_response(assembled, {force.channels[c]}, force.loading, {*found[c].angular_frequency});
+        const auto there =
+            response::frequency_response(assembled, {force.channels[c]}, force.loading, {*found[c].angular_frequency});
         EXPECT_THAT(std::abs(there.curves[0].value(0)), RelativelyNear(1.0, digits));
       }
     }
@@ -198,18 +214,19 @@ TEST(RunUp, IsTheHarmonicResponseToEachOrderAtItsSpeed) {
     const model::System system = test::checked(d);
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
-    const auto channels = assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement);
-    const response::RunUp found =
-        response::run_up(assembled, channels, response::order_loadings(system, assembled), modes, modal::roots(system, assembled, modes),
-                         {{20, 100}, 1e-6, 5});
+    const auto channels =
+        assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement);
+    const response::RunUp found = response::run_up(assembled, channels, response::order_loadings(system, assembled),
+                                                   modes, modal::roots(system, assembled, modes), {{20, 100}, 1e-6, 5});
     EXPECT_FALSE(found.critical.empty());
     for (std::size_t i = 0; i < found.speed.size(); i += 3) {
       model::Action harmonic = action;
       harmonic.amplitude = found.speed[i] * found.speed[i] * order.per_speed_squared + order.fixed;
-      const auto single = response::frequency_response(assembled, channels, assembly::loading(assembled, harmonic), {1.5 * found.speed[i]});
+      const auto single = response::frequency_response(assembled, channels, assembly::loading(assembled, harmonic),
+                                                       {1.5 * found.speed[i]});
       for (std::size_t c = 0; c < channels.size(); ++c)
-        EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(static_cast<Eigen::Index>(i)) - single.curves[c].value(0)), 0,
-                    digits * std::abs(single.curves[c].value(0)));
+        EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(static_cast<Eigen::Index>(i)) - single.curves[c].value(0)),
+                    0, digits * std::abs(single.curves[c].value(0)));
     }
   }
 }
@@ -259,21 +276,29 @@ TEST(DeflectionShape, FindsTheFarthestPointOfAnEllipse) {
 
 TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
-    const model::System system = test::checked(random_description(seed, seed == 4 ? Damping::fractional : Damping::proportional));
+    const model::System system =
+        test::checked(random_description(seed, seed == 4 ? Damping::fractional : Damping::proportional));
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
     const modal::Roots roots = modal::roots(system, assembled, modes);
     const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
     const auto channels = assembly::channels(system, assembled, {"body 1.tip.z"}, assembly::Quantity::velocity);
     const std::vector<double> scan = response::logarithmic_grid({10, 500}, 20000);
-    const Eigen::VectorXd level = response::frequency_response(assembled, channels, loading, scan).curves[0].value.cwiseAbs();
-    const response::LimitLine line{"user's", "m/s", false, {10, 60, 60, 500},
-                                   {0.3 * level.maxCoeff(), 0.6 * level.maxCoeff(), 0.2 * level.maxCoeff(), 0.05 * level.maxCoeff()}};
+    const Eigen::VectorXd level =
+        response::frequency_response(assembled, channels, loading, scan).curves[0].value.cwiseAbs();
+    const response::LimitLine line{
+        "user's",
+        "m/s",
+        false,
+        {10, 60, 60, 500},
+        {0.3 * level.maxCoeff(), 0.6 * level.maxCoeff(), 0.2 * level.maxCoeff(), 0.05 * level.maxCoeff()}};
     const response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {1e-6, 500});
-    const auto found = response::compared_with_limit(assembled, channels[0], loading, roots.poles, peaks, line, {10, 500});
+    const auto found =
+        response::compared_with_limit(assembled, channels[0], loading, roots.poles, peaks, line, {10, 500});
     double least = 1e300;
     for (std::size_t i = 0; i < scan.size(); ++i) {
-      const double margin = response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(static_cast<Eigen::Index>(i));
+      const double margin =
+          response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(static_cast<Eigen::Index>(i));
       least = std::min(least, margin);
       const bool inside = std::any_of(found.exceeded.begin(), found.exceeded.end(),
                                       [&](const response::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });

@@ -17,8 +17,8 @@ class LawsOnThreads : public testing::TestWithParam<const char*> {};
 
 TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
   const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + GetParam(),
-                                           {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"", "excitations.push.at=[0.1,0,0.2]",
-                                            "excitations.push.force=[1,2,5]"});
+                                             {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"",
+                                              "excitations.push.at=[0.1,0,0.2]", "excitations.push.force=[1,2,5]"});
   ASSERT_TRUE(project);
   const model::System& system = project->base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
@@ -33,7 +33,9 @@ TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
   const numerics::SweepResult together = response::steady_solution(assembled, loading, omega, sixteen);
   ASSERT_TRUE(alone.response.allFinite());
   ASSERT_EQ(alone.response.size(), together.response.size());
-  EXPECT_EQ(std::memcmp(alone.response.data(), together.response.data(), static_cast<std::size_t>(alone.response.size()) * sizeof(std::complex<double>)), 0);
+  EXPECT_EQ(std::memcmp(alone.response.data(), together.response.data(),
+                        static_cast<std::size_t>(alone.response.size()) * sizeof(std::complex<double>)),
+            0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, LawsOnThreads, testing::Values("coil_spring.toml", "air_spring.toml"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mount from a STEP file against the same mount from its parameters: tetrahedra of the mesher against structured hexahedra.
+// A mount from a STEP file against the same mount from its parameters: tetrahedra of the mesher against structured
+// hexahedra.
 #include <gmock/gmock.h>
 
 #include "support/matchers.h"
@@ -22,11 +23,14 @@ TEST(StepMount, OfABondedCylinderAgreesWithHexahedra) {
   test::write_step(folder.path() / "mount.step", "Cylinder(1) = {0, 0, 0, 0, 0, 25, 25};");
   const auto step = mesh_step(folder.path() / "mount.step", {.size = 5 * mm, .rim_size = 1.2 * mm});
   ASSERT_TRUE(step);
-  const SolidStiffness tetrahedra = condense(step->mesh, rubber, {step->centre_n, step->centre_k, Eigen::Matrix3d::Identity()});
+  const SolidStiffness tetrahedra =
+      condense(step->mesh, rubber, {step->centre_n, step->centre_k, Eigen::Matrix3d::Identity()});
   const SolidStiffness hexahedra = condense(Disc{50 * mm, {{25 * mm, 0, false}}}, rubber);
-  constexpr double discretisation = 0.005;  // the bracket of the two tetrahedra on such a mesh is some 0.5 %, their mean nearer
+  constexpr double discretisation =
+      0.005;  // the bracket of the two tetrahedra on such a mesh is some 0.5 %, their mean nearer
   for (int i = 6; i < 12; ++i)
-    EXPECT_THAT(tetrahedra.stiffness(i, i), test::RelativelyNear(hexahedra.stiffness(i, i), discretisation)) << "coordinate " << i;
+    EXPECT_THAT(tetrahedra.stiffness(i, i), test::RelativelyNear(hexahedra.stiffness(i, i), discretisation))
+        << "coordinate " << i;
   constexpr double uneven_mesh = 0.002;  // the mesher knows no symmetry
   EXPECT_THAT(tetrahedra.stiffness(6, 6), test::RelativelyNear(tetrahedra.stiffness(7, 7), uneven_mesh));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every solver of a frequency sweep against LU in extended precision: all instruction sets, any size, load, tail and number of threads.
+// Every solver of a frequency sweep against LU in extended precision: all instruction sets, any size, load, tail and
+// number of threads.
 #include <gmock/gmock.h>
 
 #include <cstring>
@@ -21,8 +22,13 @@ const SweepOptions quick{.every_backward_error = false, .threads = 1, .progress 
 
 DynamicMatrices random_system(Eigen::Index n, unsigned seed, bool lossy = false) {
   std::srand(seed);
-  const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n), q = Eigen::MatrixXd::Random(n, n);
-  DynamicMatrices m{Eigen::MatrixXd::Identity(n, n) + 0.2 * r * r.transpose(), 0.5 * q * q.transpose(), 100 * s * s.transpose(), {}, true};
+  const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n),
+                        q = Eigen::MatrixXd::Random(n, n);
+  DynamicMatrices m{Eigen::MatrixXd::Identity(n, n) + 0.2 * r * r.transpose(),
+                    0.5 * q * q.transpose(),
+                    100 * s * s.transpose(),
+                    {},
+                    true};
   if (lossy) m.K_loss = 0.05 * m.K;
   return m;
 }
@@ -41,17 +47,22 @@ std::vector<double> frequencies(std::size_t count, double from = 0, double step 
 using Extended = std::complex<long double>;
 
 /// ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal, in extended precision.
-double true_backward_error(const DynamicMatrices& m, const Eigen::VectorXcd& load, double omega, const Eigen::VectorXcd& response) {
+double true_backward_error(const DynamicMatrices& m, const Eigen::VectorXcd& load, double omega,
+                           const Eigen::VectorXcd& response) {
   const Eigen::VectorXd d = unit_scale(m);
   const DynamicMatrices scale = scaled(m, d);
   const Extended iw(0, omega);
-  const ExtendedMatrix z = scale.complex_stiffness().cast<Extended>() + iw * scale.B.cast<Extended>() + iw * iw * scale.A.cast<Extended>();
+  const ExtendedMatrix z =
+      scale.complex_stiffness().cast<Extended>() + iw * scale.B.cast<Extended>() + iw * iw * scale.A.cast<Extended>();
   const ExtendedVector h = d.cast<Extended>().asDiagonal() * load.cast<Extended>();
   const ExtendedVector q = d.cast<Extended>().cwiseInverse().asDiagonal() * response.cast<Extended>();
-  return static_cast<double>((z * q - h).cwiseAbs().maxCoeff() / (z.cwiseAbs().rowwise().sum().maxCoeff() * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff()));
+  return static_cast<double>(
+      (z * q - h).cwiseAbs().maxCoeff() /
+      (z.cwiseAbs().rowwise().sum().maxCoeff() * q.cwiseAbs().maxCoeff() + h.cwiseAbs().maxCoeff()));
 }
 
-double worst_backward_error(const DynamicMatrices& m, const Load& load, const std::vector<double>& omega, const Eigen::MatrixXcd& response) {
+double worst_backward_error(const DynamicMatrices& m, const Load& load, const std::vector<double>& omega,
+                            const Eigen::MatrixXcd& response) {
   double worst = 0;
   for (std::size_t i = 0; i < omega.size(); ++i) {
     const Eigen::VectorXcd q = response.col(static_cast<Eigen::Index>(i));
@@ -67,7 +78,8 @@ class SweepKernels : public testing::TestWithParam<std::string> {
   void TearDown() override { use_instruction_set(""); }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, SweepKernels, testing::ValuesIn(instruction_sets()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, SweepKernels, testing::ValuesIn(instruction_sets()),
+                         [](const auto& info) { return info.param; });
 
 TEST_P(SweepKernels, WhatTheGrowthOfFactorsAcceptsHasASmallBackwardError) {
   for (const test::HardCase& hard : test::hard_cases()) {
@@ -86,13 +98,15 @@ TEST_P(SweepKernels, EverySizeAndLoadIsSolved) {
   for (const Eigen::Index n : {1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 13, 19}) {
     for (const bool lossy : {false, true}) {
       const DynamicMatrices m = random_system(n, static_cast<unsigned>(n), lossy);
-      const std::vector<double> omega = frequencies(n <= 6 ? 300 : 50, 0.5, 0.1);  // more than one chunk where it is cheap
+      const std::vector<double> omega =
+          frequencies(n <= 6 ? 300 : 50, 0.5, 0.1);  // more than one chunk where it is cheap
       Load turning(n);
       turning.add({2, 0, random_vector(n, 3)});
       turning.add({-1, 0.02, random_vector(n, 4)});
       Load late(n);
       late.add({1, 0.3, random_vector(n, 5).real().cast<Complex>()});
-      for (const Load& load : {Load(random_vector(n, 1)), Load(random_vector(n, 2).real().cast<Complex>()), turning, late}) {
+      for (const Load& load :
+           {Load(random_vector(n, 1)), Load(random_vector(n, 2).real().cast<Complex>()), turning, late}) {
         const Eigen::MatrixXcd found = sweep(m, load, omega, quick).response;
         EXPECT_TRUE(found.allFinite()) << n;
         EXPECT_LE(worst_backward_error(m, load, omega, found), accepted_backward_error) << n;
@@ -114,11 +128,19 @@ TEST_P(SweepKernels, TheBackwardErrorOfAWrongSolutionIsTheTrueOne) {
     std::vector<double> omega = frequencies(count, 0.3), load(2 * n * count), q(2 * n * count), error(count);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t f = 0; f < count; ++f) {
-        const Complex here = d(static_cast<Eigen::Index>(i)) * h(static_cast<Eigen::Index>(i)), x = wrong(static_cast<Eigen::Index>(i));
+        const Complex here = d(static_cast<Eigen::Index>(i)) * h(static_cast<Eigen::Index>(i)),
+                      x = wrong(static_cast<Eigen::Index>(i));
         load[i * count + f] = here.real(), load[(n + i) * count + f] = here.imag();
         q[i * count + f] = x.real(), q[(n + i) * count + f] = x.imag();
       }
-    sweep_kernels::backward_errors(z, {omega.data(), count, {load.data(), load.data() + n * count, count}, {}, d.data(), {q.data(), q.data() + n * count, count}, error.data()});
+    sweep_kernels::backward_errors(z,
+                                   {omega.data(),
+                                    count,
+                                    {load.data(), load.data() + n * count, count},
+                                    {},
+                                    d.data(),
+                                    {q.data(), q.data() + n * count, count},
+                                    error.data()});
     for (std::size_t f = 0; f < count; ++f) {
       const double exact = true_backward_error(m, h, omega[f], wrong);
       EXPECT_GT(exact, 1e-3);
@@ -147,7 +169,8 @@ TEST_P(SweepKernels, ATailIsSolvedLikeAWholePack) {
 
 TEST_P(SweepKernels, PivotedLanesSolveWhatHasNoLeadingPivots) {
   constexpr long count = 16;
-  DynamicMatrices m{Eigen::MatrixXd::Identity(7, 7), Eigen::MatrixXd::Zero(7, 7), Eigen::MatrixXd::Zero(7, 7), {}, false};
+  DynamicMatrices m{
+      Eigen::MatrixXd::Identity(7, 7), Eigen::MatrixXd::Zero(7, 7), Eigen::MatrixXd::Zero(7, 7), {}, false};
   std::srand(8);
   m.K = Eigen::MatrixXd::Random(7, 7);
   m.K.diagonal().setZero();
@@ -161,11 +184,14 @@ TEST_P(SweepKernels, PivotedLanesSolveWhatHasNoLeadingPivots) {
       load[static_cast<std::size_t>(i * count + f)] = h(i).real() * (f + 1);
       load[static_cast<std::size_t>((7 + i) * count + f)] = h(i).imag() * (f + 1);
     }
-  const sweep_kernels::Batch batch{omega.data(), count, {load.data(), load.data() + 7 * count, count}, {}, scale.data(), {q.data(), q.data() + 7 * count, count}, error.data()};
+  const sweep_kernels::Batch batch{omega.data(), count,        {load.data(), load.data() + 7 * count, count},
+                                   {},           scale.data(), {q.data(), q.data() + 7 * count, count},
+                                   error.data()};
   EXPECT_TRUE(sweep_kernels::solve_pivoted(z, batch));
   for (int f = 0; f < count; ++f) {
     Eigen::VectorXcd found(7);
-    for (int i = 0; i < 7; ++i) found(i) = {q[static_cast<std::size_t>(i * count + f)], q[static_cast<std::size_t>((7 + i) * count + f)]};
+    for (int i = 0; i < 7; ++i)
+      found(i) = {q[static_cast<std::size_t>(i * count + f)], q[static_cast<std::size_t>((7 + i) * count + f)]};
     EXPECT_LE(true_backward_error(m, h * (f + 1), 1.0, found), 1e-15) << f;
   }
 }
@@ -176,8 +202,12 @@ TEST(Sweep, IsTheSameByteForByteOnOneThreadAndSixteen) {
   for (const std::size_t which : {0U, 9U, 12U, 14U}) {
     SweepOptions one = quick, sixteen = quick;
     one.threads = 1, sixteen.threads = 16;
-    const SweepResult a = sweep(cases[which].m, test::load(), omega, one), b = sweep(cases[which].m, test::load(), omega, sixteen);
-    EXPECT_EQ(std::memcmp(a.response.data(), b.response.data(), sizeof(Complex) * static_cast<std::size_t>(a.response.size())), 0) << cases[which].name;
+    const SweepResult a = sweep(cases[which].m, test::load(), omega, one),
+                      b = sweep(cases[which].m, test::load(), omega, sixteen);
+    EXPECT_EQ(std::memcmp(a.response.data(), b.response.data(),
+                          sizeof(Complex) * static_cast<std::size_t>(a.response.size())),
+              0)
+        << cases[which].name;
     EXPECT_EQ(a.fallbacks, b.fallbacks);
   }
 }

@@ -15,7 +15,7 @@ namespace {
 using namespace trivet::numerics;
 
 constexpr double round_off = 4 * 2.3e-16;  // of a square, a sum and a root
-constexpr double two_ways = 1e-11;          // by poles or directly: ε/ζ, ζ mostly above 1e-4
+constexpr double two_ways = 1e-11;         // by poles or directly: ε/ζ, ζ mostly above 1e-4
 
 Designs random_designs(Eigen::Index count, Eigen::Index n, bool one_load) {
   std::srand(11);
@@ -23,8 +23,10 @@ Designs random_designs(Eigen::Index count, Eigen::Index n, bool one_load) {
   designs.load = Eigen::ArrayXXd::Random(one_load ? 1 : count, n);
   for (Eigen::ArrayXXd* each : {&designs.A, &designs.B, &designs.K}) each->resize(count, n * (n + 1) / 2);
   for (Eigen::Index d = 0; d < count; ++d) {
-    const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n), q = Eigen::MatrixXd::Random(n, n);
-    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) + r * r.transpose(), B = 0.05 * q * q.transpose(), K = 100 * s * s.transpose();
+    const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n),
+                          q = Eigen::MatrixXd::Random(n, n);
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) + r * r.transpose(), B = 0.05 * q * q.transpose(),
+                          K = 100 * s * s.transpose();
     pack(A, designs.A, d);
     pack(B, designs.B, d);
     pack(K, designs.K, d);
@@ -45,7 +47,8 @@ TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
     const std::vector<double> omega = frequencies(517);
     const SweepMaxima together = sweep_maxima(designs, omega, quick);
     for (Eigen::Index d = 0; d < designs.count(); ++d) {
-      const Eigen::VectorXcd load = designs.load.row(designs.load.rows() > 1 ? d : 0).matrix().transpose().cast<Complex>();
+      const Eigen::VectorXcd load =
+          designs.load.row(designs.load.rows() > 1 ? d : 0).matrix().transpose().cast<Complex>();
       const Eigen::MatrixXd all = sweep(matrices_of(designs, d), load, omega, quick).response.cwiseAbs();
       const SweepMaxima found = sweep_maxima(matrices_of(designs, d), load, omega, quick);
       for (Eigen::Index j = 0; j < n; ++j) {
@@ -59,7 +62,8 @@ TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
   }
 }
 
-/// Of undamped to overdamped designs, by poles where these are good: against direct solutions with every residual computed.
+/// Of undamped to overdamped designs, by poles where these are good: against direct solutions with every residual
+/// computed.
 TEST(SweepMaxima, ByPolesAreThoseOfDirectSolutionsOnEveryInstructionSet) {
   struct Restore {
     ~Restore() { trivet::numerics::use_instruction_set(""); }
@@ -67,11 +71,13 @@ TEST(SweepMaxima, ByPolesAreThoseOfDirectSolutionsOnEveryInstructionSet) {
   const std::vector<double> omega = frequencies(400);
   for (const Eigen::Index n : {1, 2, 6, 7, 12}) {
     Designs designs = random_designs(61, n, n == 2);
-    for (Eigen::Index d = 0; d < designs.count(); ++d) designs.B.row(d) *= d == 5 ? 0.0 : std::pow(10.0, 4.0 * static_cast<double>(d) / 60 - 1);
+    for (Eigen::Index d = 0; d < designs.count(); ++d)
+      designs.B.row(d) *= d == 5 ? 0.0 : std::pow(10.0, 4.0 * static_cast<double>(d) / 60 - 1);
     const SweepMaxima direct = sweep_maxima(designs, omega);
     for (const std::string& set : trivet::numerics::instruction_sets()) {
       trivet::numerics::use_instruction_set(set);
-      const SweepMaxima found = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 2, .progress = {}});
+      const SweepMaxima found =
+          sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 2, .progress = {}});
       EXPECT_LE((found.amplitude / direct.amplitude - 1).abs().maxCoeff(), 1e-9) << set << ", n = " << n;
       EXPECT_EQ((found.angular_frequency != direct.angular_frequency).count(), 0) << set << ", n = " << n;
     }
@@ -82,13 +88,17 @@ TEST(SweepMaxima, AreTheSameByteForByteOnOneThreadAndSixteen) {
   const Designs designs = random_designs(300, 6, true);
   const std::vector<double> omega = frequencies(100);
   const SweepMaxima one = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
-  const SweepMaxima sixteen = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 16, .progress = {}});
-  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(), sizeof(double) * static_cast<std::size_t>(one.amplitude.size())), 0);
+  const SweepMaxima sixteen =
+      sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 16, .progress = {}});
+  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(),
+                        sizeof(double) * static_cast<std::size_t>(one.amplitude.size())),
+            0);
   EXPECT_EQ(one.fallbacks, sixteen.fallbacks);
 }
 
 TEST(SweepMaxima, AnUndampedResonanceInTheListIsInfinite) {
-  const DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
+  const DynamicMatrices m{
+      Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
   const SweepMaxima found = sweep_maxima(m, Eigen::VectorXcd::Ones(2), {1.0, 2.0, 2.5, 3.0});
   EXPECT_TRUE(std::isinf(found.amplitude(0, 0)));
   EXPECT_EQ(found.angular_frequency(0, 0), 2.0);

@@ -15,7 +15,8 @@ namespace {
 using namespace trivet;
 
 TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
-  // From a state on the predicted orbit, forty periods of Runge–Kutta with forces amplitude·cos(ωt + phase) must end on it.
+  // From a state on the predicted orbit, forty periods of Runge–Kutta with forces amplitude·cos(ωt + phase) must end on
+  // it.
   constexpr int periods = 40, steps_per_period = 4000;
   constexpr double truncation = 1e-6;  // fourth order; halving the step divides the error by 16
   const model::System system = test::checked(test::RandomSystem(3).description(1, test::RandomDamping::viscous));
@@ -34,7 +35,8 @@ TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
       f(j) = std::real(force.amplitude(j) * std::polar(1.0, omega * t));
       moment(j) = std::real(force.amplitude(j + 3) * std::polar(1.0, omega * t));
     }
-    moment += Eigen::Vector3d(force.at.y() * f.z() - force.at.z() * f.y(), force.at.z() * f.x() - force.at.x() * f.z(), force.at.x() * f.y() - force.at.y() * f.x());
+    moment += Eigen::Vector3d(force.at.y() * f.z() - force.at.z() * f.y(), force.at.z() * f.x() - force.at.x() * f.z(),
+                              force.at.x() * f.y() - force.at.y() * f.x());
     Eigen::VectorXd h(6);
     h << f, moment;
     return h;
@@ -49,7 +51,8 @@ TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
   const double step = 2 * std::numbers::pi / omega / steps_per_period;
   double t = 0;
   for (int i = 0; i < periods * steps_per_period; ++i, t += step) {
-    const Eigen::VectorXd a = rate(t, state), b = rate(t + step / 2, state + step / 2 * a), c = rate(t + step / 2, state + step / 2 * b), d = rate(t + step, state + step * c);
+    const Eigen::VectorXd a = rate(t, state), b = rate(t + step / 2, state + step / 2 * a),
+                          c = rate(t + step / 2, state + step / 2 * b), d = rate(t + step, state + step * c);
     state += step / 6 * (a + 2 * b + 2 * c + d);
   }
   EXPECT_LE((state.head(6) - q.real()).norm(), truncation * q.norm());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates that the load hardly moves, by poles: their terms cancel, or are round-off. Against solutions in long double.
+// Coordinates that the load hardly moves, by poles: their terms cancel, or are round-off. Against solutions in long
+// double.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -16,9 +17,11 @@ using namespace trivet::numerics;
 constexpr double nine_digits = 1e-9;
 
 /// One design.
-Designs design_of(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K, const Eigen::VectorXd& load) {
+Designs design_of(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K,
+                  const Eigen::VectorXd& load) {
   const Eigen::Index n = A.rows(), entries = n * (n + 1) / 2;
-  Designs designs{Eigen::ArrayXXd(1, entries), Eigen::ArrayXXd(1, entries), Eigen::ArrayXXd(1, entries), load.transpose().array()};
+  Designs designs{Eigen::ArrayXXd(1, entries), Eigen::ArrayXXd(1, entries), Eigen::ArrayXXd(1, entries),
+                  load.transpose().array()};
   pack(A, designs.A, 0);
   pack(B, designs.B, 0);
   pack(K, designs.K, 0);
@@ -38,8 +41,9 @@ Designs chain(int masses) {
 Eigen::ArrayXd amplitudes(const Designs& designs, double omega) {
   using Extended = std::complex<long double>;
   const DynamicMatrices m = matrices_of(designs, 0);
-  const Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> Z =
-      m.K.cast<Extended>() - Extended(static_cast<long double>(omega) * omega) * m.A.cast<Extended>() + Extended(0, omega) * m.B.cast<Extended>();
+  const Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> Z = m.K.cast<Extended>() -
+      Extended(static_cast<long double>(omega) * omega) * m.A.cast<Extended>() +
+      Extended(0, omega) * m.B.cast<Extended>();
   const Eigen::Matrix<Extended, Eigen::Dynamic, 1> load = designs.load.row(0).matrix().transpose().cast<Extended>();
   return Z.partialPivLu().solve(load).cwiseAbs().cast<double>().array();
 }
@@ -52,14 +56,17 @@ TEST(WeakCoupling, FarFromTheForceAndAboveAllResonancesHighestValuesHaveNineDigi
       const Eigen::ArrayXd expected = amplitudes(designs, from);
       std::vector<double> omega;
       for (int i = 0; i < 40; ++i) omega.push_back(from * (1 + 0.05 * i));
-      const SweepMaxima on_list = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
-      EXPECT_LE((on_list.amplitude.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits) << masses << " masses from " << from;
+      const SweepMaxima on_list =
+          sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
+      EXPECT_LE((on_list.amplitude.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits)
+          << masses << " masses from " << from;
       for (const bool count : {false, true})
         for (const double to : {3 * from, std::numeric_limits<double>::infinity()}) {
           DesignPeakOptions options;
           options.from = from, options.to = to, options.count_peaks = count;
           const DesignPeaks peaks = design_peaks(designs, options);
-          EXPECT_LE((peaks.highest.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits) << masses << " masses from " << from << " to " << to;
+          EXPECT_LE((peaks.highest.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits)
+              << masses << " masses from " << from << " to " << to;
           if (count) {
             EXPECT_EQ(peaks.peaks.maxCoeff(), 0) << masses << " masses from " << from << " to " << to;
           }
@@ -143,7 +150,8 @@ TEST(WeakCoupling, AVelocityWhoseAccelerationIsRoundOffDoesNotGrowWithoutEnd) {
 /// A body that is free along its first coordinate.
 Designs sliding(double stiffest) {
   const Eigen::Vector3d stiffness(0, 3000, stiffest), damping(0, 1, 0.02 * std::sqrt(stiffest));
-  return design_of(6 * Eigen::Matrix3d::Identity(), damping.asDiagonal(), stiffness.asDiagonal(), Eigen::Vector3d(0, 1, 1));
+  return design_of(6 * Eigen::Matrix3d::Identity(), damping.asDiagonal(), stiffness.asDiagonal(),
+                   Eigen::Vector3d(0, 1, 1));
 }
 
 TEST(WeakCoupling, BesideAFreeDirectionTheHighestValueIsFiniteWhereverTheBandBegins) {
@@ -153,7 +161,9 @@ TEST(WeakCoupling, BesideAFreeDirectionTheHighestValueIsFiniteWhereverTheBandBeg
       options.from = from;
       const DesignPeaks peaks = design_peaks(sliding(stiffest), options);
       EXPECT_EQ(peaks.status[0], DesignStatus::redone);
-      EXPECT_NEAR(peaks.highest(0, 1), amplitudes(sliding(stiffest), peaks.highest_at(0, 1))(1), 1e-8 * peaks.highest(0, 1)) << stiffest << " " << from;
+      EXPECT_NEAR(peaks.highest(0, 1), amplitudes(sliding(stiffest), peaks.highest_at(0, 1))(1),
+                  1e-8 * peaks.highest(0, 1))
+          << stiffest << " " << from;
       EXPECT_EQ(peaks.peaks(0, 1), 1) << stiffest << " " << from;
       EXPECT_EQ(peaks.highest(0, 0), 0);
     }
@@ -164,14 +174,18 @@ TEST(WeakCoupling, ABandWhereAFreeMotionRulesIsNotJudged) {
   K << 100, -100, -100, 100;
   DesignPeakOptions options;
   options.to = 1e-4;
-  EXPECT_EQ(design_peaks(design_of(Eigen::Matrix2d::Identity(), 0.01 * K, K, Eigen::Vector2d(1, 0)), options).status[0], DesignStatus::undecided);
+  EXPECT_EQ(design_peaks(design_of(Eigen::Matrix2d::Identity(), 0.01 * K, K, Eigen::Vector2d(1, 0)), options).status[0],
+            DesignStatus::undecided);
 }
 
-/// Free along a skew axis, where round-off gives K a stiffness of either sign: as the same body seen along its own axes, where that is 0 to the last digit.
+/// Free along a skew axis, where round-off gives K a stiffness of either sign: as the same body seen along its own
+/// axes, where that is 0 to the last digit.
 TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
   const Eigen::Vector3d damping(0, 3e2, 1.2e3), stiffness(0, 3e3, 3e4), load(0, 1, 1);
   for (int k = 0; k < 100; ++k) {
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(1 + 0.02 * k, Eigen::Vector3d(1 + 0.01 * k, std::sin(k), std::cos(3 * k)).normalized()).toRotationMatrix();
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(1 + 0.02 * k, Eigen::Vector3d(1 + 0.01 * k, std::sin(k), std::cos(3 * k)).normalized())
+            .toRotationMatrix();
     const auto turned = [&](const Eigen::Vector3d& principal) -> Eigen::MatrixXd {
       const Eigen::Matrix3d x = turn * principal.asDiagonal() * turn.transpose();
       return 0.5 * (x + x.transpose());
@@ -179,10 +193,12 @@ TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
     const Eigen::MatrixXd mass = 6 * Eigen::Matrix3d::Identity();
     DesignPeakOptions along_own_axes;
     along_own_axes.rows = turn.array();
-    const DesignPeaks expected = design_peaks(design_of(mass, damping.asDiagonal(), stiffness.asDiagonal(), turn.transpose() * load), along_own_axes);
+    const DesignPeaks expected = design_peaks(
+        design_of(mass, damping.asDiagonal(), stiffness.asDiagonal(), turn.transpose() * load), along_own_axes);
     const DesignPeaks found = design_peaks(design_of(mass, turned(damping), turned(stiffness), load));
     EXPECT_TRUE((found.peaks == expected.peaks).all()) << k << ": " << found.peaks << " instead of " << expected.peaks;
-    EXPECT_LE(((found.highest - expected.highest) / expected.highest).abs().maxCoeff(), 1e-5) << k;  // K's round-off where the search begins, docs/theory.md
+    EXPECT_LE(((found.highest - expected.highest) / expected.highest).abs().maxCoeff(), 1e-5)
+        << k;  // K's round-off where the search begins, docs/theory.md
   }
 }
 

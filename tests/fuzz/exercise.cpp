@@ -52,7 +52,7 @@ fs::path written(std::string_view bytes, const std::string& name) {
 /// Finite elements and the mesher take seconds: tests/campaign runs them.
 bool is_slow(std::string_view text) {
   return text.find("finite_elements") != std::string_view::npos || text.find("solid_mount") != std::string_view::npos ||
-         text.find(".st") != std::string_view::npos;
+      text.find(".st") != std::string_view::npos;
 }
 
 void ask(const project::Case& variant, const std::function<void(project::Analyses&)>& question) {
@@ -82,8 +82,10 @@ void ask_quick_questions(const project::Project& project) {
     if (project::coordinates(variant.system.description(), true) <= most_coordinates / 2)
       ask(variant, [](project::Analyses& a) { a.peaks.emplace(); });
     ask(variant, [&](project::Analyses& a) {
-      if (variant.analyses.questions.contains("random")) a.questions["random"] = std::make_shared<project::RandomQuestion>();
-      if (const auto asked = variant.analyses.questions.find("earthquake"); asked != variant.analyses.questions.end()) a.questions.insert(*asked);
+      if (variant.analyses.questions.contains("random"))
+        a.questions["random"] = std::make_shared<project::RandomQuestion>();
+      if (const auto asked = variant.analyses.questions.find("earthquake"); asked != variant.analyses.questions.end())
+        a.questions.insert(*asked);
     });
   }
 }

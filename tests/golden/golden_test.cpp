@@ -23,7 +23,8 @@ TEST(Golden, PeaksOfThePaperInAllCases) {
   for (const auto& variant : project.cases) {
     const auto answers = study::answers(variant, variant.analyses);
     for (const auto& peak : answers.peaks->peaks.list)
-      found.push_back({variant.name + "/" + answers.peaks->peaks.curves[peak.curve].name, peak.angular_frequency, peak.amplitude});
+      found.push_back(
+          {variant.name + "/" + answers.peaks->peaks.curves[peak.curve].name, peak.angular_frequency, peak.amplitude});
   }
   const std::string path = std::string(TRIVET_SOURCE_DIR) + "/tests/golden/paper_peaks.csv";
   if (std::getenv("TRIVET_REWRITE_GOLDEN")) {
@@ -33,7 +34,8 @@ TEST(Golden, PeaksOfThePaperInAllCases) {
   }
   std::ifstream in(path);
   std::size_t i = 0;
-  for (std::string name, omega, amplitude; std::getline(in, name, ',') && std::getline(in, omega, ',') && std::getline(in, amplitude); ++i) {
+  for (std::string name, omega, amplitude;
+       std::getline(in, name, ',') && std::getline(in, omega, ',') && std::getline(in, amplitude); ++i) {
     ASSERT_LT(i, found.size());
     EXPECT_EQ(found[i].name, name);
     EXPECT_NEAR(found[i].omega, std::stod(omega), tolerance * found[i].omega);

@@ -9,7 +9,8 @@
 
 namespace trivet::test {
 
-/// The helical spring of Wittrick 1966, Mottershead 1980, Pearson 1982: wire 1 mm, mean radius 5 mm, 7.6 turns at 8.5744°.
+/// The helical spring of Wittrick 1966, Mottershead 1980, Pearson 1982: wire 1 mm, mean radius 5 mm, 7.6 turns
+/// at 8.5744°.
 inline elements::CoilSpring literature_spring() {
   elements::CoilSpring spring;
   spring.wire = elements::RoundWire{1e-3};

@@ -22,7 +22,8 @@ namespace trivet::test {
 
 inline constexpr double turn = 2 * std::numbers::pi;
 
-/// A machine of 400 kg with a point "seat" on four mounts of unequal stiffness, with dashpots; one stands on a deck that gives.
+/// A machine of 400 kg with a point "seat" on four mounts of unequal stiffness, with dashpots; one stands on a deck
+/// that gives.
 inline model::Description machine_on_four_mounts() {
   model::Description d;
   model::Body machine;
@@ -65,8 +66,9 @@ inline study::Answers answers_of_everything() {
   base.amplitude(0) = 0.3;
   base.derivative = 2;
   base.elements = {0, 1, 2};  // the fourth stands on the mode of the deck
-  d.excitations = {{"piston", on_machine, model::Harmonic{}},
-                   {"deck", base, model::Random{excitation::from_table({{1, 10, 100, 200}, {0.01, 0.1, 0.1, 0.02}}), {}}}};
+  d.excitations = {
+      {"piston", on_machine, model::Harmonic{}},
+      {"deck", base, model::Random{excitation::from_table({{1, 10, 100, 200}, {0.01, 0.1, 0.1, 0.02}}), {}}}};
   model::Orders orders;
   for (const double order : {0.5, 1.0, 2.0, 4.0}) {
     excitation::Order one{order, {}, {}};
@@ -88,40 +90,50 @@ inline study::Answers answers_of_everything() {
   const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::displacement);
   const auto velocities = assembly::channels(system, assembled, {"machine.seat.z"}, assembly::Quantity::velocity);
   const response::RandomLoading random = response::random_loading(system, assembled);
-  a.of_questions["random"] = study::RandomResult{
-      response::random_response(assembled, channels, random), response::random_curves(assembled, channels, random), {"deck"}, {}};
+  a.of_questions["random"] = study::RandomResult{response::random_response(assembled, channels, random),
+                                                 response::random_curves(assembled, channels, random),
+                                                 {"deck"},
+                                                 {}};
 
   const excitation::Signal pulse = excitation::half_sine(50, 0.011, 0.01);
   response::TransientOptions time;
   time.to = 0.6;
   time.step = 2e-4;
-  a.of_questions["transient"] = study::TransientResult{
-      response::transient_response(system, assembled, channels, {{"shock", pulse, assembly::loading(assembled, base)}}, time), {}};
+  a.of_questions["transient"] =
+      study::TransientResult{response::transient_response(system, assembled, channels,
+                                                          {{"shock", pulse, assembly::loading(assembled, base)}}, time),
+                             {}};
 
   const auto by_order = response::order_loadings(system, assembled);
   const response::Band speed{turn * 5, turn * 50};
-  a.of_questions["orders"] = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
-                                 response::campbell(by_order, a.modes, a.roots, speed),
-                                 {}};
+  a.of_questions["orders"] =
+      study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
+                          response::campbell(by_order, a.modes, a.roots, speed),
+                          {}};
 
   const response::Band band{turn * 1, turn * 100};
   const auto grid = response::logarithmic_grid(band, 801);
   const auto transmission = response::force_transmission(system, assembled, {0, {0.05, 0.02, 0.35}, {}});
-  const auto transmitted_peaks = response::peaks(assembled, transmission.channels, transmission.loading, a.modes, a.roots);
+  const auto transmitted_peaks =
+      response::peaks(assembled, transmission.channels, transmission.loading, a.modes, a.roots);
   a.of_questions["transmissibility"] = study::TransmissibilityResult{
-      "force on the ground over piston", response::frequency_response(assembled, transmission.channels, transmission.loading, grid),
-      transmitted_peaks, response::crossovers(assembled, transmission, transmitted_peaks), band};
+      "force on the ground over piston",
+      response::frequency_response(assembled, transmission.channels, transmission.loading, grid), transmitted_peaks,
+      response::crossovers(assembled, transmission, transmitted_peaks), band};
 
   const assembly::Loading harmonic = assembly::harmonic_loading(system, assembled, {"piston"});
   a.of_questions["power"] = response::power_flow(system, assembled, harmonic, grid);
   a.of_questions["shapes"] = std::vector{response::deflection_shape(system, assembled, harmonic, turn * 12)};
   std::vector<double> natural;
   for (int i = 0; i <= 300; ++i) natural.push_back(turn * std::pow(10.0, 3.3 * i / 300));
-  a.of_questions["shock_spectrum"] = std::vector<study::ShockSpectrumResult>{{"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
-  const response::LimitLine line{"class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};
+  a.of_questions["shock_spectrum"] = std::vector<study::ShockSpectrumResult>{
+      {"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
+  const response::LimitLine line{
+      "class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};
   const auto velocity_peaks = response::peaks(assembled, velocities, harmonic, a.modes, a.roots);
   a.limit_lines = {{"machine.seat.z", line,
-                    response::compared_with_limit(assembled, velocities.front(), harmonic, a.roots.poles, velocity_peaks, line, band)}};
+                    response::compared_with_limit(assembled, velocities.front(), harmonic, a.roots.poles,
+                                                  velocity_peaks, line, band)}};
   return a;
 }
 

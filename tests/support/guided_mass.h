@@ -19,8 +19,8 @@ inline model::Body guided_body(const std::string& name, double mass) {
 }
 
 /// A spring [N/m] with a dashpot [N s/m] along z, at the place (x, 0, 0) of both ends.
-inline model::Element vertical_spring(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness,
-                                      double dashpot = 0, double x = 0) {
+inline model::Element vertical_spring(const std::string& name, std::optional<std::size_t> from, std::size_t on,
+                                      double stiffness, double dashpot = 0, double x = 0) {
   const auto along_z = [](double constant) {
     spatial::Vector6 constants = spatial::Vector6::Zero();
     constants(2) = constant;
@@ -47,7 +47,8 @@ inline model::Description guided_mass(double mass, double angular_frequency, dou
 }
 
 /// A harmonic force along z at the pole of a body, times ω^power.
-inline model::Excitation vertical_force(const std::string& name, std::size_t body, std::complex<double> amplitude, int power = 0) {
+inline model::Excitation vertical_force(const std::string& name, std::size_t body, std::complex<double> amplitude,
+                                        int power = 0) {
   model::Action action;
   action.body = body;
   action.amplitude(2) = amplitude;

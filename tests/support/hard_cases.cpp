@@ -32,7 +32,9 @@ DynamicMatrices mixed(const Eigen::VectorXd& a, const Eigen::MatrixXd& b, const 
   return {turn(a.asDiagonal()), turn(b), turn(k.asDiagonal()), {}, true};
 }
 
-Eigen::VectorXd six(double a, double b, double c, double d, double e, double f) { return (Eigen::VectorXd(6) << a, b, c, d, e, f).finished(); }
+Eigen::VectorXd six(double a, double b, double c, double d, double e, double f) {
+  return (Eigen::VectorXd(6) << a, b, c, d, e, f).finished();
+}
 
 Eigen::MatrixXd spread(double size) {
   Eigen::MatrixXd b = Eigen::MatrixXd::Identity(6, 6) * size;
@@ -51,23 +53,28 @@ std::pair<double, double> least(const Function& f, double low, double high) {
   return {f(low), low};
 }
 
-/// Two oscillators, one damped, joined by a spring: for one damping and one detuning their roots coalesce with their vectors.
+/// Two oscillators, one damped, joined by a spring: for one damping and one detuning their roots coalesce with their
+/// vectors.
 DynamicMatrices exceptional_point() {
   const auto with = [](double damping, double detuning) {
-    Eigen::MatrixXd B = Eigen::MatrixXd::Identity(6, 6), K = Eigen::MatrixXd(six(100, 100 + detuning, 400, 900, 2500, 10000).asDiagonal());
+    Eigen::MatrixXd B = Eigen::MatrixXd::Identity(6, 6),
+                    K = Eigen::MatrixXd(six(100, 100 + detuning, 400, 900, 2500, 10000).asDiagonal());
     B(0, 0) = damping, B(1, 1) = 0;
     K(0, 1) = K(1, 0) = 5;
     return DynamicMatrices{Eigen::MatrixXd::Identity(6, 6), B, K, {}, true};
   };
   const auto distance = [&](double damping, double detuning) {
     const DynamicMatrices all = with(damping, detuning);
-    const DynamicMatrices pair{all.A.topLeftCorner(2, 2), all.B.topLeftCorner(2, 2), all.K.topLeftCorner(2, 2), {}, true};
+    const DynamicMatrices pair{
+        all.A.topLeftCorner(2, 2), all.B.topLeftCorner(2, 2), all.K.topLeftCorner(2, 2), {}, true};
     std::vector<std::complex<double>> upper;
     for (const auto& lambda : numerics::roots_of_companion(pair).lambda)
       if (lambda.imag() > 0) upper.push_back(lambda);
     return std::abs(upper.at(0) - upper.at(1));
   };
-  const auto best_damping = [&](double detuning) { return least([&](double damping) { return distance(damping, detuning); }, 0.5, 2.0); };
+  const auto best_damping = [&](double detuning) {
+    return least([&](double damping) { return distance(damping, detuning); }, 0.5, 2.0);
+  };
   const double detuning = least([&](double d) { return best_damping(d).first; }, -3.0, 3.0).second;
   if (best_damping(detuning).first > 1e-3) throw std::logic_error("the roots do not coalesce");
   return with(best_damping(detuning).second, detuning);
@@ -85,7 +92,9 @@ std::vector<HardCase> hard_cases() {
   all.push_back({"proportional, 1e-6", mixed(one, Eigen::MatrixXd((1e-6 * k).asDiagonal()), k)});
   all.push_back({"mass ratio 1e-6", mixed(six(1, 1, 1, 1, 1, 1e-6), spread(0.1), k)});
   all.push_back({"coincident frequencies, general damping", mixed(one, spread(0.3), six(4, 4, 100, 100, 100, 900))});
-  all.push_back({"coincident frequencies, proportional", mixed(one, Eigen::MatrixXd((0.01 * six(4, 4, 100, 100, 100, 900)).asDiagonal()), six(4, 4, 100, 100, 100, 900))});
+  all.push_back({"coincident frequencies, proportional",
+                 mixed(one, Eigen::MatrixXd((0.01 * six(4, 4, 100, 100, 100, 900)).asDiagonal()),
+                       six(4, 4, 100, 100, 100, 900))});
   DynamicMatrices critical{one.asDiagonal(), twice_root.asDiagonal(), k.asDiagonal(), {}, true};
   all.push_back({"critical damping, exactly defective", critical});
   all.push_back({"critical damping, turned", mixed(one, Eigen::MatrixXd(twice_root.asDiagonal()), k)});
@@ -121,7 +130,8 @@ std::vector<double> awkward_frequencies(const DynamicMatrices& m) {
   const numerics::QuadraticRoots roots = numerics::roots_of_companion(m);
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     const double centre = std::abs(roots.lambda(k).imag());
-    for (const double shift : {-1.0, -1e-3, -1e-12, 0.0, 1e-12, 1e-3, 1.0}) omega.push_back(std::abs(centre + shift * std::abs(roots.lambda(k).real())));
+    for (const double shift : {-1.0, -1e-3, -1e-12, 0.0, 1e-12, 1e-3, 1.0})
+      omega.push_back(std::abs(centre + shift * std::abs(roots.lambda(k).real())));
   }
   for (int i = 1; i < 60; ++i) omega.push_back(2.3 * i);
   return omega;

@@ -13,12 +13,14 @@ Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::M
   if (state.rows() != state.cols() || intensity.rows() != state.rows() || intensity.cols() != state.rows())
     throw foundation::InvalidInput("covariance: the state matrix and the intensity must be square and of one size");
   const Eigen::ComplexSchur<Eigen::MatrixXcd> schur(state.cast<Complex>());
-  if (schur.info() != Eigen::Success) throw foundation::NotComputable("the Schur form of the state matrix did not converge");
+  if (schur.info() != Eigen::Success)
+    throw foundation::NotComputable("the Schur form of the state matrix did not converge");
   const Eigen::MatrixXcd &T = schur.matrixT(), &U = schur.matrixU();
   const Eigen::Index n = T.rows();
   for (Eigen::Index i = 0; i < n; ++i)
     if (!(T(i, i).real() < 0))
-      throw foundation::NotComputable("a free motion does not decay: under white noise no stationary covariance exists");
+      throw foundation::NotComputable(
+          "a free motion does not decay: under white noise no stationary covariance exists");
   // T Y + Y Tᴴ = −Uᴴ Q U, from the last row and column backward.
   Eigen::MatrixXcd Y = -(U.adjoint() * intensity.cast<Complex>() * U);
   for (Eigen::Index j = n - 1; j >= 0; --j) {

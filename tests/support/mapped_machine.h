@@ -24,7 +24,8 @@ type = "harmonic"
 on = "machine"
 at = [0, 0, 0]
 force = [0, 0, 10]
-)" + further + "[analyses]\n" + map;
+)" + further +
+      "[analyses]\n" + map;
 }
 
 /// 5 × 4 designs of it.
@@ -32,7 +33,8 @@ inline const std::string two_axes =
     "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 5}, "
     "y = {parameter = \"elements.spring.damping.proportional\", from = 0.01, to = 0.3, points = 4}";
 
-/// A block of six coordinates on one spring through its centre, pushed along x beside it: no peak of any, along these two axes.
+/// A block of six coordinates on one spring through its centre, pushed along x beside it: no peak of any, along these
+/// two axes.
 inline std::string mapped_block(const std::string& x, const std::string& y) {
   return R"(
 trivet = 1
@@ -53,7 +55,8 @@ at = [0, 0, 0.1]
 force = [1, 0, 0]
 [analyses.map]
 no_peak = "coordinates"
-x = )" + x + "\ny = " + y + "\n";
+x = )" +
+      x + "\ny = " + y + "\n";
 }
 
 }  // namespace trivet::test

@@ -19,7 +19,8 @@ MATCHER_P2(RelativelyNear, expected, tolerance, "") {
   return difference <= tolerance;
 }
 
-/// Every entry within `tolerance` of the expected matrix, measured over `scale_i · scale_j`: newtons and newton metres compare.
+/// Every entry within `tolerance` of the expected matrix, measured over `scale_i · scale_j`: newtons and newton metres
+/// compare.
 MATCHER_P3(NearInUnits, expected, scale, tolerance, "") {
   double worst = 0;
   Eigen::Index row = 0, column = 0;
@@ -28,8 +29,8 @@ MATCHER_P3(NearInUnits, expected, scale, tolerance, "") {
       const double difference = std::abs(arg(i, j) - expected(i, j)) / (scale(i) * scale(j));
       if (!(difference <= worst)) worst = difference, row = i, column = j;
     }
-  *result_listener << "entry (" << row << ", " << column << ") is " << arg(row, column) << ", expected " << expected(row, column)
-                   << ", scaled difference " << worst << ", allowed " << tolerance;
+  *result_listener << "entry (" << row << ", " << column << ") is " << arg(row, column) << ", expected "
+                   << expected(row, column) << ", scaled difference " << worst << ", allowed " << tolerance;
   return worst <= tolerance;
 }
 
@@ -38,8 +39,8 @@ MATCHER_P4(NearInUnitsOf, expected, row_scale, column_scale, tolerance, "") {
   const auto scaled = (arg - expected).cwiseAbs().cwiseQuotient(row_scale * column_scale.transpose()).eval();
   Eigen::Index row = 0, column = 0;
   const double worst = scaled.maxCoeff(&row, &column);
-  *result_listener << "entry (" << row << ", " << column << ") is " << arg(row, column) << ", expected " << expected(row, column)
-                   << ", scaled difference " << worst << ", allowed " << tolerance;
+  *result_listener << "entry (" << row << ", " << column << ") is " << arg(row, column) << ", expected "
+                   << expected(row, column) << ", scaled difference " << worst << ", allowed " << tolerance;
   return worst <= tolerance;
 }
 
@@ -48,8 +49,8 @@ MATCHER_P2(NearVector, expected, tolerance, "") {
   const double scale = expected.cwiseAbs().maxCoeff();
   Eigen::Index worst = 0;
   const double difference = (arg - expected).cwiseAbs().maxCoeff(&worst) / scale;
-  *result_listener << "component " << worst << " is " << arg(worst) << ", expected " << expected(worst) << ", difference " << difference
-                   << " of the largest, allowed " << tolerance;
+  *result_listener << "component " << worst << " is " << arg(worst) << ", expected " << expected(worst)
+                   << ", difference " << difference << " of the largest, allowed " << tolerance;
   return difference <= tolerance;
 }
 

@@ -38,7 +38,9 @@ struct Bar {
 }
 
 /// √K_ii, by which entries of mixed units are compared.
-[[nodiscard]] inline Eigen::VectorXd entry_scale(const Eigen::MatrixXd& matrix) { return matrix.diagonal().cwiseAbs().cwiseSqrt(); }
+[[nodiscard]] inline Eigen::VectorXd entry_scale(const Eigen::MatrixXd& matrix) {
+  return matrix.diagonal().cwiseAbs().cwiseSqrt();
+}
 
 /// The text of all problems, or "none".
 template <typename T>

@@ -15,18 +15,21 @@ project::Project project(const std::string& text, const std::vector<std::string>
   return std::move(result).value();
 }
 
-std::string chain(const std::vector<double>& masses, const std::vector<double>& springs, const std::vector<double>& dashpots,
-                  const std::vector<double>& loss_factors, const std::string& orientation) {
+std::string chain(const std::vector<double>& masses, const std::vector<double>& springs,
+                  const std::vector<double>& dashpots, const std::vector<double>& loss_factors,
+                  const std::string& orientation) {
   std::string text = "trivet = 1\n";
   for (std::size_t i = 0; i < masses.size(); ++i) {
-    text += fmt::format("[bodies.m{}]\nmass = {}\nfree = [\"x\"]\nposition = [{}, {}, 0]\n", i + 1, masses[i], 0.6 * static_cast<double>(i + 1),
-                        0.8 * static_cast<double>(i + 1));
+    text += fmt::format("[bodies.m{}]\nmass = {}\nfree = [\"x\"]\nposition = [{}, {}, 0]\n", i + 1, masses[i],
+                        0.6 * static_cast<double>(i + 1), 0.8 * static_cast<double>(i + 1));
     if (!orientation.empty()) text += "orientation = " + orientation + "\n";
   }
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const bool last = i == masses.size();
     if (springs[i] == 0) continue;
-    text += fmt::format("[elements.k{}]\ntype = \"three_springs\"\non = \"m{}\"\nat = [0, 0, 0]\ntranslation = [{}, 0, 0]\n", i + 1, last ? i : i + 1, springs[i]);
+    text += fmt::format(
+        "[elements.k{}]\ntype = \"three_springs\"\non = \"m{}\"\nat = [0, 0, 0]\ntranslation = [{}, 0, 0]\n", i + 1,
+        last ? i : i + 1, springs[i]);
     if (i > 0 && !last) text += fmt::format("from = \"m{}\"\n", i);
     const double dashpot = i < dashpots.size() ? dashpots[i] : 0;
     const double loss = i < loss_factors.size() ? loss_factors[i] : 0;

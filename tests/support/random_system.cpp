@@ -8,9 +8,13 @@
 
 namespace trivet::test {
 
-Eigen::Vector3d RandomSystem::vector(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+Eigen::Vector3d RandomSystem::vector(double size) {
+  return {number(-size, size), number(-size, size), number(-size, size)};
+}
 
-Eigen::Matrix3d RandomSystem::rotation() { return spatial::rotation_about(vector(1) + Eigen::Vector3d(0, 0, 2), number(-3, 3)); }
+Eigen::Matrix3d RandomSystem::rotation() {
+  return spatial::rotation_about(vector(1) + Eigen::Vector3d(0, 0, 2), number(-3, 3));
+}
 
 model::Body RandomSystem::body(const std::string& name) {
   model::Body body;
@@ -48,11 +52,15 @@ model::Element RandomSystem::element(const std::string& name, std::optional<std:
   element.k = {on, vector(0.5), rotation()};
   element.n = {from, vector(0.5), rotation()};
   const model::Span span = model::span(bodies, element.n, element.k);
-  const auto full = [&](const spatial::Matrix6& k) { return elements::in_end_axes(elements::from_moved_end(k, span.arm), span.n_from_k); };
+  const auto full = [&](const spatial::Matrix6& k) {
+    return elements::in_end_axes(elements::from_moved_end(k, span.arm), span.n_from_k);
+  };
   element.law.nominal_stiffness = full(stiffness(number(2e4, 2e5), 0.2));
   element.law.scale = number(0.5, 2);
-  if (damping == RandomDamping::proportional) element.law.damping = elements::ProportionalDamping{number(1e-4, 3e-3), false};
-  if (damping == RandomDamping::viscous) element.law.damping = elements::DampingMatrix{full(stiffness(number(20, 400), 0.2))};
+  if (damping == RandomDamping::proportional)
+    element.law.damping = elements::ProportionalDamping{number(1e-4, 3e-3), false};
+  if (damping == RandomDamping::viscous)
+    element.law.damping = elements::DampingMatrix{full(stiffness(number(20, 400), 0.2))};
   if (damping == RandomDamping::loss) element.law.damping = elements::LossFactor{number(0.01, 0.2)};
   return element;
 }
@@ -70,7 +78,8 @@ model::Description RandomSystem::description(std::size_t bodies, RandomDamping d
   force.body = bodies - 1;
   force.at = vector(0.4);
   const Eigen::Vector3d forces = vector(100), moments = vector(20);
-  for (int j = 0; j < 6; ++j) force.amplitude(j) = (j < 3 ? forces(j) : moments(j - 3)) * std::polar(1.0, number(-3, 3));
+  for (int j = 0; j < 6; ++j)
+    force.amplitude(j) = (j < 3 ? forces(j) : moments(j - 3)) * std::polar(1.0, number(-3, 3));
   d.excitations.push_back({"force", force, model::Harmonic{}});
   return d;
 }

@@ -22,8 +22,8 @@ class RandomSystem {
   model::Body body(const std::string& name);
   /// A positive definite 6×6 in N/m … N m/rad, full.
   spatial::Matrix6 stiffness(double translation, double length);
-  model::Element element(const std::string& name, std::optional<std::size_t> from, std::size_t on, const std::vector<model::Body>& bodies,
-                         RandomDamping damping);
+  model::Element element(const std::string& name, std::optional<std::size_t> from, std::size_t on,
+                         const std::vector<model::Body>& bodies, RandomDamping damping);
   /// `bodies` bodies in a chain from the ground, two elements per joint, one harmonic force with random phases.
   model::Description description(std::size_t bodies, RandomDamping damping, bool grounded = true);
 

@@ -17,7 +17,8 @@ struct Assembly {
   assembly::Assembled assembled;
   explicit Assembly(const model::Description& d) : system(checked(d)), assembled(assembly::assemble(system)) {}
 
-  [[nodiscard]] std::vector<assembly::Channel> channels(const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
+  [[nodiscard]] std::vector<assembly::Channel> channels(
+      const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
   [[nodiscard]] assembly::Loading loading() const { return assembly::harmonic_loading(system, assembled); }
@@ -27,13 +28,15 @@ struct Assembly {
   }
 };
 
-/// The same machine on a foundation that is shaken by a translation given by its acceleration, and on one at rest under the forces of inertia −m a: what moves
-/// against the ground in the first moves in the second, and the second knows nothing of moving ground.
+/// The same machine on a foundation that is shaken by a translation given by its acceleration, and on one at rest under
+/// the forces of inertia −m a: what moves against the ground in the first moves in the second, and the second knows
+/// nothing of moving ground.
 struct ShakenAndPushed {
   model::Description shaken, pushed;
   std::vector<std::string> relative, plain;  ///< answers of the one and of the other, in the same order
 
-  ShakenAndPushed(const model::Description& machine, const Eigen::Vector3cd& acceleration) : shaken(machine), pushed(machine) {
+  ShakenAndPushed(const model::Description& machine, const Eigen::Vector3cd& acceleration)
+      : shaken(machine), pushed(machine) {
     shaken.excitations.clear();
     pushed.excitations.clear();
     model::Excitation base{"base", {}, model::Harmonic{}};
@@ -45,7 +48,8 @@ struct ShakenAndPushed {
       model::Excitation inertia{"inertia " + std::to_string(b), {}, model::Harmonic{}};
       inertia.action.body = b;
       inertia.action.at = body.mass.centre;
-      inertia.action.amplitude.head<3>() = -body.mass.mass * (body.pose.rotation.transpose().cast<std::complex<double>>() * acceleration);
+      inertia.action.amplitude.head<3>() =
+          -body.mass.mass * (body.pose.rotation.transpose().cast<std::complex<double>>() * acceleration);
       pushed.excitations.push_back(inertia);
       relative.push_back(body.name + ".relative");
       plain.push_back(body.name);
@@ -55,11 +59,14 @@ struct ShakenAndPushed {
   }
 };
 
-/// Every element with proportional damping, so strong that the slowest mode with its stiffness would be overdamped `times`.
+/// Every element with proportional damping, so strong that the slowest mode with its stiffness would be overdamped
+/// `times`.
 inline void overdamp(model::Description& d, double times) {
   double lowest = 1e300;
-  for (const modal::Mode& mode : modal::modes(checked(d)).list) lowest = std::min(lowest, mode.angular_frequency.value_or(lowest));
-  for (model::Element& element : d.elements) element.law.damping = elements::ProportionalDamping{2 * times / lowest, false};
+  for (const modal::Mode& mode : modal::modes(checked(d)).list)
+    lowest = std::min(lowest, mode.angular_frequency.value_or(lowest));
+  for (model::Element& element : d.elements)
+    element.law.damping = elements::ProportionalDamping{2 * times / lowest, false};
 }
 
 }  // namespace trivet::test

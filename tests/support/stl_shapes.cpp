@@ -60,6 +60,8 @@ std::string stl_binary(const Triangles& triangles) {
   return bytes;
 }
 
-void write_file(const std::filesystem::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+void write_file(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
 
 }  // namespace trivet::test

@@ -14,8 +14,9 @@
 namespace trivet::test {
 
 /// A signal times a force and moment at the pole of a body, body axes.
-[[nodiscard]] inline response::TimeInput force_on(const assembly::Assembled& assembled, std::size_t body, const excitation::Signal& signal,
-                                                  const spatial::Vector6& wrench, double delay = 0) {
+[[nodiscard]] inline response::TimeInput force_on(const assembly::Assembled& assembled, std::size_t body,
+                                                  const excitation::Signal& signal, const spatial::Vector6& wrench,
+                                                  double delay = 0) {
   model::Action action;
   action.body = body;
   action.amplitude = wrench.cast<std::complex<double>>();
@@ -23,9 +24,12 @@ namespace trivet::test {
   return {"force", signal, assembly::loading(assembled, action)};
 }
 
-/// A signal as motion of the whole ground about its origin, or of single ground ends; derivative 2: the signal is an acceleration.
-[[nodiscard]] inline response::TimeInput base_motion(const assembly::Assembled& assembled, const excitation::Signal& signal, const spatial::Vector6& motion,
-                                                     int derivative = 0, const std::vector<std::size_t>& elements = {}, double delay = 0) {
+/// A signal as motion of the whole ground about its origin, or of single ground ends; derivative 2: the signal is an
+/// acceleration.
+[[nodiscard]] inline response::TimeInput base_motion(const assembly::Assembled& assembled,
+                                                     const excitation::Signal& signal, const spatial::Vector6& motion,
+                                                     int derivative = 0, const std::vector<std::size_t>& elements = {},
+                                                     double delay = 0) {
   model::Action action;
   action.amplitude = motion.cast<std::complex<double>>();
   action.derivative = derivative;
@@ -34,20 +38,24 @@ namespace trivet::test {
   return {"base", signal, assembly::loading(assembled, action)};
 }
 
-[[nodiscard]] inline response::TransientResponse transient(const model::System& system, const assembly::Assembled& assembled,
-                                                           const std::vector<std::string>& of, const std::vector<response::TimeInput>& inputs,
-                                                           const response::TransientOptions& options,
-                                                           assembly::Quantity quantity = assembly::Quantity::displacement) {
-  return response::transient_response(system, assembled, assembly::channels(system, assembled, of, quantity), inputs, options);
+[[nodiscard]] inline response::TransientResponse transient(
+    const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& of,
+    const std::vector<response::TimeInput>& inputs, const response::TransientOptions& options,
+    assembly::Quantity quantity = assembly::Quantity::displacement) {
+  return response::transient_response(system, assembled, assembly::channels(system, assembled, of, quantity), inputs,
+                                      options);
 }
 
-[[nodiscard]] inline const response::TimeCurve& curve(const response::TransientResponse& response, const std::string& name) {
+[[nodiscard]] inline const response::TimeCurve& curve(const response::TransientResponse& response,
+                                                      const std::string& name) {
   for (const response::TimeCurve& each : response.curves)
     if (each.name == name) return each;
   throw std::out_of_range("no curve " + name);
 }
 
 /// Six components, one of them 1.
-[[nodiscard]] inline spatial::Vector6 along(int component, double value = 1) { return value * spatial::Vector6::Unit(component); }
+[[nodiscard]] inline spatial::Vector6 along(int component, double value = 1) {
+  return value * spatial::Vector6::Unit(component);
+}
 
 }  // namespace trivet::test

@@ -36,7 +36,8 @@ std::string xml_fault(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '&') {
       const std::string entity = text.substr(i, text.find(';', i) - i + 1);
-      if (entity != "&amp;" && entity != "&lt;" && entity != "&gt;" && entity != "&quot;") return "bare & at " + std::to_string(i);
+      if (entity != "&amp;" && entity != "&lt;" && entity != "&gt;" && entity != "&quot;")
+        return "bare & at " + std::to_string(i);
     }
     if (text[i] != '<') continue;
     const std::size_t end = text.find('>', i);
@@ -58,7 +59,8 @@ std::string xml_fault(const std::string& text) {
 
 /// With the name of a file that begins so.
 const report::Figure& figure(const std::vector<report::Figure>& figures, const std::string& file) {
-  const auto found = std::find_if(figures.begin(), figures.end(), [&](const report::Figure& f) { return f.file_name.starts_with(file); });
+  const auto found = std::find_if(figures.begin(), figures.end(),
+                                  [&](const report::Figure& f) { return f.file_name.starts_with(file); });
   if (found == figures.end()) throw std::out_of_range(file);
   return *found;
 }
@@ -71,7 +73,8 @@ TEST(AnswerFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
     EXPECT_THAT(f.svg, Not(HasSubstr("inf"))) << f.file_name;
     names.push_back(f.file_name);
   }
-  EXPECT_EQ(names.size(), 3u * 3 + 2 + 2 + 3);  // random, transient and run-up of machine, seat and ground; Campbell, waterfall; …
+  EXPECT_EQ(names.size(),
+            3u * 3 + 2 + 2 + 3);  // random, transient and run-up of machine, seat and ground; Campbell, waterfall; …
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
@@ -91,15 +94,17 @@ TEST(AnswerFigures, NameQuantityAndUnitOnTheirAxes) {
       {"limit", {"f [Hz]", "velocity, rms [mm/s]"}},
       {"shape", {"front<", "isometric<", "Grey: at rest."}}};
   for (const auto& [file, labels] : expected)
-    for (const std::string& label : labels) EXPECT_NE(figure(all, file).svg.find(">" + label), std::string::npos) << file << ": " << label;
+    for (const std::string& label : labels)
+      EXPECT_NE(figure(all, file).svg.find(">" + label), std::string::npos) << file << ": " << label;
 }
 
 TEST(AnswerFigures, DrawOneLinePerCurve) {
   const auto all = report::answer_figures(everything());
   for (const char* six_curves : {"random-01", "random-03", "transient-01", "transient-02", "transient-03"})
     EXPECT_EQ(count(figure(all, six_curves).svg, "<polyline"), 6) << six_curves;
-  EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"), 6 * (1 + 4));  // six coordinates: all orders, and each of the four
-  EXPECT_EQ(count(figure(all, "transmissibility").svg, "<polyline"), 5);     // in total and by four mounts
+  EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"),
+            6 * (1 + 4));  // six coordinates: all orders, and each of the four
+  EXPECT_EQ(count(figure(all, "transmissibility").svg, "<polyline"), 5);  // in total and by four mounts
   EXPECT_EQ(count(figure(all, "shock").svg, "<polyline"), 3);
   EXPECT_EQ(count(figure(all, "limit").svg, "<polyline"), 2);
 }
@@ -158,7 +163,9 @@ TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
   const auto pieces = report::visible_pieces(panel, x, y);
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_LT(pieces[0].size(), 10u);
-  EXPECT_NEAR(std::min_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; })->y, 10, 1e-12);
+  EXPECT_NEAR(
+      std::min_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; })->y,
+      10, 1e-12);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ TEST(AxisUnit, IsTheWrittenOneOrThatOfABareNumberWhereItIsKnown) {
 
 TEST(AxisValue, HasTheDigitsThatTellDesignsApart) {
   EXPECT_EQ(results::axis_value(1.3, {"elements.s.scale", "", 1, 2, "", false, 11}), "1.3");
-  EXPECT_EQ(results::axis_value(1.00000000005, {"elements.s.scale", "", 1, 1.0000000001, "", false, 9}), "1.00000000005");
+  EXPECT_EQ(results::axis_value(1.00000000005, {"elements.s.scale", "", 1, 1.0000000001, "", false, 9}),
+            "1.00000000005");
   EXPECT_EQ(results::axis_value(0.12, {"elements.s.damping.proportional", "", 0.01, 0.5, "", true, 101}), "0.12 s");
 }
 

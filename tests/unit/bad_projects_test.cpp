@@ -44,8 +44,10 @@ TEST_P(BadProject, IsRefusedWithTheExpectedMessages) {
       EXPECT_EQ(errors, std::stoi(line.substr(8))) << all;
       continue;
     }
-    EXPECT_TRUE(std::any_of(messages.begin(), messages.end(), [&](const std::string& m) { return m.find(line) != std::string::npos; }))
-        << "no message holds: " << line << "\nmessages:\n" << all;
+    EXPECT_TRUE(std::any_of(messages.begin(), messages.end(),
+                            [&](const std::string& m) { return m.find(line) != std::string::npos; }))
+        << "no message holds: " << line << "\nmessages:\n"
+        << all;
   }
   EXPECT_GE(lines, 2);
 }

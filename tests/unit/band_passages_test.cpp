@@ -31,21 +31,28 @@ design::BandPassages passages(const std::function<double(double)>& omega, float 
 }
 
 TEST(BandPassages, AreFoundWhicheverWayTheFrequencyGoesAndSayWhichGridMeetsThem) {
-  for (const auto& omega : {std::function<double(double)>([](double x) { return 1 + 4.3 * x; }), std::function<double(double)>([](double x) { return 9 - 7.7 * x; })}) {
+  for (const auto& omega : {std::function<double(double)>([](double x) { return 1 + 4.3 * x; }),
+                            std::function<double(double)>([](double x) { return 9 - 7.7 * x; })}) {
     const design::BandPassages found = passages(omega, 0.5F);
     EXPECT_EQ(found.pairs, 1u);
     EXPECT_EQ(found.points[1], 0u);
     ASSERT_GT(found.points[0], 2u);
     bool met = false;
-    for (std::size_t k = 0; k < found.points[0]; ++k) met = met || !design(omega(static_cast<double>(k) / static_cast<double>(found.points[0] - 1)), 0.5F).kept();
+    for (std::size_t k = 0; k < found.points[0]; ++k)
+      met = met || !design(omega(static_cast<double>(k) / static_cast<double>(found.points[0] - 1)), 0.5F).kept();
     EXPECT_TRUE(met);
   }
 }
 
-TEST(BandPassages, ThatBreakNothingAreNone) { EXPECT_EQ(passages([](double x) { return 1 + 4.3 * x; }, 1.2F).pairs, 0u); }
+TEST(BandPassages, ThatBreakNothingAreNone) {
+  EXPECT_EQ(passages([](double x) { return 1 + 4.3 * x; }, 1.2F).pairs, 0u);
+}
 
 TEST(BandPassages, WhoseHeightOneOfTheDesignsHasSeenAreNotAsked) {
-  const design::JudgePlaces never = [](const std::vector<design::MapPlace>&, const foundation::Progress&) -> std::vector<design::DesignOutcome> { throw std::logic_error("asked"); };
+  const design::JudgePlaces never = [](const std::vector<design::MapPlace>&,
+                                       const foundation::Progress&) -> std::vector<design::DesignOutcome> {
+    throw std::logic_error("asked");
+  };
   for (const double omega : {1.0, 3.05, 5.0}) {
     EXPECT_EQ(design::band_passages({2, 1}, {design(3.05, 2), design(omega, 2)}, never).pairs, 0u);
     EXPECT_EQ(design::band_passages({1, 2}, {design(omega, 2), design(3.05, 2)}, never).pairs, 0u);
@@ -53,7 +60,9 @@ TEST(BandPassages, WhoseHeightOneOfTheDesignsHasSeenAreNotAsked) {
 }
 
 TEST(BandPassages, OfSeveralFrequenciesBetweenTheSameTwoAreOnePair) {
-  const auto pair = [](double x) { return design::DesignOutcome{x > 0.4 && x < 0.6 ? 0.5F : 5.0F, 0, 0, static_cast<std::uint16_t>(x < 0.5 ? 2 : 0)}; };
+  const auto pair = [](double x) {
+    return design::DesignOutcome{x > 0.4 && x < 0.6 ? 0.5F : 5.0F, 0, 0, static_cast<std::uint16_t>(x < 0.5 ? 2 : 0)};
+  };
   const auto judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress&) {
     std::vector<design::DesignOutcome> outcomes;
     for (const design::MapPlace& p : places) outcomes.push_back(pair(p.y));
@@ -62,12 +71,17 @@ TEST(BandPassages, OfSeveralFrequenciesBetweenTheSameTwoAreOnePair) {
   EXPECT_EQ(design::band_passages({1, 2}, {pair(0), pair(1)}, judge).pairs, 1u);
 }
 
-/// ω = 10 √scale rad/s passes over a narrow band between the designs 1 and 1.5: by poles under a force, one by one under an unbalance of equal height there.
+/// ω = 10 √scale rad/s passes over a narrow band between the designs 1 and 1.5: by poles under a force, one by one
+/// under an unbalance of equal height there.
 TEST(BandPassages, OfALightlyDampedMachineAreWarnedOfAndOfAHeavilyDampedOneAreNot) {
-  const std::string axes = "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 8}, y = {parameter = \"elements.spring.damping.proportional\", from = 1e-4, to = 2e-4, points = 3}";
-  const std::string force = test::mapped_machine("map = {" + axes + ", band = [\"11.17 rad/s\", \"11.19 rad/s\"], limits = {\"machine.z\" = \"0.5 m\"}}\n");
+  const std::string axes =
+      "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 8}, y = {parameter = "
+      "\"elements.spring.damping.proportional\", from = 1e-4, to = 2e-4, points = 3}";
+  const std::string force = test::mapped_machine(
+      "map = {" + axes + ", band = [\"11.17 rad/s\", \"11.19 rad/s\"], limits = {\"machine.z\" = \"0.5 m\"}}\n");
   std::string unbalance = force;
-  unbalance.replace(unbalance.find("type = \"harmonic\""), 17, "type = \"unbalance\"\naxis = \"x\"\nmass_eccentricity = 0.08");
+  unbalance.replace(unbalance.find("type = \"harmonic\""), 17,
+                    "type = \"unbalance\"\naxis = \"x\"\nmass_eccentricity = 0.08");
   unbalance.erase(unbalance.find("force = ["), 19);
   for (const std::string& text : {force, unbalance}) {
     const auto mapped = [&](std::vector<std::string> settings) {
@@ -79,7 +93,8 @@ TEST(BandPassages, OfALightlyDampedMachineAreWarnedOfAndOfAHeavilyDampedOneAreNo
     EXPECT_EQ(light.kept, 24u);
     EXPECT_EQ(light.passages.pairs, 3u);
     EXPECT_EQ(light.warnings.list().size(), 1u);
-    EXPECT_LT(mapped({"analyses.map.x.points=" + std::to_string(light.passages.points[0])}).kept, 3 * light.passages.points[0]);
+    EXPECT_LT(mapped({"analyses.map.x.points=" + std::to_string(light.passages.points[0])}).kept,
+              3 * light.passages.points[0]);
     const study::DesignMap heavy = mapped({"analyses.map.y.from=0.1", "analyses.map.y.to=0.2"});
     EXPECT_EQ(heavy.passages.pairs, 0u);
     EXPECT_TRUE(heavy.warnings.list().empty());

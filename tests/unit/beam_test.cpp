@@ -28,7 +28,8 @@ TEST(Beam, ResistsNoRigidMotion) {
   std::mt19937 engine(3);
   for (int round = 0; round < 100; ++round) {
     const Beam beam = random_beam(engine);
-    const MatrixVerdict verdict = examine(beam_stiffness(beam), rigid_motions({0, 0, beam.length}, Eigen::Matrix3d::Identity()));
+    const MatrixVerdict verdict =
+        examine(beam_stiffness(beam), rigid_motions({0, 0, beam.length}, Eigen::Matrix3d::Identity()));
     EXPECT_LE(verdict.rigid_residual, 1e-12);
     EXPECT_LE(verdict.asymmetry, 1e-12);
     EXPECT_TRUE(is_semidefinite(verdict));
@@ -44,10 +45,13 @@ TEST(Beam, TheMassMatrixHasTheInertiaOfTheRigidBeam) {
     const double line = b.metal.density * b.section.area, mass = line * b.length;
     for (int i = 0; i < 3; ++i) EXPECT_THAT(inertia(i, i), test::RelativelyNear(mass, 1e-13));
     EXPECT_THAT(inertia(3, 3),
-                test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_1 * b.length, 1e-12));
+                test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_1 * b.length,
+                                     1e-12));
     EXPECT_THAT(inertia(4, 4),
-                test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_2 * b.length, 1e-12));
-    EXPECT_THAT(inertia(5, 5), test::RelativelyNear(b.metal.density * (b.section.moment_1 + b.section.moment_2) * b.length, 1e-12));
+                test::RelativelyNear(line * std::pow(b.length, 3) / 3 + b.metal.density * b.section.moment_2 * b.length,
+                                     1e-12));
+    EXPECT_THAT(inertia(5, 5),
+                test::RelativelyNear(b.metal.density * (b.section.moment_1 + b.section.moment_2) * b.length, 1e-12));
     EXPECT_THAT(inertia(4, 0), test::RelativelyNear(-mass * b.length / 2, 1e-12));
     EXPECT_TRUE(beam_mass(b).isApprox(beam_mass(b).transpose(), 1e-14));
   }
@@ -62,7 +66,8 @@ TEST(Beam, TwoHalvesInSeriesAreTheWhole) {
     Beam rest = whole;
     rest.length = whole.length - part.length;
     const Matrix12 joined =
-        in_series({{beam_stiffness(part), {0, 0, part.length}}, {beam_stiffness(rest), {0, 0, rest.length}}}, {Eigen::Vector3d::Zero()});
+        in_series({{beam_stiffness(part), {0, 0, part.length}}, {beam_stiffness(rest), {0, 0, rest.length}}},
+                  {Eigen::Vector3d::Zero()});
     const spatial::Vector12 scale = beam_stiffness(whole).diagonal().cwiseSqrt();
     EXPECT_THAT(joined, test::NearInUnits(beam_stiffness(whole), scale, 1e-11));
   }
@@ -90,7 +95,8 @@ TEST(Link, UnderTensionTurnsItsPreload) {
 
 TEST(BeamChecks, NameEveryBadNumber) {
   EXPECT_TRUE(check(Beam{steel, round_section(0.03, steel), 0.5}).list().empty());
-  EXPECT_EQ(check(Beam{steel, round_section(0.03, steel), 0.05}).list().front().severity, foundation::Severity::warning);
+  EXPECT_EQ(check(Beam{steel, round_section(0.03, steel), 0.05}).list().front().severity,
+            foundation::Severity::warning);
   EXPECT_TRUE(check(Beam{steel, Section{}, 0.5}).has_errors());
   EXPECT_TRUE(check(Link{.axial_stiffness = -1, .length = 0, .tension = std::nan("")}).list().size() == 3);
   EXPECT_THROW((void)beam_stiffness({steel, round_section(0.03, steel), -0.5}), foundation::InvalidInput);

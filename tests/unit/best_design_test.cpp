@@ -14,7 +14,8 @@ using test::unlimited;
 
 TEST(BestDesign, HasTheLargestMargin) {
   const design::MapGrid grid{4, 3};
-  const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) { return 2 + 0.1F * float(i) - 0.01F * float(j); }));
+  const auto found = design::best_design(
+      design::drawn_grid(grid), outcomes(grid, [](int i, int j) { return 2 + 0.1F * float(i) - 0.01F * float(j); }));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->design, grid.index(3, 0));
   EXPECT_EQ(found->without_bound, 0u);
@@ -23,7 +24,9 @@ TEST(BestDesign, HasTheLargestMargin) {
 
 TEST(BestDesign, StandsInTheMidstOfEquals) {
   const design::MapGrid grid{21, 21};  // a plateau from the right frame inwards
-  const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) { return i >= 12 && j >= 5 && j <= 11 ? 3.0F : 2.0F; }));
+  const auto found =
+      design::best_design(design::drawn_grid(grid),
+                          outcomes(grid, [](int i, int j) { return i >= 12 && j >= 5 && j <= 11 ? 3.0F : 2.0F; }));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->equals, 63u);
   EXPECT_EQ(found->design / 21, 8u);
@@ -32,13 +35,17 @@ TEST(BestDesign, StandsInTheMidstOfEquals) {
 
 TEST(BestDesign, StandsInTheMiddleOfAStrip) {
   const design::MapGrid grid{21, 21};
-  const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) { return i == 20 && j >= 4 && j <= 14 ? 3.0F : 2.0F; }));
+  const auto found =
+      design::best_design(design::drawn_grid(grid),
+                          outcomes(grid, [](int i, int j) { return i == 20 && j >= 4 && j <= 14 ? 3.0F : 2.0F; }));
   EXPECT_EQ(found->design, grid.index(20, 9));
 }
 
 TEST(BestDesign, StandsInTheMidstOfThoseWithoutBound) {
   const design::MapGrid grid{21, 21};  // without bound: a disc of 5 nodes about (12, 9)
-  const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) { return std::hypot(i - 12, j - 9) < 5.5 ? unlimited : 2.0F; }));
+  const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) {
+                                           return std::hypot(i - 12, j - 9) < 5.5 ? unlimited : 2.0F;
+                                         }));
   EXPECT_EQ(found->design, grid.index(12, 9));
   EXPECT_EQ(found->without_bound, 97u);
 }
@@ -51,7 +58,8 @@ TEST(BestDesign, KeepsAwayFromTheFrameWhereNothingIsLimited) {
 
 TEST(BestDesign, OfAFineGridIsOneOfItsOwnDesigns) {
   const design::MapGrid grid{1000, 500};
-  const auto all = outcomes(grid, [](int i, int j) { return std::hypot((i - 700) / 1000.0, (j - 200) / 500.0) < 0.2 ? unlimited : 1.0F; });
+  const auto all = outcomes(
+      grid, [](int i, int j) { return std::hypot((i - 700) / 1000.0, (j - 200) / 500.0) < 0.2 ? unlimited : 1.0F; });
   const auto found = design::best_design(design::drawn_grid(grid), all);
   EXPECT_NEAR(static_cast<double>(found->design % 1000), 700, 5);
   EXPECT_NEAR(static_cast<double>(found->design / 1000), 200, 3);
@@ -67,7 +75,8 @@ TEST(BestDesign, StandsInTheMidstWhereEveryMarginIsZero) {
 
 TEST(BestDesign, IsNoneWithoutAnyModel) {
   const design::MapGrid grid{2, 2};
-  EXPECT_FALSE(design::best_design(design::drawn_grid(grid), std::vector<design::DesignOutcome>(4, {0, design::DesignOutcome::no_model})));
+  EXPECT_FALSE(design::best_design(design::drawn_grid(grid),
+                                   std::vector<design::DesignOutcome>(4, {0, design::DesignOutcome::no_model})));
 }
 
 }  // namespace

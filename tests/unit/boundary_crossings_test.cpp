@@ -24,13 +24,16 @@ double crossing_of(const std::function<design::DesignOutcome(double)>& design, i
 
 TEST(BoundaryCrossings, AreFoundToTheirToleranceOnASmoothMargin) {
   int judged = 0;
-  EXPECT_NEAR(crossing_of([](double x) { return design::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged), std::sqrt(0.5), design::boundary_tolerance);
+  EXPECT_NEAR(crossing_of([](double x) { return design::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged),
+              std::sqrt(0.5), design::boundary_tolerance);
   EXPECT_LT(judged, 20);  // fewer than bisection takes
 }
 
 TEST(BoundaryCrossings, AreFoundWhereTheMarginLeaps) {
   const auto leaps = [](double x) { return design::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
-  const auto ends = [](double x) { return x < 0.7 ? design::DesignOutcome{1.5F, 0} : design::DesignOutcome{0, design::DesignOutcome::no_model}; };
+  const auto ends = [](double x) {
+    return x < 0.7 ? design::DesignOutcome{1.5F, 0} : design::DesignOutcome{0, design::DesignOutcome::no_model};
+  };
   EXPECT_NEAR(crossing_of(leaps), 0.3, design::boundary_tolerance);
   EXPECT_NEAR(crossing_of(ends), 0.7, design::boundary_tolerance);
 }

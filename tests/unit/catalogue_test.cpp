@@ -19,12 +19,12 @@ using testing::HasSubstr;
 const std::string head = "catalogue = 1\n[mounts.\"M 20\"]\nmaker = \"Acme\"\n";
 
 TEST(Catalogue, IsReadWithUnits) {
-  const auto read =
-      catalogue_from_text(head +
-                              "translation = [\"60 N/mm\", \"60 N/mm\", 350e3]\nrotation = [10, 10, \"8 N m/rad\"]\nloss_factor = \"8 %\"\n"
-                              "static_load = [\"0 N\", \"0.8 kN\"]\nstatic_deflection_limit = \"2.5 mm\"\nmass = \"120 g\"\nprice = "
-                              "\"12.50 EUR\"\nsource = \"sheet 7\"\n",
-                          "c.toml");
+  const auto read = catalogue_from_text(
+      head +
+          "translation = [\"60 N/mm\", \"60 N/mm\", 350e3]\nrotation = [10, 10, \"8 N m/rad\"]\nloss_factor = \"8 %\"\n"
+          "static_load = [\"0 N\", \"0.8 kN\"]\nstatic_deflection_limit = \"2.5 mm\"\nmass = \"120 g\"\nprice = "
+          "\"12.50 EUR\"\nsource = \"sheet 7\"\n",
+      "c.toml");
   ASSERT_TRUE(read) << complaint(read);
   const project::Mount* mount = read->find("M 20");
   ASSERT_NE(mount, nullptr);
@@ -51,7 +51,8 @@ TEST(Catalogue, SaysWhatIsWrongAndWhere) {
   const std::string good = "translation = [1, 1, 2]\n";
   EXPECT_THAT(said("mounts = [\n"), HasSubstr("c.toml:"));
   EXPECT_THAT(said("[mounts.a]\nmaker = \"b\"\n" + good), HasSubstr("catalogue: missing"));
-  EXPECT_THAT(said("catalogue = 2\n[mounts.a]\nmaker = \"b\"\n" + good), HasSubstr("c.toml:1: error: catalogue: format 2"));
+  EXPECT_THAT(said("catalogue = 2\n[mounts.a]\nmaker = \"b\"\n" + good),
+              HasSubstr("c.toml:1: error: catalogue: format 2"));
   EXPECT_THAT(said("catalogue = 1\n"), HasSubstr("mounts: missing"));
   EXPECT_THAT(said("catalogue = 1\n[mounts]\n"), HasSubstr("mounts: no mount"));
   EXPECT_THAT(said("catalogue = 1\nmounts = 3\n"), HasSubstr("a table is wanted here"));
@@ -73,18 +74,22 @@ TEST(Catalogue, SaysWhatIsWrongAndWhere) {
 
 TEST(Catalogue, WarnsOfWhatDoesNotFitTogether) {
   const auto read = catalogue_from_text(
-      head + "translation = [1, 1, 1000]\nloss_factor = 8\nstatic_load = [0, 100]\nstatic_deflection_limit = \"2 mm\"\n", "c.toml");
+      head +
+          "translation = [1, 1, 1000]\nloss_factor = 8\nstatic_load = [0, 100]\nstatic_deflection_limit = \"2 mm\"\n",
+      "c.toml");
   ASSERT_TRUE(read) << complaint(read);
   ASSERT_EQ(read->warnings.list().size(), 2u);
   EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("c.toml:5: warning: mounts.M 20.loss_factor: 8;"));
-  EXPECT_THAT(message(read->warnings.list()[1]), HasSubstr("the highest load deflects the mount by 0.1 m; its limit is 0.002 m"));
+  EXPECT_THAT(message(read->warnings.list()[1]),
+              HasSubstr("the highest load deflects the mount by 0.1 m; its limit is 0.002 m"));
 }
 
 TEST(Catalogue, ProposesTheNearestName) {
   const std::vector<project::Catalogue> catalogues{project::generic_catalogue(),
-                                                 *catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml")};
+                                                   *catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml")};
   EXPECT_EQ(project::mount_named("M 20", catalogues)->maker, "Acme");
-  EXPECT_THAT(complaint(project::mount_named("disc 50x25 55 Sha", catalogues)), HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
+  EXPECT_THAT(complaint(project::mount_named("disc 50x25 55 Sha", catalogues)),
+              HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
   EXPECT_THAT(complaint(project::mount_named("air spring", catalogues)), HasSubstr("look into the catalogue"));
 }
 
@@ -95,7 +100,8 @@ TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
   const project::Mount* mount = catalogue.find("disc 50x25 55 ShA");
   ASSERT_NE(mount, nullptr);
   constexpr double printed = 6e-3;  // three digits
-  const double r = 0.025, h = 0.025, e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55)), area = std::numbers::pi * r * r;
+  const double r = 0.025, h = 0.025, e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55)),
+               area = std::numbers::pi * r * r;
   EXPECT_THAT(mount->translation.z(), RelativelyNear(1 / (1 / (e * 1.5) + 1 / 2e9) * area / h, printed));
   EXPECT_THAT(mount->translation.x(), RelativelyNear(e / 3 * area / h / (1 + 1.0 / 9), printed));
   EXPECT_THAT(mount->rotation.z(), RelativelyNear(e / 3 * std::numbers::pi * std::pow(r, 4) / 2 / h, printed));
@@ -107,14 +113,19 @@ TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
 }
 
 TEST(GenericCatalogue, LiesAsNearToFiniteElementsAsItSays) {
-  // The measured formulas of a disc are within 0.8 % of finite elements; docs/elements/catalogue.md states 5 % and 12 %.
+  // The measured formulas of a disc are within 0.8 % of finite elements; docs/elements/catalogue.md states 5 % and 12
+  // %.
   constexpr double stated = 0.05, stated_tilt = 0.12;
   const double e = 0.0981e6 * (56 + 7.62336 * 55) / (0.137505 * (254 - 2.54 * 55));
   for (const auto& [diameter, height] : {std::pair{20, 10}, {50, 25}, {50, 20}, {75, 25}, {100, 40}}) {
-    const project::Mount* mount = project::generic_catalogue().find("disc " + std::to_string(diameter) + "x" + std::to_string(height) + " 55 ShA");
+    const project::Mount* mount = project::generic_catalogue().find("disc " + std::to_string(diameter) + "x" +
+                                                                    std::to_string(height) + " 55 ShA");
     ASSERT_NE(mount, nullptr);
     const double h = 1e-3 * height;
-    const elements::Matrix12 disc = elements::rubber_disc({.rubber = {e / 3, 2e9}, .radius = 0.5e-3 * diameter, .thickness = h, .formulas = elements::LayerFormulas::measured});
+    const elements::Matrix12 disc = elements::rubber_disc({.rubber = {e / 3, 2e9},
+                                                           .radius = 0.5e-3 * diameter,
+                                                           .thickness = h,
+                                                           .formulas = elements::LayerFormulas::measured});
     EXPECT_THAT(mount->translation.z(), RelativelyNear(disc(8, 8), stated)) << diameter;
     EXPECT_THAT(mount->translation.x(), RelativelyNear(disc(6, 6), stated)) << diameter;
     EXPECT_THAT(mount->rotation.x(), RelativelyNear(disc(10, 10) - disc(6, 6) * h * h / 4, stated_tilt)) << diameter;

@@ -33,7 +33,9 @@ DynamicStiffnessTable table(const Law& law, int rows = 40, double decades = 3) {
   return result;
 }
 
-CausalityCheck checked(const DynamicStiffnessTable& data, const CausalityOptions& options = {}) { return causality(data, options).value(); }
+CausalityCheck checked(const DynamicStiffnessTable& data, const CausalityOptions& options = {}) {
+  return causality(data, options).value();
+}
 
 TEST(NonnegativeLeastSquares, MeetsItsOptimalityConditions) {
   std::mt19937_64 random(4);
@@ -53,7 +55,8 @@ TEST(NonnegativeLeastSquares, MeetsItsOptimalityConditions) {
 }
 
 TEST(Causality, EveryPassiveLawPasses) {
-  const elements::Viscoelastic laws[] = {elements::KelvinVoigt{1e-4}, elements::Zener{0.7, 0.003}, elements::FractionalZener{2, 0.001, 0.4},
+  const elements::Viscoelastic laws[] = {elements::KelvinVoigt{1e-4}, elements::Zener{0.7, 0.003},
+                                         elements::FractionalZener{2, 0.001, 0.4},
                                          elements::GeneralizedMaxwell{{0.3, 0.4}, {0.1, 0.001}}};
   for (const auto& law : laws) {
     const CausalityCheck check = checked(table([&](double w) { return elements::relative_modulus(law, Complex(w)); }));
@@ -68,20 +71,23 @@ TEST(Causality, AConstantLossFactorWithConstantStiffnessDoesNotPass) {
   EXPECT_FALSE(check.passes);
   EXPECT_GT(check.relative_rms, 0.06);
   EXPECT_THAT(check.verdict, HasSubstr("belongs to no passive, causal element"));
-  const CausalityCheck growing = checked(table([](double w) { return std::pow(Complex(0, w), 2 / 3.14159265 * std::atan(0.2)); }));
+  const CausalityCheck growing =
+      checked(table([](double w) { return std::pow(Complex(0, w), 2 / 3.14159265 * std::atan(0.2)); }));
   EXPECT_LE(growing.relative_rms, 2e-3);
 }
 
 TEST(Causality, NoiseIsItsOwnMisfitAndNoMore) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
-  DynamicStiffnessTable noisy = table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
+  DynamicStiffnessTable noisy =
+      table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
   for (Complex& k : noisy.stiffness) k += 0.01 * std::abs(k) * Complex(normal(random), normal(random));
   EXPECT_NEAR(checked(noisy).relative_rms, 0.01 * std::sqrt(2.0), 0.003);
 }
 
 TEST(Causality, TheMisfitIsWhereTheTableIsWrong) {
-  DynamicStiffnessTable wrong = table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
+  DynamicStiffnessTable wrong =
+      table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
   wrong.stiffness(17) *= std::polar(1.0, 0.3);  // a phase error of one row
   const CausalityCheck check = checked(wrong);
   EXPECT_EQ(check.worst, 17);
@@ -89,18 +95,21 @@ TEST(Causality, TheMisfitIsWhereTheTableIsWrong) {
 }
 
 TEST(Causality, AMassIsFollowedAndNamed) {
-  const CausalityCheck check = checked(table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)) - 1e-7 * w * w; }));
+  const CausalityCheck check = checked(table(
+      [](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)) - 1e-7 * w * w; }));
   EXPECT_TRUE(check.passes);
   EXPECT_EQ(check.kind, identification::Causality::resonant);
   EXPECT_THAT(check.verdict, HasSubstr("inertia"));
 }
 
-/// A hydraulic mount: rubber beside a chamber of stiffness 0.8 that a column of fluid with its own resonance short-circuits below it.
+/// A hydraulic mount: rubber beside a chamber of stiffness 0.8 that a column of fluid with its own resonance
+/// short-circuits below it.
 Complex hydromount(double w, double hertz, double damping) {
   constexpr double chamber = 0.8, soft = 0.05;  // soft: of the second chamber
   const Complex s(0, w);
   const double own = 2 * std::numbers::pi * hertz;
-  return Complex(1, 0.04) + chamber - chamber * chamber / (chamber + soft) * own * own / (s * s + 2 * damping * own * s + own * own);
+  return Complex(1, 0.04) + chamber -
+      chamber * chamber / (chamber + soft) * own * own / (s * s + 2 * damping * own * s + own * own);
 }
 
 DynamicStiffnessTable over_hertz(const std::function<Complex(double)>& law, double from, double to, int rows) {
@@ -118,11 +127,13 @@ struct FluidColumn {
   int rows;
 };
 /// Rows fine enough for the width of the resonance.
-const FluidColumn fluid_columns[] = {{12, 0.05, 100}, {12, 0.1, 50}, {12, 0.3, 25}, {12, 0.6, 20}, {7, 0.15, 60}, {25, 0.1, 1000}, {11, 0.05, 5000}};
+const FluidColumn fluid_columns[] = {{12, 0.05, 100}, {12, 0.1, 50},   {12, 0.3, 25},   {12, 0.6, 20},
+                                     {7, 0.15, 60},   {25, 0.1, 1000}, {11, 0.05, 5000}};
 
 TEST(Causality, AHydraulicMountPassesWithItsResonance) {
   for (const auto& [hertz, damping, rows] : fluid_columns) {
-    const CausalityCheck check = checked(over_hertz([&](double w) { return hydromount(w, hertz, damping); }, 1, 50, rows));
+    const CausalityCheck check =
+        checked(over_hertz([&](double w) { return hydromount(w, hertz, damping); }, 1, 50, rows));
     EXPECT_TRUE(check.passes) << check.verdict;
     EXPECT_TRUE(check.warnings.list().empty()) << check.verdict;
     EXPECT_EQ(check.kind, identification::Causality::resonant);
@@ -140,19 +151,22 @@ TEST(Causality, OnePercentOfNoiseOnAHydraulicMountPasses) {
 }
 
 TEST(Causality, AResonanceWithAWrongPhaseIsCaught) {
-  // Conjugate: the phase has the other sign. Turned around its high stiffness: each row is passive, but k' falls where k'' is large.
-  // Late by 3 ms: what a filter of the rig does.
+  // Conjugate: the phase has the other sign. Turned around its high stiffness: each row is passive, but k' falls where
+  // k'' is large. Late by 3 ms: what a filter of the rig does.
   using Wrong = std::function<Complex(Complex, double)>;
-  const std::pair<const char*, Wrong> wrongs[] = {{"conjugate", [](Complex k, double) { return std::conj(k); }},
-                                                  {"turned around", [](Complex k, double) { return 2.8 - std::conj(k); }},
-                                                  {"late", [](Complex k, double w) { return k * std::polar(1.0, -0.003 * w); }},
-                                                  {"stiffness without its loss", [](Complex k, double) { return Complex(k.real(), 0.05 * std::abs(k.real())); }},
-                                                  {"loss without its stiffness", [](Complex k, double) { return Complex(1, k.imag()); }}};
+  const std::pair<const char*, Wrong> wrongs[] = {
+      {"conjugate", [](Complex k, double) { return std::conj(k); }},
+      {"turned around", [](Complex k, double) { return 2.8 - std::conj(k); }},
+      {"late", [](Complex k, double w) { return k * std::polar(1.0, -0.003 * w); }},
+      {"stiffness without its loss", [](Complex k, double) { return Complex(k.real(), 0.05 * std::abs(k.real())); }},
+      {"loss without its stiffness", [](Complex k, double) { return Complex(1, k.imag()); }}};
   for (const auto& [hertz, damping, rows] : fluid_columns)
     for (const auto& [name, wrong] : wrongs) {
-      const CausalityCheck check = checked(over_hertz([&](double w) { return wrong(hydromount(w, hertz, damping), w); }, 1, 50, rows));
+      const CausalityCheck check =
+          checked(over_hertz([&](double w) { return wrong(hydromount(w, hertz, damping), w); }, 1, 50, rows));
       EXPECT_FALSE(check.passes) << name << " at " << hertz << " Hz, " << damping << ": " << check.verdict;
-      EXPECT_TRUE(std::any_of(check.warnings.list().begin(), check.warnings.list().end(), [](const auto& p) { return p.finding.find("of k*") != std::string::npos; }));
+      EXPECT_TRUE(std::any_of(check.warnings.list().begin(), check.warnings.list().end(),
+                              [](const auto& p) { return p.finding.find("of k*") != std::string::npos; }));
     }
 }
 
@@ -172,8 +186,8 @@ TEST(Causality, BadTablesAreNamedRowByRow) {
   bad.angular_frequency(5) = -1;
   const foundation::Problems problems = table_problems(bad);
   ASSERT_EQ(problems.list().size(), 5u);
-  const char* said[] = {"row 2: 0.95493 Hz stands twice", "row 3: 0.159155 Hz after 0.95493 Hz", "row 4: an entry is missing",
-                        "row 5: negative loss", "row 6: -0.159155 Hz"};
+  const char* said[] = {"row 2: 0.95493 Hz stands twice", "row 3: 0.159155 Hz after 0.95493 Hz",
+                        "row 4: an entry is missing", "row 5: negative loss", "row 6: -0.159155 Hz"};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_THAT(foundation::message(problems.list()[i]), HasSubstr(said[i]));
   EXPECT_FALSE(causality(bad).has_value());
   EXPECT_TRUE(causality({{}, {}}).error().has_errors());
@@ -183,7 +197,8 @@ TEST(InterpolatedStiffness, MeetsTheRowsAndStaysInTheBand) {
   const auto zener = [](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); };
   const DynamicStiffnessTable data = table(zener, 60);
   EXPECT_EQ(interpolated_stiffness(data, data.angular_frequency(7)), data.stiffness(7));
-  EXPECT_LE(std::abs(interpolated_stiffness(data, 300) / (2e5 * zener(300)) - 1.0), 1e-3);  // (Δ ln ω)²/8 of the curvature
+  EXPECT_LE(std::abs(interpolated_stiffness(data, 300) / (2e5 * zener(300)) - 1.0),
+            1e-3);  // (Δ ln ω)²/8 of the curvature
   EXPECT_THROW((void)interpolated_stiffness(data, 1), foundation::InvalidInput);
   EXPECT_THROW((void)interpolated_stiffness(data, 1e5), foundation::InvalidInput);
 }

@@ -59,7 +59,8 @@ TEST(Character, CouplingIsSymmetricAtTheElasticCentre) {
 }
 
 TEST(Character, ACantileverHasItsKnownCoupling) {
-  const double bending = 1e3, length = 0.2;  // EI [N m²]: K = 12 EI/l³, −6 EI/l², 4 EI/l, coupling 6/√48, centre at half length
+  const double bending = 1e3,
+               length = 0.2;  // EI [N m²]: K = 12 EI/l³, −6 EI/l², 4 EI/l, coupling 6/√48, centre at half length
   Matrix6 k = Matrix6::Identity();
   k(2, 2) = 1e7;
   k(0, 0) = k(1, 1) = 12 * bending / (length * length * length);

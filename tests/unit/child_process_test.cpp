@@ -37,7 +37,9 @@ TEST(ChildProcess, RunsInItsFolderWithItsEnvironmentAndWithoutInput) {
 }
 
 TEST(ChildProcess, ALongOutputKeepsItsEnd) {
-  const CommandOutcome outcome = run(shell("i=0; while [ $i -lt 20000 ]; do echo 'a line of fifty letters, one of very many lines....'; i=$((i+1)); done; echo last"));
+  const CommandOutcome outcome =
+      run(shell("i=0; while [ $i -lt 20000 ]; do echo 'a line of fifty letters, one of very many lines....'; "
+                "i=$((i+1)); done; echo last"));
   EXPECT_TRUE(outcome.succeeded());
   EXPECT_LE(outcome.output.size(), 512u * 1024u);
   EXPECT_TRUE(outcome.output.ends_with("last\n"));

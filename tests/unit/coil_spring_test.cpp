@@ -23,11 +23,14 @@ std::vector<std::string> subjects(const CoilSpring& spring, foundation::Severity
   return result;
 }
 
-TEST(CoilSpringCheck, APublishedSpringIsSound) { EXPECT_TRUE(elements::check(literature_spring(), true).list().empty()); }
+TEST(CoilSpringCheck, APublishedSpringIsSound) {
+  EXPECT_TRUE(elements::check(literature_spring(), true).list().empty());
+}
 
 TEST(CoilSpringCheck, AnEmptyDescriptionNamesEverythingMissing) {
   EXPECT_THAT(subjects({}, foundation::Severity::error, true),
-              testing::ElementsAre("wire_diameter", "mean_diameter", "active_coils", "active_length", "youngs_modulus", "shear_modulus", "density"));
+              testing::ElementsAre("wire_diameter", "mean_diameter", "active_coils", "active_length", "youngs_modulus",
+                                   "shear_modulus", "density"));
 }
 
 TEST(CoilSpringCheck, EveryBrokenBoundIsNamed) {
@@ -43,11 +46,13 @@ TEST(CoilSpringCheck, EveryBrokenBoundIsNamed) {
   EXPECT_THAT(errors([](CoilSpring& s) { s.mean_diameter = 2.9e-3; }), ElementsAre("mean_diameter")) << "index below 3";
   EXPECT_THAT(errors([](CoilSpring& s) { s.active_length = 7.5e-3; }), ElementsAre("active_length")) << "coils overlap";
   EXPECT_THAT(errors([](CoilSpring& s) { s.active_coils = 0.1; }), ElementsAre("active_coils"));
-  EXPECT_THAT(errors([](CoilSpring& s) { s.shear_modulus = 0.6e11; }), ElementsAre("shear_modulus")) << "Poisson's ratio above a half";
+  EXPECT_THAT(errors([](CoilSpring& s) { s.shear_modulus = 0.6e11; }), ElementsAre("shear_modulus"))
+      << "Poisson's ratio above a half";
   EXPECT_THAT(errors([](CoilSpring& s) { s.loss_factor = -0.1; }), ElementsAre("loss_factor"));
   EXPECT_THAT(errors([](CoilSpring& s) { s.dead_coils_k = -1; }), ElementsAre("dead_coils_k"));
   EXPECT_THAT(errors([](CoilSpring& s) { s.density = 0; }), ElementsAre("density"));
-  EXPECT_THAT(errors([](CoilSpring& s) { s.start_angle = std::numeric_limits<double>::infinity(); }), ElementsAre("start_angle"));
+  EXPECT_THAT(errors([](CoilSpring& s) { s.start_angle = std::numeric_limits<double>::infinity(); }),
+              ElementsAre("start_angle"));
 }
 
 TEST(CoilSpringCheck, UnusualProportionsWarn) {
@@ -76,7 +81,8 @@ TEST(CoilSpring, TorsionConstantOfRectangles) {
   CoilSpring spring = literature_spring();
   for (const auto& [ratio, factor] : {std::pair{1.0, 0.1406}, {2.0, 0.229}, {10.0, 0.312}}) {
     spring.wire = elements::RectangularWire{1e-3, ratio * 1e-3};
-    EXPECT_THAT(elements::wire_section(spring).torsion_constant, test::RelativelyNear(factor * ratio * 1e-12, printed)) << ratio;
+    EXPECT_THAT(elements::wire_section(spring).torsion_constant, test::RelativelyNear(factor * ratio * 1e-12, printed))
+        << ratio;
   }
 }
 
@@ -106,7 +112,8 @@ TEST(CoilSpring, RepeatedLookupsOfFrequenciesAgree) {
   const auto three = elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 3);
   const auto ten = elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 10);
   for (std::size_t i = 0; i < three.size(); ++i) EXPECT_NEAR(three[i], ten[i], resolution * ten[i]);
-  EXPECT_THROW((void)elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 0), foundation::InvalidInput);
+  EXPECT_THROW((void)elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 0),
+               foundation::InvalidInput);
 }
 
 TEST(CoilNaturalFrequencies, AreFoundWhenTheSearchHitsOneToTheLastDigit) {
@@ -119,7 +126,9 @@ TEST(CoilNaturalFrequencies, AreFoundWhenTheSearchHitsOneToTheLastDigit) {
   spring.shear_modulus = 79e9;
   spring.density = 7850;
   // Compressed by 24 mm its first frequency is met exactly: the stiffness there is infinite.
-  const auto first = [&](double compression) { return natural_frequencies(compressed_by(spring, compression).coil, elements::SeatsHeld::both, 1).front(); };
+  const auto first = [&](double compression) {
+    return natural_frequencies(compressed_by(spring, compression).coil, elements::SeatsHeld::both, 1).front();
+  };
   constexpr double smooth = 1e-6;
   EXPECT_NEAR(first(0.024) / (0.5 * (first(0.02399) + first(0.02401))), 1, smooth);
 }

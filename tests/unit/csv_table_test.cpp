@@ -21,8 +21,10 @@ std::string first_message(const std::string& text) {
 }
 
 TEST(CsvTable, ReadsNumbersUnderTheirNames) {
-  const auto table = csv_table("\xEF\xBB\xBF# made on the rig\r\nname, x ,\"F, z\"\r\n\r\nup,1e-3,-2.5\r\n# pause\r\ndown,+4,\r\n",
-                               "rig.csv").value();
+  const auto table =
+      csv_table("\xEF\xBB\xBF# made on the rig\r\nname, x ,\"F, z\"\r\n\r\nup,1e-3,-2.5\r\n# pause\r\ndown,+4,\r\n",
+                "rig.csv")
+          .value();
   EXPECT_THAT(table.columns, ElementsAre("x", "F, z"));
   EXPECT_THAT(table.names, ElementsAre("up", "down"));
   EXPECT_THAT(table.lines, ElementsAre(4, 6));
@@ -46,8 +48,9 @@ TEST(CsvTable, AMissingColumnIsNamedWithTheOnesThereAre) {
   const auto found = columns(table, {"force", "displacement", "phase"});
   ASSERT_FALSE(found.has_value());
   ASSERT_THAT(found.error().list(), SizeIs(2));
-  EXPECT_EQ(foundation::message(found.error().list()[0]),
-            "rig.csv: error: no column displacement; the columns are: time, displacment, force; did you mean displacment?");
+  EXPECT_EQ(
+      foundation::message(found.error().list()[0]),
+      "rig.csv: error: no column displacement; the columns are: time, displacment, force; did you mean displacment?");
   EXPECT_EQ(columns(table, {"force", "time"})->cols(), 2);
 }
 
@@ -56,7 +59,8 @@ TEST(CsvTable, BadRowsAreNamedByLineAllAtOnce) {
   ASSERT_FALSE(table.has_value());
   const auto& list = table.error().list();
   ASSERT_THAT(list, SizeIs(6));
-  EXPECT_THAT(foundation::message(list[0]), HasSubstr("rig.csv:3: error: x = \"1,5\"; a cell is a finite number with a decimal point"));
+  EXPECT_THAT(foundation::message(list[0]),
+              HasSubstr("rig.csv:3: error: x = \"1,5\"; a cell is a finite number with a decimal point"));
   EXPECT_THAT(foundation::message(list[1]), HasSubstr("rig.csv:4: error: 1 cells; the header has 2 columns"));
   EXPECT_THAT(foundation::message(list[2]), HasSubstr("rig.csv:5: error: 3 cells"));
   EXPECT_THAT(foundation::message(list[3]), HasSubstr("rig.csv:6: error: a quote is not closed"));
@@ -88,7 +92,8 @@ TEST(CsvTable, RefusesWhatIsNoTextFile) {
   EXPECT_EQ(project::read_csv_table(path)->values(0, 1), 2);
   std::filesystem::remove(path);
   EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("no such file"));
-  EXPECT_THAT(foundation::message(project::read_csv_table(testing::TempDir()).error().list().front()), HasSubstr("no file"));
+  EXPECT_THAT(foundation::message(project::read_csv_table(testing::TempDir()).error().list().front()),
+              HasSubstr("no file"));
 }
 
 TEST(CsvTable, OfTwoColumnsCalledNameIsRefused) {

@@ -32,25 +32,31 @@ std::vector<bool> ends(const std::string& text, const std::vector<std::string>& 
   const project::Project project = test::project(text);
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  return response::vanish_at_both_ends(assembled, assembly::channels(system, assembled, names, quantity), assembly::harmonic_loading(system, assembled), modal::roots(system));
+  return response::vanish_at_both_ends(assembled, assembly::channels(system, assembled, names, quantity),
+                                       assembly::harmonic_loading(system, assembled), modal::roots(system));
 }
 
 const std::string force = "type = \"harmonic\"\non = \"block\"\nat = [0, 0, 0]\nforce = [10, 0, 0]\n";
-const std::string unbalance = "type = \"unbalance\"\non = \"block\"\nat = [0, 0, 0]\naxis = \"x\"\nmass_eccentricity = \"10 g mm\"\n";
+const std::string unbalance =
+    "type = \"unbalance\"\non = \"block\"\nat = [0, 0, 0]\naxis = \"x\"\nmass_eccentricity = \"10 g mm\"\n";
 const std::string ground = "type = \"base\"\ntranslation = [0, 0, 0.001]\n";
 
 TEST(CurveEnds, OfAForceAtThePoleTheTiltVanishesAtBothAndThePushDoesNot) {
-  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::displacement), testing::ElementsAre(false, true, false));
+  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::displacement),
+              testing::ElementsAre(false, true, false));
 }
 
 TEST(CurveEnds, OfAForceVelocitiesVanishAtBothAndDirectAccelerationsDoNot) {
-  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::velocity), testing::ElementsAre(true, true, false));
-  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::acceleration), testing::ElementsAre(false, false, false));
+  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::velocity),
+              testing::ElementsAre(true, true, false));
+  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::acceleration),
+              testing::ElementsAre(false, false, false));
 }
 
 TEST(CurveEnds, OfAnUnbalanceAVelocityGrowsAndADisplacementStays) {
   for (const Quantity quantity : {Quantity::displacement, Quantity::velocity, Quantity::acceleration})
-    EXPECT_THAT(ends(block(unbalance), {"block.z"}, quantity), testing::ElementsAre(false)) << static_cast<int>(quantity);
+    EXPECT_THAT(ends(block(unbalance), {"block.z"}, quantity), testing::ElementsAre(false))
+        << static_cast<int>(quantity);
 }
 
 TEST(CurveEnds, OfAGroundUnderADamperAVelocityStays) {
@@ -61,7 +67,10 @@ TEST(CurveEnds, OfAGroundUnderADamperAVelocityStays) {
 }
 
 TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
-  const std::string free = "trivet = 1\n[bodies.block]\nmass = 10\ninertia = {about = \"center_of_mass\", xx = 0.35, yy = 0.42, zz = 0.3}\ncenter_of_mass = [0, 0, 0]\n[excitations.course]\n" + force;
+  const std::string free =
+      "trivet = 1\n[bodies.block]\nmass = 10\ninertia = {about = \"center_of_mass\", xx = 0.35, yy = 0.42, zz = "
+      "0.3}\ncenter_of_mass = [0, 0, 0]\n[excitations.course]\n" +
+      force;
   EXPECT_THAT(ends(free, {"block.x"}, Quantity::displacement), testing::ElementsAre(false));
   EXPECT_THAT(ends(free, {"block.x"}, Quantity::velocity), testing::ElementsAre(false));
 }
@@ -85,7 +94,8 @@ on = "block"
 at = [0, 0, 0]
 force = [1, 1, 1]
 )";
-  EXPECT_THAT(ends(sled, {"block.x", "block.y", "block.z"}, Quantity::displacement), testing::ElementsAre(false, false, false));
+  EXPECT_THAT(ends(sled, {"block.x", "block.y", "block.z"}, Quantity::displacement),
+              testing::ElementsAre(false, false, false));
 }
 
 TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
@@ -94,14 +104,16 @@ TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
   undamped.erase(undamped.find("damping"), undamped.find("[excitations") - undamped.find("damping"));
   undamped.replace(undamped.find("mass = 10"), 9, "mass = 16");
   undamped.replace(undamped.find("20000]"), 5, "160000");
-  undamped.insert(undamped.find("[elements"), "free = [\"z\"]\npoints.top = [0, 0, 0.2]\n");  // of one natural frequency, 100 rad/s
+  undamped.insert(undamped.find("[elements"),
+                  "free = [\"z\"]\npoints.top = [0, 0, 0.2]\n");  // of one natural frequency, 100 rad/s
   EXPECT_THAT(ends(undamped, {"block.top.z", "block.top.x"}, Quantity::velocity), testing::ElementsAre(true, false));
 }
 
 TEST(CurveEnds, OfAnElementWithALawOfItsOwnTheCurveHasNoEndAtInfinity) {
   std::string fractional = block(force);
   const std::size_t at = fractional.find("damping");
-  fractional.replace(at, fractional.find("[excitations") - at, "damping = {fractional_zener = {ratio = 3, time = \"1 ms\", order = 0.5}}\n");
+  fractional.replace(at, fractional.find("[excitations") - at,
+                     "damping = {fractional_zener = {ratio = 3, time = \"1 ms\", order = 0.5}}\n");
   EXPECT_THAT(ends(fractional, {"block.x"}, Quantity::velocity), testing::ElementsAre(false));
 }
 

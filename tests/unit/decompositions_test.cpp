@@ -57,7 +57,8 @@ double rest(const Eigen::MatrixBase<Derived>& m) {
 
 template <typename Matrix>
 class SymmetricEigenOf : public testing::Test {};
-using SymmetricTypes = testing::Types<Eigen::MatrixXd, Eigen::Matrix2d, Eigen::Matrix3d, Eigen::Matrix<double, 6, 6>, Eigen::Matrix<double, 12, 12>>;
+using SymmetricTypes = testing::Types<Eigen::MatrixXd, Eigen::Matrix2d, Eigen::Matrix3d, Eigen::Matrix<double, 6, 6>,
+                                      Eigen::Matrix<double, 12, 12>>;
 TYPED_TEST_SUITE(SymmetricEigenOf, SymmetricTypes);
 
 TYPED_TEST(SymmetricEigenOf, SatisfiesItsEquationWithOrthonormalVectorsInAscendingOrder) {
@@ -94,7 +95,8 @@ TEST(SymmetricEigenvalues, MakeTheMatrixSingularAndAddUpToItsTrace) {
 
 template <typename Matrix>
 void expect_modes_of_two(int n) {
-  const Matrix S = definite<Matrix>(n), P = definite<Matrix>(n) + Matrix(Eigen::VectorXd::LinSpaced(n, 1, 4).asDiagonal());
+  const Matrix S = definite<Matrix>(n),
+               P = definite<Matrix>(n) + Matrix(Eigen::VectorXd::LinSpaced(n, 1, 4).asDiagonal());
   const numerics::SymmetricEigen<Matrix> found = numerics::symmetric_eigen(S, P);
   EXPECT_LE(rest(S * found.vectors - P * found.vectors * found.values.asDiagonal()), round_off);
   EXPECT_LE(rest(found.vectors.transpose() * P * found.vectors - Matrix::Identity(n, n)), round_off);
@@ -122,7 +124,9 @@ TEST(GeneralEigen, SatisfiesItsEquationWithVectorsOfUnitLength) {
 }
 
 TEST(GeneralEigen, SaysSoWhereThereIsNoAnswer) {
-  EXPECT_FALSE(numerics::general_eigen(Eigen::MatrixXd(Eigen::MatrixXd::Constant(3, 3, std::numeric_limits<double>::quiet_NaN()))).converged);
+  EXPECT_FALSE(numerics::general_eigen(
+                   Eigen::MatrixXd(Eigen::MatrixXd::Constant(3, 3, std::numeric_limits<double>::quiet_NaN())))
+                   .converged);
 }
 
 template <typename Scalar>
@@ -158,7 +162,8 @@ TEST(LuSolution, SatisfiesItsEquationForEveryType) {
   using Extended = std::complex<long double>;
   expect_lu_solution<Eigen::MatrixXd, Eigen::MatrixXd>(7, 3);
   expect_lu_solution<Eigen::MatrixXcd, Eigen::VectorXcd>(7, 1);
-  expect_lu_solution<Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>, Eigen::Matrix<Extended, Eigen::Dynamic, 1>>(7, 1);
+  expect_lu_solution<Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>,
+                     Eigen::Matrix<Extended, Eigen::Dynamic, 1>>(7, 1);
   expect_lu_solution<Eigen::Matrix3d, Eigen::Vector3d>(3, 1);
   expect_lu_solution<Eigen::Matrix<double, 6, 6>, Eigen::Matrix<double, 6, 1>>(6, 1);
   expect_lu_solution<numerics::UpToTwelve<double>, numerics::UpToTwelve<double>>(4, 12);
@@ -230,7 +235,8 @@ TEST(SmallestSolution, SolvesWithinTheRowSpaceWhateverTheRank) {
   const Eigen::MatrixXd left = sample<Eigen::MatrixXd>(8, 3), right = sample<Eigen::MatrixXd>(3, 5), A = left * right;
   const Eigen::MatrixXd B = sample<Eigen::MatrixXd>(8, 2), X = numerics::smallest_solution(A, B);
   EXPECT_LE(rest(A.transpose() * (A * X - B)), 100 * round_off) << "what is left has no part in the columns";
-  const Eigen::MatrixXd onto_rows = right.transpose() * numerics::cholesky_solution(Eigen::MatrixXd(right * right.transpose()), right);
+  const Eigen::MatrixXd onto_rows =
+      right.transpose() * numerics::cholesky_solution(Eigen::MatrixXd(right * right.transpose()), right);
   EXPECT_LE(rest(onto_rows * X - X), round_off) << "nothing of X is without effect";
   EXPECT_EQ(numerics::ranked_solution(A, B).rank, 3);
   EXPECT_LE(rest(numerics::smallest_solution(A, Eigen::VectorXd(B.col(1))) - X.col(1)), round_off);
@@ -241,12 +247,14 @@ TEST(SmallestSolution, SolvesWithinTheRowSpaceWhateverTheRank) {
 
 TEST(PivotedQr, SolvesInExtendedPrecision) {
   const auto A = sample<numerics::ExtendedRealMatrix>(6, 6), B = sample<numerics::ExtendedRealMatrix>(6, 2);
-  EXPECT_LE(rest(A * numerics::pivoted_qr_solution(A, B) - B), 1e4 * double(std::numeric_limits<long double>::epsilon()));
+  EXPECT_LE(rest(A * numerics::pivoted_qr_solution(A, B) - B),
+            1e4 * double(std::numeric_limits<long double>::epsilon()));
 }
 
 TEST(PivotedQr, RestoresTheMatrixAndCountsItsRank) {
   const Eigen::MatrixXd left = sample<Eigen::MatrixXd>(8, 3), right = sample<Eigen::MatrixXd>(3, 5);
-  for (const Eigen::MatrixXd& A : {Eigen::MatrixXd(left * right), sample<Eigen::MatrixXd>(4, 6), sample<Eigen::MatrixXd>(6, 4)}) {
+  for (const Eigen::MatrixXd& A :
+       {Eigen::MatrixXd(left * right), sample<Eigen::MatrixXd>(4, 6), sample<Eigen::MatrixXd>(6, 4)}) {
     const numerics::PivotedQr qr = numerics::pivoted_qr(A, 1e-9);
     const Eigen::Index m = std::min(A.rows(), A.cols());
     EXPECT_EQ(qr.rank, A.rows() == 8 ? 3 : m);

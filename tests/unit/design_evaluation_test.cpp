@@ -17,8 +17,10 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
-  const project::Project project = test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = 15, points = 5}, y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
-                                                              "points = 2}, no_peak = \"coordinates\"}\n"));
+  const project::Project project =
+      test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = 15, points = 5}, "
+                                   "y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
+                                   "points = 2}, no_peak = \"coordinates\"}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.unknown, 4u);  // −5 and 0 kg
   ASSERT_FALSE(map.report.missing.empty());
@@ -28,8 +30,9 @@ TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
 
 /// A body whose inertia breaks the triangle inequality, each design by other figures.
 TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
-  const project::Project project = test::project(test::mapped_block("{parameter = \"bodies.block.inertia.xx\", from = 1, to = 9, points = 9}",
-                                                                  "{parameter = \"bodies.block.mass\", from = -10, to = 20, points = 7}"));
+  const project::Project project =
+      test::project(test::mapped_block("{parameter = \"bodies.block.inertia.xx\", from = 1, to = 9, points = 9}",
+                                       "{parameter = \"bodies.block.mass\", from = -10, to = 20, points = 7}"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   std::size_t missing = 0;
   for (const design::MissingReason& reason : map.report.missing) missing += reason.designs;
@@ -39,8 +42,10 @@ TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
 }
 
 TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
-  const std::string text = mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = \"bodies.machine.mass\", from = 5, to = 20, points = 3}, "
-                                                              "no_peak = \"coordinates\"}\n");
+  const std::string text = mapped_machine(
+      "map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = "
+      "\"bodies.machine.mass\", from = 5, to = 20, points = 3}, "
+      "no_peak = \"coordinates\"}\n");
   const project::Project project = test::project(text, {"elements.spring.damping={loss_factor=0.1}"});
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.report.proven + map.report.redone, 0u);
@@ -50,18 +55,24 @@ TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
 
 /// Under heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it at infinity alone.
 TEST(DesignEvaluation, KeepsALimitThatEveryDesignStandsOn) {
-  const project::Project project = test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 15}, y = {parameter = \"elements.spring.damping.proportional\", from = "
-                                                              "0.3, to = 0.9, points = 13}, limits = {\"machine.z\" = \"1 m/s2\"}}\n", "[cases.heavy]\nelements.spring.damping.proportional = 0.5\n"));
+  const project::Project project =
+      test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = "
+                                   "15}, y = {parameter = \"elements.spring.damping.proportional\", from = "
+                                   "0.3, to = 0.9, points = 13}, limits = {\"machine.z\" = \"1 m/s2\"}}\n",
+                                   "[cases.heavy]\nelements.spring.damping.proportional = 0.5\n"));
   for (const bool fast : {true, false}) {
-    const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {0, fast}});
+    const study::DesignMap map =
+        study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {0, fast}});
     EXPECT_EQ(map.kept, map.outcomes.size());
     for (const design::DesignOutcome& outcome : map.outcomes) EXPECT_EQ(outcome.margin, 1);
-    EXPECT_THAT(results::verdict_words(map, map.marks.at(1)), testing::ElementsAre("least margin 1: machine.z ≤ 1 m/s²"));
+    EXPECT_THAT(results::verdict_words(map, map.marks.at(1)),
+                testing::ElementsAre("least margin 1: machine.z ≤ 1 m/s²"));
   }
 }
 
 TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
+  const project::Project project =
+      test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.report.one_by_one, 20u);
   EXPECT_THAT(map.report.words(), testing::HasSubstr("rows change from design to design"));
@@ -77,11 +88,13 @@ TEST(DesignEvaluation, CountsDesignsByTheWayTheyWereJudged) {
 TEST(DesignEvaluation, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAndTellsHowFarItIs) {
   std::string cases;
   for (int k = 0; k < 12; ++k) cases += fmt::format("[cases.c{}]\nelements.spring.scale = {}\n", k, 0.6 + 0.1 * k);
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 25}}\n", cases));
+  const project::Project project =
+      test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 25}}\n", cases));
   std::vector<std::string> tasks, texts;
   const foundation::Progress progress = [&](std::string_view task, double) { tasks.emplace_back(task); };
   for (const int threads : {1, 4}) {
-    const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {threads, true}}, progress);
+    const study::DesignMap map =
+        study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {threads, true}}, progress);
     EXPECT_EQ(map.report.one_by_one, 20u);
     std::string text;
     results::write_map_json(map, {}, [&](std::string_view piece) { text += piece; });

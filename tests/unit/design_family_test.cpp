@@ -23,7 +23,11 @@ design::PlainDesign design_of(double k, double b) {
 }
 
 TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
-  const auto family = design::DesignFamily::fitted([](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(p.x * p.x, p.y), ""}; }, {0.3, 10, "x"}, {0.01, 0.5, "y"}).family;
+  const auto family =
+      design::DesignFamily::fitted(
+          [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(p.x * p.x, p.y), ""}; },
+          {0.3, 10, "x"}, {0.01, 0.5, "y"})
+          .family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 3u);  // x² and x² y
   EXPECT_EQ(family->y_nodes(), 2u);
@@ -39,15 +43,24 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
 }
 
 TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
-  const auto family = design::DesignFamily::fitted([](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(std::log(p.x), p.y), ""}; }, {1, 1000, "x"}, {0.01, 0.5, "y"}).family;
+  const auto family =
+      design::DesignFamily::fitted(
+          [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(std::log(p.x), p.y), ""}; },
+          {1, 1000, "x"}, {0.01, 0.5, "y"})
+          .family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 2u);
 }
 
 TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
-  const auto along_x = [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""}; };
-  const auto along_y = [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""}; };
-  const auto of_x = design::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}), of_y = design::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
+  const auto along_x = [](const design::FamilyPoint& p) {
+    return design::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""};
+  };
+  const auto along_y = [](const design::FamilyPoint& p) {
+    return design::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""};
+  };
+  const auto of_x = design::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}),
+             of_y = design::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
   EXPECT_FALSE(of_x.family);
   EXPECT_FALSE(of_y.family);
   EXPECT_THAT(of_x.reason, testing::EndsWith("polynomials on 17 nodes do not meet within 1e-12 along length"));
@@ -66,7 +79,9 @@ TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
 }
 
 TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
-  const auto lossy = [](const design::FamilyPoint& p) { return p.x > 5 ? design::PlainOrNot{{}, "loss factors"} : design::PlainOrNot{design_of(p.x, p.y), ""}; };
+  const auto lossy = [](const design::FamilyPoint& p) {
+    return p.x > 5 ? design::PlainOrNot{{}, "loss factors"} : design::PlainOrNot{design_of(p.x, p.y), ""};
+  };
   EXPECT_EQ(design::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
 }
 

@@ -13,7 +13,8 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}, no_peak = \"coordinates\"}\n"));
+  const project::Project project = test::project(
+      mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}, no_peak = \"coordinates\"}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   ASSERT_EQ(map.outcomes.size(), 20u);
   EXPECT_EQ(map.unknown, 0u);
@@ -25,23 +26,30 @@ TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
 }
 
 TEST(DesignMap, TakesOneNumberEachOfTwoElements) {
-  const std::string second = "[elements.pad]\ntype = \"bushing\"\non = \"machine\"\nat = [0, 0, 0]\ntranslation = [500, 500, 500]\n";
-  const project::Project project = test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = \"elements.pad.scale\", from = 1, to = 2, "
-                                                              "points = 3}, limits = {\"machine.z\" = \"15 mm\"}}\n", second));
+  const std::string second =
+      "[elements.pad]\ntype = \"bushing\"\non = \"machine\"\nat = [0, 0, 0]\ntranslation = [500, 500, 500]\n";
+  const project::Project project =
+      test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = "
+                                   "3}, y = {parameter = \"elements.pad.scale\", from = 1, to = 2, "
+                                   "points = 3}, limits = {\"machine.z\" = \"15 mm\"}}\n",
+                                   second));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.unknown, 0u);
   EXPECT_EQ(map.outcomes.size(), 9u);
 }
 
 TEST(DesignMap, RefusesAParameterThatMakesEveryDesignImpossible) {
-  const project::Project project = test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = -1, points = 3}, y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
-                                                              "points = 2}, no_peak = \"coordinates\"}\n"));
+  const project::Project project =
+      test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = -1, points = 3}, "
+                                   "y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
+                                   "points = 2}, no_peak = \"coordinates\"}\n"));
   EXPECT_THAT([&] { static_cast<void>(study::design_map(project, project.base(), *project.base().analyses.map)); },
               testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("none of the 6 designs")));
 }
 
 TEST(DesignMap, OfACaseIsItsOwnWhereTheCaseChangesTheQuestion) {
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", R"(
+  const project::Project project =
+      test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", R"(
 [cases.point]
 elements.spring.scale = 1.5
 [cases.heavy]

@@ -10,7 +10,8 @@ namespace {
 using namespace trivet;
 
 /// Four limits of 1, so that a margin is 1 / value.
-const design::RuleSet four_limits{std::vector<design::DesignRule>(4, {design::DesignRule::Kind::amplitude, 0, 1.0}), {}, 1e-6};
+const design::RuleSet four_limits{
+    std::vector<design::DesignRule>(4, {design::DesignRule::Kind::amplitude, 0, 1.0}), {}, 1e-6};
 
 TEST(Governing, TakesTheFirstOfRulesThatRoundOffAloneTellsApart) {
   const design::Governing found = design::governing(four_limits, {0.1, 2 * (1 - 1e-13), 2.0, 2 * (1 + 1e-9)});
@@ -18,12 +19,17 @@ TEST(Governing, TakesTheFirstOfRulesThatRoundOffAloneTellsApart) {
   EXPECT_EQ(found.margin, 1 / (2 * (1 + 1e-9)));
 }
 
-TEST(Governing, TakesTheLeastWhereADesignTellsRulesApart) { EXPECT_EQ(design::governing(four_limits, {0.1, 2.0, 2.0001, 2.00005}).rule, 2u); }
+TEST(Governing, TakesTheLeastWhereADesignTellsRulesApart) {
+  EXPECT_EQ(design::governing(four_limits, {0.1, 2.0, 2.0001, 2.00005}).rule, 2u);
+}
 
-TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) { EXPECT_EQ(design::governing(four_limits, {1 - 1e-8, 1 + 1e-8, 1.0, 0.5}).rule, 1u); }
+TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) {
+  EXPECT_EQ(design::governing(four_limits, {1 - 1e-8, 1 + 1e-8, 1.0, 0.5}).rule, 1u);
+}
 
 TEST(Margin, OfAValueOnItsLimitIsOne) {
-  const design::DesignRule limit{design::DesignRule::Kind::amplitude, 0, 1e-3}, no_peak{design::DesignRule::Kind::no_peak, 0, 0.01};
+  const design::DesignRule limit{design::DesignRule::Kind::amplitude, 0, 1e-3},
+      no_peak{design::DesignRule::Kind::no_peak, 0, 0.01};
   EXPECT_EQ(design::margin(limit, 1.0000000000000002e-3), 1);
   EXPECT_EQ(design::margin(limit, 1e-3 * (1 + 0.9 * design::on_the_limit)), 1);
   EXPECT_LT(design::margin(limit, 1e-3 * (1 + 1.1 * design::on_the_limit)), 1);

@@ -15,18 +15,23 @@ const Eigen::Vector3d arm(0.1, -0.3, 0.25);
 
 Matrix12 sound_matrix() { return from_moved_end(test::RandomSystem(8).stiffness(1e5, 0.3), arm); }
 
-MatrixVerdict verdict(const Matrix12& matrix) { return examine(matrix, rigid_motions(arm, Eigen::Matrix3d::Identity())); }
+MatrixVerdict verdict(const Matrix12& matrix) {
+  return examine(matrix, rigid_motions(arm, Eigen::Matrix3d::Identity()));
+}
 
 TEST(Laws, ResistNoRigidMotion) {
   const Vector6 constants = (Vector6() << 1e5, 2e5, 3e5, 10, 20, 30).finished();
-  for (const double centre : {0.0, 0.2, 1.0}) EXPECT_LE(verdict(constants_at_point(constants, arm, centre)).rigid_residual, 1e-14);
+  for (const double centre : {0.0, 0.2, 1.0})
+    EXPECT_LE(verdict(constants_at_point(constants, arm, centre)).rigid_residual, 1e-14);
   EXPECT_LE(verdict(constant_along_line(500, Eigen::Vector3d(1, 1, 0).normalized(), arm, 0.5)).rigid_residual, 1e-14);
   EXPECT_LE(verdict(sound_matrix()).rigid_residual, 1e-13);
 }
 
 TEST(Laws, AStrutAlongAnyAxisPassesItsOwnCheck) {
-  for (const Eigen::Vector3d& line : {Eigen::Vector3d(1, 1, 1), {1, 0, 0.5}, {0.1, 0.2, 0.3}, {1, -1, 2}, {0.2, 0.9, -0.4}, {0.3, 0.5, -1}})
-    for (const Eigen::Vector3d& span : {Eigen::Vector3d(0, 0, 0), {0, 0.2, 0.1}, {0, 0.2, 0.6}, {-1.3, 0.21, 0.37}, {10, -7, 3}})
+  for (const Eigen::Vector3d& line :
+       {Eigen::Vector3d(1, 1, 1), {1, 0, 0.5}, {0.1, 0.2, 0.3}, {1, -1, 2}, {0.2, 0.9, -0.4}, {0.3, 0.5, -1}})
+    for (const Eigen::Vector3d& span :
+         {Eigen::Vector3d(0, 0, 0), {0, 0.2, 0.1}, {0, 0.2, 0.6}, {-1.3, 0.21, 0.37}, {10, -7, 3}})
       for (const double constant : {500.0, 1e9}) {
         const Eigen::Matrix3d axes = spatial::axes_along(line);
         const Matrix12 matrix = in_end_axes(constant_along_line(constant, Eigen::Vector3d::UnitZ(), span, 0.5), axes);
@@ -66,7 +71,8 @@ TEST(Examine, AFlippedSignIsCaught) {
 
 TEST(Examine, MeasuresTheResidualAgainstTheStiffnessOfTheEntry) {
   for (const double error : {1e-7, 0.01, 0.1}) {
-    Matrix12 matrix = constants_at_point((Vector6() << 1e5, 2e5, 3e5, 10, 20, 30).finished(), Eigen::Vector3d::Zero(), 0.5);
+    Matrix12 matrix =
+        constants_at_point((Vector6() << 1e5, 2e5, 3e5, 10, 20, 30).finished(), Eigen::Vector3d::Zero(), 0.5);
     matrix(9, 9) *= 1 + error;  // the softest entry: a norm would hide it
     const MatrixVerdict v = examine(matrix, rigid_motions(Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()));
     EXPECT_NEAR(v.rigid_residual, error, 0.2 * error);

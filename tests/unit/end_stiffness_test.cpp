@@ -22,7 +22,9 @@ using testing::HasSubstr;
 /// 18 condensed rows whose scaled reciprocal condition is about 1e-4.
 constexpr double condensed_round_off = 1e5 * epsilon;
 
-std::string kept(const std::string& name) { return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name); }
+std::string kept(const std::string& name) {
+  return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name);
+}
 
 /// The bar in four elements; its nodes are 11, 12, 13, 14, 15.
 NamedMatrix chain() {
@@ -86,7 +88,8 @@ TEST(EndStiffness, WithRotationsOnASecondNodeIsTheSame) {
 }
 
 TEST(EndStiffness, OfPlatesCountsTheirLevers) {
-  // End N seen from 30 mm in front of it, and node 12 in the same plate: the bar is shortened to 90 mm, its lever is 60 mm.
+  // End N seen from 30 mm in front of it, and node 12 in the same plate: the bar is shortened to 90 mm, its lever is 60
+  // mm.
   exchange::RigidEnd n{{0, 0, -30}, {{11, {0, 0, 0}}, {12, {0, 0, 30}}}};
   exchange::RigidEnd k{{5, -3, 120}, {{15, {0, 0, 120}}}};
   const auto ends = exchange::reduce_to_ends(chain(), n, k);
@@ -116,7 +119,8 @@ TEST(EndStiffness, LeavesOutEmptyRowsAndSaysSo) {
   const auto ends = exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15});
   ASSERT_TRUE(ends) << complaint(ends);
   ASSERT_EQ(ends->warnings.list().size(), 1u);
-  EXPECT_THAT(message(ends->warnings.list()[0]), HasSubstr("2 rows hold only zeros, the first one is node 20, component 4"));
+  EXPECT_THAT(message(ends->warnings.list()[0]),
+              HasSubstr("2 rows hold only zeros, the first one is node 20, component 4"));
 }
 
 TEST(EndStiffness, NamesWhatHangsLoose) {
@@ -130,7 +134,9 @@ TEST(EndStiffness, NamesWhatHangsLoose) {
 }
 
 TEST(EndStiffness, SaysWhichEndIsMissing) {
-  const auto said = [](int n, int k) { return complaint(exchange::reduce_to_ends(chain(), exchange::NodeEnd{n}, exchange::NodeEnd{k})); };
+  const auto said = [](int n, int k) {
+    return complaint(exchange::reduce_to_ends(chain(), exchange::NodeEnd{n}, exchange::NodeEnd{k}));
+  };
   EXPECT_THAT(said(11, 99), HasSubstr("end K: node 99: no such node; component 1 of it is needed"));
   EXPECT_THAT(said(11, 11), HasSubstr("ends: node 11, component 1 is named twice"));
   NamedMatrix matrix = chain();
@@ -140,13 +146,16 @@ TEST(EndStiffness, SaysWhichEndIsMissing) {
   matrix.labels.clear();
   EXPECT_THAT(complaint(exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15})),
               HasSubstr("the file names no nodes"));
-  EXPECT_THAT(complaint(exchange::reduce_to_ends(chain(), exchange::RigidEnd{}, exchange::RigidEnd{{0, 0, 0}, {{15, {0, 0, 0}}}})),
+  EXPECT_THAT(complaint(exchange::reduce_to_ends(chain(), exchange::RigidEnd{},
+                                                 exchange::RigidEnd{{0, 0, 0}, {{15, {0, 0, 0}}}})),
               HasSubstr("end N: no nodes"));
 }
 
 TEST(EndStiffness, RefusesRowsOutsideTheMatrix) {
-  EXPECT_THAT(complaint(exchange::reduce_to_rows(chain(), {0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 31})), HasSubstr("rows: row 0"));
-  EXPECT_THAT(complaint(exchange::reduce_to_rows(chain(), {1, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})), HasSubstr("named twice"));
+  EXPECT_THAT(complaint(exchange::reduce_to_rows(chain(), {0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 31})),
+              HasSubstr("rows: row 0"));
+  EXPECT_THAT(complaint(exchange::reduce_to_rows(chain(), {1, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})),
+              HasSubstr("named twice"));
 }
 
 TEST(EndStiffness, RefusesUnitsThatAreNone) {

@@ -18,7 +18,9 @@ constexpr double digits = 1e-8;  // of a peak's place
 
 const std::string force = "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n";
 
-study::Explanation one_mass(double loss) { return study::explanation(test::project(test::chain({2}, {1800}, {}, {loss}) + force).base()); }
+study::Explanation one_mass(double loss) {
+  return study::explanation(test::project(test::chain({2}, {1800}, {}, {loss}) + force).base());
+}
 
 const response::Sensitivity& sensitivity(const study::Explanation& explanation, const std::string& parameter) {
   for (const response::Sensitivity& s : explanation.peaks.at(0).sensitivities)
@@ -34,7 +36,8 @@ TEST(Explanation, OfOneMassHasTheKnownSlopes) {
     double height, frequency;
   };
   for (const Known& known : {Known{"elements.k1.scale", -1, 0.5}, Known{"elements.k1.stiffness_factor.x", -1, 0.5},
-                             Known{"elements.k1.damping_factor", -1, 0}, Known{"bodies.m1.mass", 0, -0.5}, Known{"elements.k1.moved.x", 0, 0}}) {
+                             Known{"elements.k1.damping_factor", -1, 0}, Known{"bodies.m1.mass", 0, -0.5},
+                             Known{"elements.k1.moved.x", 0, 0}}) {
     EXPECT_NEAR(*sensitivity(explanation, known.parameter).height, known.height, digits) << known.parameter;
     EXPECT_NEAR(*sensitivity(explanation, known.parameter).frequency, known.frequency, digits) << known.parameter;
   }
@@ -51,12 +54,14 @@ TEST(Explanation, SolvesTenPercentMoreAgain) {
 }
 
 TEST(Explanation, SaysItInWords) {
-  EXPECT_EQ(
-      one_mass(0.1).peaks.at(0).sentence,
-      "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, makes 100 % of it. 100 % of the strain energy is in \"k1\", "
-      "100 % in its stiffness along x; \"k1\" takes 100 % of the dissipated power. +10 % on the stiffness along x of \"k1\" moves it to "
-      "31.46 rad/s (5.008 Hz) and 25.25 mm (solved again; to first order 31.5 rad/s and 25 mm). Its height answers most to "
-      "elements.k1.scale: +1 % gives -1 %.");
+  EXPECT_EQ(one_mass(0.1).peaks.at(0).sentence,
+            "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, makes 100 % of it. 100 % of the "
+            "strain energy is in \"k1\", "
+            "100 % in its stiffness along x; \"k1\" takes 100 % of the dissipated power. +10 % on the stiffness along "
+            "x of \"k1\" moves it to "
+            "31.46 rad/s (5.008 Hz) and 25.25 mm (solved again; to first order 31.5 rad/s and 25 mm). Its height "
+            "answers most to "
+            "elements.k1.scale: +1 % gives -1 %.");
 }
 
 TEST(Explanation, OfAnUnboundedPeakKeepsToItsFrequency) {

@@ -37,10 +37,13 @@ Eigen::Matrix3Xd nodes_of(const fem::Mesh& mesh, const Eigen::Matrix3Xd& all, Ei
   return all(Eigen::all, Eigen::VectorXi(mesh.elements.col(element)));
 }
 
-std::vector<fem::Material> solids() { return {fem::neo_hookean(1, 50), fem::mooney_rivlin(0.4, 0.15, 50), fem::yeoh(0.5, -0.05, 0.02, 50)}; }
+std::vector<fem::Material> solids() {
+  return {fem::neo_hookean(1, 50), fem::mooney_rivlin(0.4, 0.15, 50), fem::yeoh(0.5, -0.05, 0.02, 50)};
+}
 
 TEST(Hyperelastic, TangentIsTheSlopeOfTheStress) {
-  constexpr double step = 1e-5, truncation = 1e-8;  // central differences: step² of numbers around 1, and round-off over step
+  constexpr double step = 1e-5,
+                   truncation = 1e-8;  // central differences: step² of numbers around 1, and round-off over step
   const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + 0.2 * random_matrix(3, 3, 1);
   for (const fem::Material& material : solids()) {
     const fem::StressAndTangent here = fem::stress_and_tangent(material, f, 0.7);
@@ -48,7 +51,9 @@ TEST(Hyperelastic, TangentIsTheSlopeOfTheStress) {
       Eigen::Matrix3d more = f, less = f;
       more.reshaped()(k) += step;
       less.reshaped()(k) -= step;
-      const Eigen::Matrix3d slope = (fem::stress_and_tangent(material, more, 0.7).stress - fem::stress_and_tangent(material, less, 0.7).stress) / (2 * step);
+      const Eigen::Matrix3d slope =
+          (fem::stress_and_tangent(material, more, 0.7).stress - fem::stress_and_tangent(material, less, 0.7).stress) /
+          (2 * step);
       EXPECT_LT((slope.reshaped() - here.tangent.col(k)).cwiseAbs().maxCoeff(), truncation);
     }
   }
@@ -62,7 +67,8 @@ TEST(Hyperelastic, UniaxialTensionFollowsTheInvariants) {
   for (const fem::Material& m : solids()) {
     const Eigen::Matrix3d free = fem::stress_and_tangent(m, f, 0).stress;
     const double pressure = -free(1, 1) / fem::cofactor(f)(1, 1);
-    const double expected = 2 * (stretch - 1 / (stretch * stretch)) * (m.c10 + 2 * m.c20 * e + 3 * m.c30 * e * e + m.c01 / stretch);
+    const double expected =
+        2 * (stretch - 1 / (stretch * stretch)) * (m.c10 + 2 * m.c20 * e + 3 * m.c30 * e * e + m.c01 / stretch);
     EXPECT_NEAR(fem::stress_and_tangent(m, f, pressure).stress(0, 0), expected, round_off);
   }
 }
@@ -75,7 +81,9 @@ TEST(FemElement, TangentIsTheSlopeOfTheForces) {
       const fem::Mesh mesh = tetrahedra ? in_tetrahedra(hexahedra) : hexahedra;
       const Eigen::Matrix3Xd x = nodes_of(mesh, mesh.nodes, 3), u = 0.02 * random_matrix(3, x.cols(), 2);
       const Eigen::Vector4d p(0.1, -0.2, 0.3, 0.05);
-      const auto at = [&](const Eigen::Matrix3Xd& v) { return fem::element_system(mesh.kind, fem::TetPressure::continuous, x, material, &v, &p); };
+      const auto at = [&](const Eigen::Matrix3Xd& v) {
+        return fem::element_system(mesh.kind, fem::TetPressure::continuous, x, material, &v, &p);
+      };
       const fem::ElementSystem here = at(u);
       for (const int k : {0, 5, 13, 26}) {
         Eigen::Matrix3Xd more = u, less = u;
@@ -83,13 +91,15 @@ TEST(FemElement, TangentIsTheSlopeOfTheForces) {
         more(c, a) += step;
         less(c, a) -= step;
         const Eigen::VectorXd slope = (at(more).force - at(less).force) / (2 * step);
-        EXPECT_LT((slope - here.tangent.col(c * x.cols() + a)).cwiseAbs().maxCoeff(), truncation * here.tangent.cwiseAbs().maxCoeff());
+        EXPECT_LT((slope - here.tangent.col(c * x.cols() + a)).cwiseAbs().maxCoeff(),
+                  truncation * here.tangent.cwiseAbs().maxCoeff());
       }
     }
 }
 
 /// Forces on nodes inside a block whose inner nodes are displaced at random, under one deformation gradient everywhere.
-double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient, const fem::Material& material, double pressure) {
+double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient, const fem::Material& material,
+                       double pressure) {
   fem::Mesh mesh = regular;
   const Eigen::Vector3d low = mesh.nodes.rowwise().minCoeff(), high = mesh.nodes.rowwise().maxCoeff();
   std::vector<bool> inside;
@@ -107,10 +117,12 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
   double scale = 0;
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
     const Eigen::Matrix3Xd x = nodes_of(mesh, mesh.nodes, e), u = nodes_of(mesh, all, e);
-    const fem::ElementSystem system = fem::element_system(mesh.kind, fem::TetPressure::continuous, x, material, &u, &corner_pressure);
+    const fem::ElementSystem system =
+        fem::element_system(mesh.kind, fem::TetPressure::continuous, x, material, &u, &corner_pressure);
     EXPECT_FALSE(system.inverted);
     scale = std::max(scale, system.force.cwiseAbs().maxCoeff());
-    for (Eigen::Index i = 0; i < 3 * x.cols(); ++i) forces(i / x.cols(), mesh.elements(i % x.cols(), e)) += system.force(i);
+    for (Eigen::Index i = 0; i < 3 * x.cols(); ++i)
+      forces(i / x.cols(), mesh.elements(i % x.cols(), e)) += system.force(i);
   }
   double worst = 0;
   for (Eigen::Index a = 0; a < mesh.nodes.cols(); ++a)
@@ -119,19 +131,22 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
 }
 
 TEST(FemElement, PassesThePatchTestAtFiniteStrainOnDistortedElements) {
-  // The rule of 3×3×3 points is exact here even on curved elements: gradient times determinant is a polynomial of degree 5.
+  // The rule of 3×3×3 points is exact here even on curved elements: gradient times determinant is a polynomial of
+  // degree 5.
   constexpr double round_off = 1e-12;
   const fem::Mesh hexahedra = fem::mesh(fem::Block{.width = 1, .depth = 1, .layers = {{.thickness = 1}}}, 1);
   const Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity() + 0.1 * random_matrix(3, 3, 3);
   for (const fem::Material& m : solids()) {
     EXPECT_LT(patch_unbalance(hexahedra, gradient, m, 0), round_off);
-    EXPECT_LT(patch_unbalance(in_tetrahedra(hexahedra), gradient, m, m.bulk_modulus * (gradient.determinant() - 1)), round_off);
+    EXPECT_LT(patch_unbalance(in_tetrahedra(hexahedra), gradient, m, m.bulk_modulus * (gradient.determinant() - 1)),
+              round_off);
   }
 }
 
 TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
   constexpr double round_off = 1e-11;
-  constexpr int elements = 60, inner = 61, retained = 2;  // a chain of 3-unknown elements, indefinite, with loops to the retained ones
+  constexpr int elements = 60, inner = 61,
+                retained = 2;  // a chain of 3-unknown elements, indefinite, with loops to the retained ones
   std::vector<std::vector<int>> unknowns;
   std::vector<Eigen::MatrixXd> matrices;
   Eigen::Matrix3Xd centres = Eigen::Matrix3Xd::Zero(3, elements);
@@ -142,17 +157,21 @@ TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
     matrices.emplace_back((a + a.transpose()).eval() + 4 * (e < 30 ? 1 : -1) * Eigen::MatrixXd::Identity(3, 3));
     centres(0, e) = e;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) whole(unknowns.back()[static_cast<std::size_t>(i)], unknowns.back()[static_cast<std::size_t>(j)]) += matrices.back()(i, j);
+      for (int j = 0; j < 3; ++j)
+        whole(unknowns.back()[static_cast<std::size_t>(i)], unknowns.back()[static_cast<std::size_t>(j)]) +=
+            matrices.back()(i, j);
   }
   fem::Substructuring substructuring(unknowns, centres, inner, retained);
   const Eigen::MatrixXd solution = whole.topLeftCorner(inner, inner).lu().solve(whole.topRightCorner(inner, retained));
-  const Eigen::MatrixXd expected = whole.bottomRightCorner(retained, retained) - whole.bottomLeftCorner(retained, inner) * solution;
+  const Eigen::MatrixXd expected =
+      whole.bottomRightCorner(retained, retained) - whole.bottomLeftCorner(retained, inner) * solution;
   const auto matrix = [&](int e) { return matrices[static_cast<std::size_t>(e)]; };
   const auto one = substructuring.condense(matrix, true, 1, {}), two = substructuring.condense(matrix, true, 2, {});
   EXPECT_LT((one.matrix - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff());
   EXPECT_EQ(one.matrix, two.matrix);
   const Eigen::Vector2d moved(0.3, -0.7);
-  EXPECT_LT((substructuring.recover(moved).head(inner) + solution * moved).cwiseAbs().maxCoeff(), round_off * solution.cwiseAbs().maxCoeff());
+  EXPECT_LT((substructuring.recover(moved).head(inner) + solution * moved).cwiseAbs().maxCoeff(),
+            round_off * solution.cwiseAbs().maxCoeff());
 }
 
 TEST(FemCondensation, IsAPassiveStressFreeElementInSkewAxes) {
@@ -178,7 +197,8 @@ TEST(FemCondensation, DoesNotDependOnTheNumberOfThreads) {
 TEST(FemCondensation, CanBeInterruptedAndRefusesWhatDoesNotFit) {
   const fem::Mesh mesh = fem::mesh(cylinder, 2);
   const foundation::Progress stop = [](std::string_view, double) { throw foundation::Interrupted(); };
-  EXPECT_THROW((void)fem::condense(mesh, {rubber}, fem::frame(cylinder), {.threads = 2}, stop), foundation::Interrupted);
+  EXPECT_THROW((void)fem::condense(mesh, {rubber}, fem::frame(cylinder), {.threads = 2}, stop),
+               foundation::Interrupted);
   try {
     (void)fem::condense(mesh, {rubber}, fem::frame(cylinder), {.memory_limit = 1e5});
     FAIL();
@@ -202,9 +222,11 @@ TEST(FemChecks, NameWhatIsWrongWithAMesh) {
     return first_finding(mesh, {rubber});
   };
   EXPECT_THAT(finding([](fem::Mesh& m) { m.plate_k.clear(); }), HasSubstr("plate K must be bonded"));
-  EXPECT_THAT(finding([](fem::Mesh& m) { m.plate_k.push_back(m.plate_n.front()); }), HasSubstr("1 nodes belong to plate N too"));
+  EXPECT_THAT(finding([](fem::Mesh& m) { m.plate_k.push_back(m.plate_n.front()); }),
+              HasSubstr("1 nodes belong to plate N too"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.material[2] = 1; }), HasSubstr("element 2 has material 1"));
-  EXPECT_THAT(finding([](fem::Mesh& m) { m.elements.col(1) = Eigen::VectorXi(m.elements.col(1).reverse()); }), HasSubstr("inside out"));
+  EXPECT_THAT(finding([](fem::Mesh& m) { m.elements.col(1) = Eigen::VectorXi(m.elements.col(1).reverse()); }),
+              HasSubstr("inside out"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.nodes.row(2).setZero(); }), HasSubstr("volume"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.elements(0, 0) = 100000; }), HasSubstr("a node number without node"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.nodes(0, 0) = std::nan(""); }), HasSubstr("no finite number"));
@@ -220,7 +242,8 @@ TEST(FemChecks, NameWhatIsWrongWithAMesh) {
               HasSubstr("hangs on no plate"));
   EXPECT_THAT(first_finding(sound, {fem::Material{.c10 = -1, .bulk_modulus = 1}}), HasSubstr("must be > 0"));
   EXPECT_THROW((void)fem::linear_elastic(3e6, 0.5), foundation::InvalidInput);
-  EXPECT_THROW((void)fem::mesh(fem::Bush{.inner_diameter = 0.02, .outer_diameter = 0.01, .length = 0.1}, 1), foundation::InvalidInput);
+  EXPECT_THROW((void)fem::mesh(fem::Bush{.inner_diameter = 0.02, .outer_diameter = 0.01, .length = 0.1}, 1),
+               foundation::InvalidInput);
 }
 
 }  // namespace

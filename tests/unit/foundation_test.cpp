@@ -8,7 +8,8 @@ namespace {
 using namespace trivet::foundation;
 
 TEST(Problem, MessageNamesPlaceThingValueRuleAndRemedy) {
-  Problem problem{Severity::error, {"a.toml", 7, 3}, "bodies.frame.mass", "mass = -3 kg", "a mass must be > 0", "mend it"};
+  Problem problem{Severity::error, {"a.toml", 7, 3},     "bodies.frame.mass",
+                  "mass = -3 kg",  "a mass must be > 0", "mend it"};
   EXPECT_EQ(message(problem), "a.toml:7: error: bodies.frame.mass: mass = -3 kg; a mass must be > 0; mend it");
 }
 

@@ -47,10 +47,8 @@ TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
   int at_rest = 0;
   double slowest = std::numeric_limits<double>::infinity();
   for (const modal::Root& root : answers.roots.list)
-    if (const double size = std::abs(root.eigenvalue); size == 0)
-      ++at_rest;
-    else
-      slowest = std::min(slowest, size);
+    if (const double size = std::abs(root.eigenvalue); size == 0) ++at_rest;
+    else slowest = std::min(slowest, size);
   EXPECT_EQ(at_rest, 5);     // two of each free motion, one of that with the damper
   EXPECT_GT(slowest, 1e-3);  // the damper's own: c/m of a kilogram scale, far above round-off
 }

@@ -80,8 +80,11 @@ TEST(LoopFit, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const double noise : {0.01, 0.05}) {
     int k = 0, eta = 0, c = 0, w = 0, x = 0;
     for (unsigned seed = 0; seed < rigs; ++seed) {
-      const LoopFit loop = loop_fit(HarmonicTest{6.4, 400, noise, 0.3, seed + (noise > 0.02 ? 5000u : 0u)}.record()).value();
-      const auto holds = [](const Estimate& estimate, double truth) { return std::abs(estimate.value - truth) <= estimate.half_width; };
+      const LoopFit loop =
+          loop_fit(HarmonicTest{6.4, 400, noise, 0.3, seed + (noise > 0.02 ? 5000u : 0u)}.record()).value();
+      const auto holds = [](const Estimate& estimate, double truth) {
+        return std::abs(estimate.value - truth) <= estimate.half_width;
+      };
       k += holds(loop.stiffness, stiffness);
       eta += holds(loop.loss_factor, loss);
       c += holds(*loop.viscous_coefficient, stiffness * loss / omega);
@@ -105,7 +108,8 @@ TEST(LoopFit, HigherHarmonicsOfTheForceDoNotMixIn) {
 }
 
 TEST(LoopFit, TheEnergyIsTheAreaOfTheLoop) {
-  LoopRecord record = HarmonicTest{1, 2001, 0, 0, 1}.record();  // a distorted motion: the energy of every harmonic counts
+  LoopRecord record =
+      HarmonicTest{1, 2001, 0, 0, 1}.record();  // a distorted motion: the energy of every harmonic counts
   record.displacement.array() += 0.1 * amplitude * (2 * omega * record.time.array()).sin();
   record.force.array() += 0.3 * stiffness * amplitude * (2 * omega * record.time.array()).cos();
   double area = 0;
@@ -132,10 +136,12 @@ TEST(LoopFit, WrongSignsAreSaid) {
   EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()), HasSubstr("turn the sign of the force"));
   record = HarmonicTest().record();
   std::swap(record.force, record.displacement);
-  EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()), HasSubstr("a passive element takes energy"));
+  EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()),
+              HasSubstr("a passive element takes energy"));
   record = HarmonicTest().record();
   record.angular_frequency = 7.3;
-  EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()), HasSubstr("check the units of time and frequency"));
+  EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()),
+              HasSubstr("check the units of time and frequency"));
 }
 
 TEST(LoopFit, UnusableRecordsAreRefusedInWords) {
@@ -149,8 +155,10 @@ TEST(LoopFit, UnusableRecordsAreRefusedInWords) {
   record.force.conservativeResize(10);
   EXPECT_THAT(first_problem(record), HasSubstr("900 displacements, 10 forces"));
   EXPECT_THAT(first_problem({"none", {}, {}, {}}), HasSubstr("0 samples"));
-  EXPECT_THAT(first_problem({"still", {}, Eigen::VectorXd::Ones(50), Eigen::VectorXd::Ones(50)}), HasSubstr("does not change"));
-  EXPECT_THAT(first_problem(HarmonicTest{0.7, 200, 0, 0, 1}.record()), HasSubstr("a loop has at least one whole cycle"));
+  EXPECT_THAT(first_problem({"still", {}, Eigen::VectorXd::Ones(50), Eigen::VectorXd::Ones(50)}),
+              HasSubstr("does not change"));
+  EXPECT_THAT(first_problem(HarmonicTest{0.7, 200, 0, 0, 1}.record()),
+              HasSubstr("a loop has at least one whole cycle"));
   EXPECT_THAT(first_problem(HarmonicTest{20, 90, 0, 0, 1}.record()), HasSubstr("samples per cycle"));
   LoopOptions options;
   options.harmonics = 0;

@@ -11,7 +11,8 @@ using namespace trivet;
 
 study::Influence found(const project::Project& project) {
   std::vector<design::MapRule> rules;
-  for (const char* name : {"block.x", "block.y", "block.x", "block.ry", "block.rz"}) rules.push_back({design::DesignRule::Kind::no_peak, name, "m", 0.01, ""});
+  for (const char* name : {"block.x", "block.y", "block.x", "block.ry", "block.rz"})
+    rules.push_back({design::DesignRule::Kind::no_peak, name, "m", 0.01, ""});
   return study::influence(project.base(), *project.base().analyses.map, rules);
 }
 
@@ -19,11 +20,14 @@ const char* const scale = "{parameter = \"elements.spring.scale\", from = 0.5, t
 const char* const phase = "{parameter = \"excitations.force.phase\", from = 0, to = 3}";
 
 TEST(Influence, NamesTheAnswersThatDoNotMoveOnce) {
-  EXPECT_THAT(found(test::project(test::mapped_block(scale, "{parameter = \"bodies.block.mass\", from = 5, to = 20}"))).still, testing::ElementsAre("block.y", "block.rz"));
+  EXPECT_THAT(
+      found(test::project(test::mapped_block(scale, "{parameter = \"bodies.block.mass\", from = 5, to = 20}"))).still,
+      testing::ElementsAre("block.y", "block.rz"));
 }
 
 TEST(Influence, NamesTheAxisThatChangesNothing) {
-  const study::Influence of_y = found(test::project(test::mapped_block(scale, phase))), of_x = found(test::project(test::mapped_block(phase, scale)));
+  const study::Influence of_y = found(test::project(test::mapped_block(scale, phase))),
+                         of_x = found(test::project(test::mapped_block(phase, scale)));
   EXPECT_TRUE(of_y.by_x);
   EXPECT_FALSE(of_y.by_y);
   EXPECT_FALSE(of_x.by_x);
@@ -31,7 +35,8 @@ TEST(Influence, NamesTheAxisThatChangesNothing) {
 }
 
 TEST(Influence, SaysNothingWhereADesignHasNoModel) {
-  const study::Influence none = found(test::project(test::mapped_block("{parameter = \"bodies.block.mass\", from = -5, to = 20}", phase)));
+  const study::Influence none =
+      found(test::project(test::mapped_block("{parameter = \"bodies.block.mass\", from = -5, to = 20}", phase)));
   EXPECT_TRUE(none.still.empty() && none.by_x && none.by_y);
 }
 

@@ -56,7 +56,8 @@ TEST(NastranDmig, IsTheSameInFreeFieldLargeFieldWithContinuationsAndTabs) {
   const char* texts[] = {
       // free field, an entry of each triangle, other cards and comments around it
       "SOL 103\nBEGIN BULK\nGRID,7,,0.,0.,0.\n$ "
-      "comment\nDMIG,K,0,6,2\nDMIG,K,7,1,,7,1,3.0,,+A\n+A,9,1,-2.0\nDMIG,K,9,1,,9,1,5.+0\nENDDATA\nDMIG,K,9,1,,9,1,5.\n",
+      "comment\nDMIG,K,0,6,2\nDMIG,K,7,1,,7,1,3.0,,+A\n+A,9,1,-2.0\nDMIG,K,9,1,,9,1,5.+0\nENDDATA\nDMIG,K,9,1,,9,1,5."
+      "\n",
       // small field with two entries behind a continuation, lower case name
       "DMIG    k              0       6       1\n"
       "DMIG    k              7       1               7       1     3.0        +A\n"
@@ -109,7 +110,8 @@ TEST(NastranDmig, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,3.0\n,-9,1,1.\n"), HasSubstr("f:3: error: grid point: \"-9\""));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,abc\n"), HasSubstr("f:2: error: entry: \"abc\""));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,1.,2.\n"), HasSubstr("the header says that the matrix is real"));
-  EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,1.\nDMIG,K,7,1,,7,1,1.\n"), HasSubstr("f:3: error: entry (1, 1): given again, first in line 2"));
+  EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,1.\nDMIG,K,7,1,,7,1,1.\n"),
+              HasSubstr("f:3: error: entry (1, 1): given again, first in line 2"));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,9,1,1.\nDMIG,K,9,1,,7,1,2.\n"), HasSubstr("its mirror image"));
   std::string many = head;
   for (int i = 1; i <= 6001; ++i) many += "DMIG,K," + std::to_string(i) + ",,," + std::to_string(i) + ",,1.\n";
@@ -168,7 +170,8 @@ TEST(Substructure, OfCalculixWithPlatesIsCaughtToo) {
 TEST(Substructure, ListsComponentsOnceForAllNodesThatFollow) {
   const char* text =
       "*USER ELEMENT, NODES=3, LINEAR, TYPE=U1\n** ELEMENT NODES\n** 10, 20,\n** 30\n1, 2\n3, 6\n"
-      "*MATRIX, TYPE=MASS\n9.,\n*MATRIX, TYPE=STIFFNESS\n1.,\n2., 3.,\n4., 5., 6.\n7., 8., 9., 10.\n1.1D1, 12., 13., 14., 15.\n";
+      "*MATRIX, TYPE=MASS\n9.,\n*MATRIX, TYPE=STIFFNESS\n1.,\n2., 3.,\n4., 5., 6.\n7., 8., 9., 10.\n1.1D1, 12., 13., "
+      "14., 15.\n";
   const auto matrix = exchange::read_abaqus_matrix(text, "f");
   ASSERT_TRUE(matrix) << complaint(matrix);
   EXPECT_EQ(matrix->labels, (std::vector<Label>{{10, 1}, {10, 2}, {20, 1}, {20, 2}, {30, 6}}));
@@ -177,8 +180,8 @@ TEST(Substructure, ListsComponentsOnceForAllNodesThatFollow) {
 }
 
 TEST(Substructure, IsReadUnsymmetricAndWithoutNamesOfNodes) {
-  const auto matrix =
-      exchange::read_abaqus_matrix("*USER ELEMENT, NODES=2, LINEAR, UNSYMM\n3\n*MATRIX,TYPE=STIFFNESS\n1., 2.\n3., 4.\n", "f");
+  const auto matrix = exchange::read_abaqus_matrix(
+      "*USER ELEMENT, NODES=2, LINEAR, UNSYMM\n3\n*MATRIX,TYPE=STIFFNESS\n1., 2.\n3., 4.\n", "f");
   ASSERT_TRUE(matrix) << complaint(matrix);
   EXPECT_EQ(matrix->values, (Eigen::MatrixXd(2, 2) << 1, 2, 3, 4).finished());
   EXPECT_EQ(matrix->labels, (std::vector<Label>{{1, 3}, {2, 3}}));
@@ -186,7 +189,8 @@ TEST(Substructure, IsReadUnsymmetricAndWithoutNamesOfNodes) {
 }
 
 TEST(MatrixInput, OfAbaqusIsReadFromOneTriangleOrBoth) {
-  for (const char* text : {"7,1, 7,1, 3.0\n9,1, 7,1, -2.0\n9,1, 9,1, 5.\n", "** both\n7 1 7 1 3\n9 1 7 1 -2\n7 1 9 1 -2\n9 1 9 1 5\n"}) {
+  for (const char* text :
+       {"7,1, 7,1, 3.0\n9,1, 7,1, -2.0\n9,1, 9,1, 5.\n", "** both\n7 1 7 1 3\n9 1 7 1 -2\n7 1 9 1 -2\n9 1 9 1 5\n"}) {
     const auto matrix = exchange::read_abaqus_matrix(text, "f");
     ASSERT_TRUE(matrix) << complaint(matrix);
     EXPECT_EQ(matrix->values, (Eigen::MatrixXd(2, 2) << 3, -2, -2, 5).finished());
@@ -206,15 +210,18 @@ TEST(AbaqusMatrix, SaysWhatIsWrongAndWhere) {
   const std::string element = "*USER ELEMENT, NODES=2, LINEAR\n1\n";
   EXPECT_THAT(said(element), HasSubstr("*MATRIX, TYPE=stiffness: 0 numbers; 2 components ask for 3"));
   EXPECT_THAT(said(element + "*MATRIX, TYPE=MASS\n1,2,3\n"), HasSubstr("the file has mass"));
-  EXPECT_THAT(said(element + "*MATRIX, TYPE=STIFFNESS\n1,2\n"), HasSubstr("2 numbers; 2 components ask for 3; was the file cut off?"));
+  EXPECT_THAT(said(element + "*MATRIX, TYPE=STIFFNESS\n1,2\n"),
+              HasSubstr("2 numbers; 2 components ask for 3; was the file cut off?"));
   EXPECT_THAT(said(element + "*MATRIX, TYPE=STIFFNESS\n1,x,3\n"), HasSubstr("f:4: error: entry: \"x\""));
   EXPECT_THAT(said("*USER ELEMENT, NODES=2000000000, LINEAR\n1\n"), HasSubstr("NODES=2000000000"));
   EXPECT_THAT(said("*USER ELEMENT, NODES=6000, LINEAR\n1,2,3,4,5,6\n"), HasSubstr("size: 36000 × 36000"));
   EXPECT_THAT(said("*USER ELEMENT, LINEAR\n1\n"), HasSubstr("NODES=0"));
   EXPECT_THAT(said("*USER ELEMENT, NODES=2\n8\n"), HasSubstr("f:2: error: components: \"8\""));
   EXPECT_THAT(said("*USER ELEMENT, NODES=2\n1\n2,1\n1,1\n"), HasSubstr("f:4: error: components"));
-  EXPECT_THAT(said("*USER ELEMENT, NODES=2\n** ELEMENT NODES\n** 5, 5\n1\n"), HasSubstr("node 5, component 1: named twice"));
-  EXPECT_THAT(said("*USER ELEMENT, NODES=2\n** ELEMENT NODES\n** 5\n1\n"), HasSubstr("nodes: 1 in the comment; NODES=2"));
+  EXPECT_THAT(said("*USER ELEMENT, NODES=2\n** ELEMENT NODES\n** 5, 5\n1\n"),
+              HasSubstr("node 5, component 1: named twice"));
+  EXPECT_THAT(said("*USER ELEMENT, NODES=2\n** ELEMENT NODES\n** 5\n1\n"),
+              HasSubstr("nodes: 1 in the comment; NODES=2"));
   EXPECT_THAT(said(element + element), HasSubstr("f:3: error: *USER ELEMENT: a second one"));
 }
 
@@ -236,7 +243,8 @@ TEST(MatrixStorage, SaysWhatIsWrongAndWhere) {
 TEST(MatrixFile, NeedsAFormatThatIsKnown) {
   EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "README.md")),
               HasSubstr("the name of the file does not tell it; these are read: matrix_market, numpy"));
-  EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "beam.npy", {"ansys", ""})), HasSubstr("format: \"ansys\""));
+  EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "beam.npy", {"ansys", ""})),
+              HasSubstr("format: \"ansys\""));
 }
 
 TEST(LabelledReaders, SurviveEveryTruncationAndEveryChangedByte) {

@@ -27,7 +27,8 @@ Matrix6 moved_end_stiffness() {
   return k;
 }
 
-/// Each motion of `moved` alone, forth and back, `times` times, with noise of the given share of a typical force or moment.
+/// Each motion of `moved` alone, forth and back, `times` times, with noise of the given share of a typical force or
+/// moment.
 std::vector<LoadCase> one_at_a_time(const std::vector<int>& moved, int times, double noise = 0.002) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
@@ -59,7 +60,8 @@ TEST(IdentifiedStiffness, NamesAMotionThatIsOnlyMadeTogetherWithAnother) {
   auto cases = one_at_a_time({1, 2, 3, 5}, 2);
   const Vector6 both = (Vector6() << 1e-3, 0, 0, 0, 5e-3, 0).finished();
   cases.push_back(moved_end_case("lever", both, moved_end_stiffness() * both));
-  EXPECT_THAT(first_message(identified_stiffness(cases, arm)), HasSubstr("every load case keeps u_K x − 0.2 θ_K y = 0"));
+  EXPECT_THAT(first_message(identified_stiffness(cases, arm)),
+              HasSubstr("every load case keeps u_K x − 0.2 θ_K y = 0"));
 }
 
 TEST(IdentifiedStiffness, NamesTheChannelThatIsMissing) {
@@ -157,7 +159,8 @@ TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnlyWhenAsked) {
   EXPECT_THAT(foundation::message(plain.warnings.list().back()), HasSubstr("passive"));
   ASSERT_TRUE(mended.semidefinite.has_value());
   EXPECT_EQ((plain.stiffness - mended.stiffness).norm(), 0);
-  const auto verdict = elements::examine(mended.semidefinite->stiffness, elements::rigid_motions(arm, Eigen::Matrix3d::Identity()));
+  const auto verdict =
+      elements::examine(mended.semidefinite->stiffness, elements::rigid_motions(arm, Eigen::Matrix3d::Identity()));
   EXPECT_GE(verdict.lowest_eigenvalue, -1e-13);
   EXPECT_LE(verdict.rigid_residual, 1e-13);
   EXPECT_GT(mended.semidefinite->distance, 1e-4);
@@ -182,7 +185,9 @@ TEST(NearestSemidefinite, DropsARigidMotionResidual) {
   Matrix12 loaded = elements::from_moved_end(moved_end_stiffness(), arm);
   loaded.diagonal() *= 1.02;
   const auto nearest = nearest_semidefinite(loaded, arm);
-  EXPECT_LE(elements::examine(nearest.stiffness, elements::rigid_motions(arm, Eigen::Matrix3d::Identity())).rigid_residual, 1e-13);
+  EXPECT_LE(
+      elements::examine(nearest.stiffness, elements::rigid_motions(arm, Eigen::Matrix3d::Identity())).rigid_residual,
+      1e-13);
   EXPECT_NEAR(nearest.distance, 0.01, 0.005);
 }
 

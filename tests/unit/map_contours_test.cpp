@@ -12,12 +12,16 @@ using namespace trivet;
 
 // Regions that are known: a disc, its outside, a half, two touching corners.
 
-design::MapContours contours_of(const design::MapGrid& grid, const std::function<double(design::MapPlace)>& level, bool connected = false) {
-  const std::function<bool(std::size_t)> inside = [&](std::size_t k) { return level(grid.place(static_cast<int>(k) % grid.nx, static_cast<int>(k) / grid.nx)) >= 0; };
+design::MapContours contours_of(const design::MapGrid& grid, const std::function<double(design::MapPlace)>& level,
+                                bool connected = false) {
+  const std::function<bool(std::size_t)> inside = [&](std::size_t k) {
+    return level(grid.place(static_cast<int>(k) % grid.nx, static_cast<int>(k) / grid.nx)) >= 0;
+  };
   const auto edges = design::crossed_edges(grid, inside);
   std::vector<double> crossing;
   for (const design::CrossedEdge& e : edges) {
-    const double a = level(grid.place(e.i, e.j)), b = level(e.upwards ? grid.place(e.i, e.j + 1) : grid.place(e.i + 1, e.j));
+    const double a = level(grid.place(e.i, e.j)),
+                 b = level(e.upwards ? grid.place(e.i, e.j + 1) : grid.place(e.i + 1, e.j));
     crossing.push_back(a / (a - b));
   }
   return design::contours(grid, inside, edges, crossing, [&](int, int) { return connected; });
@@ -25,7 +29,8 @@ design::MapContours contours_of(const design::MapGrid& grid, const std::function
 
 TEST(MapContours, GiveTheAreaOfADiscAndOfItsOutside) {
   const auto disc = [](design::MapPlace p) { return 0.3 - std::hypot(p.x - 0.5, p.y - 0.5); };
-  const design::MapContours inside = contours_of({201, 201}, disc), outside = contours_of({201, 201}, [&](design::MapPlace p) { return -disc(p); });
+  const design::MapContours inside = contours_of({201, 201}, disc),
+                            outside = contours_of({201, 201}, [&](design::MapPlace p) { return -disc(p); });
   constexpr double chords = 1e-4;  // a polygon of about 240 sides
   EXPECT_NEAR(inside.area, M_PI * 0.09, chords);
   EXPECT_NEAR(outside.area, 1 - M_PI * 0.09, chords);

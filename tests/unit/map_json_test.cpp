@@ -15,10 +15,13 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(DesignMap, WritesOneCsvRowPerDesign) {
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n"));
+  const project::Project project =
+      test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n"));
   const std::string csv = results::map_csv(study::design_map(project, project.base(), *project.base().analyses.map));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
-  EXPECT_THAT(csv, testing::StartsWith("elements.spring.scale,elements.spring.damping.proportional [s],margin,governing,kept\n0.5,0.01,"));
+  EXPECT_THAT(csv,
+              testing::StartsWith(
+                  "elements.spring.scale,elements.spring.damping.proportional [s],margin,governing,kept\n0.5,0.01,"));
 }
 
 }  // namespace

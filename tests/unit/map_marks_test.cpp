@@ -23,9 +23,11 @@ std::string measured_pad(const foundation::TemporaryFolder& folder) {
 }
 
 TEST(MapMarks, MarksCasesThatAreDesignsOfTheMap) {
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
-                                                              "[cases.stiff]\nelements.spring.scale = 1.5\nelements.spring.damping.proportional = 0.1\n"
-                                                       "[cases.nominal]\nelements.spring.scale = 1.5\nelements.spring.damping = {proportional = 0.1, of = \"nominal\"}\n"));
+  const project::Project project = test::project(
+      mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
+                     "[cases.stiff]\nelements.spring.scale = 1.5\nelements.spring.damping.proportional = 0.1\n"
+                     "[cases.nominal]\nelements.spring.scale = 1.5\nelements.spring.damping = {proportional = 0.1, of "
+                     "= \"nominal\"}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   ASSERT_EQ(map.marks.size(), 3u);
   EXPECT_EQ(map.marks[0].name, "");  // no scale is written: it is 1
@@ -37,8 +39,11 @@ TEST(MapMarks, MarksCasesThatAreDesignsOfTheMap) {
 
 TEST(MapMarks, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) {
   const foundation::TemporaryFolder folder;
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}, band = [\"6 Hz\", \"50 Hz\"]}\n",
-                                                              measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n[cases.heavy]\nelements.spring.scale = 1.2\nbodies.machine.mass = 20\n"));
+  const project::Project project = test::project(
+      mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}, band = [\"6 Hz\", \"50 Hz\"]}\n",
+                     measured_pad(folder) +
+                         "[cases.stiff]\nelements.spring.scale = 1.5\n[cases.heavy]\nelements.spring.scale = "
+                         "1.2\nbodies.machine.mass = 20\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   ASSERT_EQ(map.marks.size(), 3u);
   for (const study::MapMark& mark : map.marks) EXPECT_TRUE(mark.judged) << mark.name << ": " << mark.failure;
@@ -50,7 +55,8 @@ TEST(MapMarks, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) 
 /// Natural frequencies of 10⁷ and 10⁻⁶ rad/s.
 TEST(MapMarks, TellsModelsApartWhereTheirOwnMassAndStiffnessMatter) {
   for (const double stiffness : {1e15, 1e-11}) {
-    std::string text = mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", fmt::format(R"(
+    std::string text = mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
+                                      fmt::format(R"(
 [cases.same]
 elements.spring.scale = 1.5
 [cases.heavier]
@@ -59,19 +65,24 @@ bodies.machine.mass = 10.001
 [cases.stiffer]
 elements.spring.scale = 1.3
 elements.spring.translation = [{0}, {0}, {1}]
-)", stiffness, 1.001 * stiffness));
+)",
+                                                  stiffness, 1.001 * stiffness));
     const std::string usual = "translation = [1000, 1000, 1000]";
     text.replace(text.find(usual), usual.size(), fmt::format("translation = [{0}, {0}, {0}]", stiffness));
     const project::Project project = test::project(text);
     const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
-    for (const study::MapMark& mark : map.marks) EXPECT_EQ(mark.of_this_model, mark.name.empty() || mark.name == "same") << mark.name << " " << stiffness;
+    for (const study::MapMark& mark : map.marks)
+      EXPECT_EQ(mark.of_this_model, mark.name.empty() || mark.name == "same") << mark.name << " " << stiffness;
   }
 }
 
 TEST(MapMarks, PlacesCasesWhoseTableStartsAboveAllNaturalFrequencies) {
   const foundation::TemporaryFolder folder;
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}}\n", measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n"));
-  for (const study::MapMark& mark : study::design_map(project, project.base(), *project.base().analyses.map).marks) EXPECT_TRUE(mark.of_this_model) << mark.name;
+  const project::Project project =
+      test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}}\n",
+                                   measured_pad(folder) + "[cases.stiff]\nelements.spring.scale = 1.5\n"));
+  for (const study::MapMark& mark : study::design_map(project, project.base(), *project.base().analyses.map).marks)
+    EXPECT_TRUE(mark.of_this_model) << mark.name;
 }
 
 }  // namespace

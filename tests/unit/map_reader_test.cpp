@@ -11,7 +11,9 @@ using test::mapped_machine;
 using test::two_axes;
 
 TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
-  const project::Project project = test::project(mapped_machine("response = {quantity = \"velocity\", band = [0, 30]}\nmap = {" + two_axes + "}\n", "[limits]\n\"machine.z\" = \"20 mm/s\"\n"));
+  const project::Project project =
+      test::project(mapped_machine("response = {quantity = \"velocity\", band = [0, 30]}\nmap = {" + two_axes + "}\n",
+                                   "[limits]\n\"machine.z\" = \"20 mm/s\"\n"));
   const project::MapRequest& map = *project.base().analyses.map;
   ASSERT_EQ(map.limits.size(), 1u);
   EXPECT_EQ(map.limits[0].name, "machine.z");
@@ -21,7 +23,9 @@ TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
 }
 
 TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
-  const project::Project project = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
+  const project::Project project = test::project(
+      mapped_machine("map = {" + two_axes +
+                     ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
   const auto& limits = project.base().analyses.map->limits;
   ASSERT_EQ(limits.size(), 3u);
   EXPECT_EQ(limits[0].quantity, assembly::Quantity::displacement);
@@ -30,7 +34,8 @@ TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
 }
 
 TEST(MapReader, LetsAPeakRiseToMoreThanTwiceItsMinimum) {
-  const project::Project project = test::project(mapped_machine("peaks = {peak_tolerance = 1}\nmap = {" + two_axes + ", no_peak = \"coordinates\", peak_tolerance = 1.5}\n"));
+  const project::Project project = test::project(mapped_machine(
+      "peaks = {peak_tolerance = 1}\nmap = {" + two_axes + ", no_peak = \"coordinates\", peak_tolerance = 1.5}\n"));
   EXPECT_EQ(project.base().analyses.peaks->peak_tolerance, 1);
   EXPECT_EQ(project.base().analyses.map->peak_tolerance, 1.5);
 }

@@ -16,7 +16,9 @@ using namespace trivet;
 
 /// No peak for ζ = δω/2 ≥ 1/√2, on a grid so coarse that the nearest design is often one beyond the boundary.
 study::DesignMap coarse_map(const std::string& points) {
-  const project::Project project = test::project(test::mapped_machine("map = {" + test::two_axes + ", no_peak = \"machine\"}\n"), {"analyses.map.x.points=" + points, "analyses.map.y.points=" + points});
+  const project::Project project =
+      test::project(test::mapped_machine("map = {" + test::two_axes + ", no_peak = \"machine\"}\n"),
+                    {"analyses.map.x.points=" + points, "analyses.map.y.points=" + points});
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
@@ -36,7 +38,8 @@ bool holds(const std::vector<design::MapLine>& rings, const design::MapPlace& p)
 TEST(MapRegions, NoBrokenPlaceIsShownAsLimitedByNothing) {
   const study::DesignMap map = coarse_map("9");
   ASSERT_GT(map.without_bound, 10u);
-  for (const report::MapRegion& region : report::map_regions(map)) EXPECT_EQ(region.broken.empty(), region.governing == report::MapRegion::unlimited);
+  for (const report::MapRegion& region : report::map_regions(map))
+    EXPECT_EQ(region.broken.empty(), region.governing == report::MapRegion::unlimited);
 }
 
 /// Also on a grid so fine that some of its designs are not drawn.
@@ -47,7 +50,9 @@ TEST(MapRegions, CoverBothSidesOfTheBoundary) {
     for (int k = 0; k < 4000; ++k) {
       const design::MapPlace p{std::fmod(0.31 + 0.618033988749895 * k, 1.0), (k + 0.5) / 4000};
       const bool kept = holds(map.feasible.rings, p);
-      const auto covering = std::count_if(regions.begin(), regions.end(), [&](const report::MapRegion& region) { return holds(kept ? region.kept : region.broken, p); });
+      const auto covering = std::count_if(regions.begin(), regions.end(), [&](const report::MapRegion& region) {
+        return holds(kept ? region.kept : region.broken, p);
+      });
       EXPECT_EQ(covering, 1) << points << " points: " << p.x << ", " << p.y;
     }
   }
@@ -58,7 +63,8 @@ TEST(MapFigure, ShowsWhatNoRuleLimitsLighterInItsKeyToo) {
   const std::size_t words = svg.find("no rule limits it: no peak");
   ASSERT_NE(words, std::string::npos);
   const std::string before = svg.substr(words - 420, 420);
-  EXPECT_NE(before.find("width=\"22.00\" height=\"13.00\" fill=\"white\" fill-opacity=\"0.72\""), std::string::npos) << before;
+  EXPECT_NE(before.find("width=\"22.00\" height=\"13.00\" fill=\"white\" fill-opacity=\"0.72\""), std::string::npos)
+      << before;
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ using namespace trivet;
 using testing::HasSubstr;
 
 study::DesignMap map_of(const std::string& rules, const std::vector<std::string>& settings = {}) {
-  const project::Project project = test::project(test::mapped_machine("map = {" + test::two_axes + ", " + rules + "}\n"), settings);
+  const project::Project project =
+      test::project(test::mapped_machine("map = {" + test::two_axes + ", " + rules + "}\n"), settings);
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
@@ -39,40 +40,57 @@ TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesignBetweenKeptOnes) {
 }
 
 TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
-  EXPECT_THAT(results::feasible_words(nearly_all_kept(1)), testing::HasSubstr("; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
+  EXPECT_THAT(
+      results::feasible_words(nearly_all_kept(1)),
+      testing::HasSubstr(
+          "; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
   EXPECT_THAT(results::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));
 }
 
 TEST(AskedWords, TellBandAndWhatCountsAsAPeak) {
-  EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")), "amplitudes over 0 … 40 rad/s");
+  EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
+            "amplitudes over 0 … 40 rad/s");
   EXPECT_EQ(results::asked_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),
-            "resonance peaks wherever they lie, from 2 % above the minimum beside them (rises below 0.0001 of a curve are none)");
+            "resonance peaks wherever they lie, from 2 % above the minimum beside them (rises below 0.0001 of a curve "
+            "are none)");
 }
 
 /// Amplitudes only: stiffer is always better, and more damped too while there is a peak.
 TEST(BestWords, TellThatABetterDesignMayLieBeyondTheEndOfAnAxis) {
   const study::DesignMap map = map_of("limits = {\"machine.z\" = \"1 mm\"}", {"analyses.map.y.to=0.05"});
-  EXPECT_EQ(results::best_ends(map), (std::vector<std::string>{"the upper end of stiffness scale of spring", "the upper end of proportional damping δ of spring"}));
-  EXPECT_THAT(results::best_words(map), HasSubstr("; at the upper end of stiffness scale of spring and the upper end of proportional damping δ of spring, a better one may lie beyond"));
+  EXPECT_EQ(results::best_ends(map),
+            (std::vector<std::string>{"the upper end of stiffness scale of spring",
+                                      "the upper end of proportional damping δ of spring"}));
+  EXPECT_THAT(results::best_words(map),
+              HasSubstr("; at the upper end of stiffness scale of spring and the upper end of proportional damping δ "
+                        "of spring, a better one may lie beyond"));
 }
 
 /// High above resonance a soft spring without damping lets the least force through.
 TEST(BestWords, SayNothingOfTheEndAtZeroOrWhereNothingIsLimited) {
-  const study::DesignMap map = map_of("limits = {\"spring.force.z\" = \"1 N\"}, band = [200, 300]", {"analyses.map.y.from=0"});
+  const study::DesignMap map =
+      map_of("limits = {\"spring.force.z\" = \"1 N\"}, band = [200, 300]", {"analyses.map.y.from=0"});
   ASSERT_EQ(map.point(*map.best).y, 0);
   EXPECT_EQ(results::best_ends(map), (std::vector<std::string>{"the lower end of stiffness scale of spring"}));
-  EXPECT_TRUE(results::best_ends(map_of("no_peak = \"machine\"", {"analyses.map.y.from=1", "analyses.map.y.to=2"})).empty());
+  EXPECT_TRUE(
+      results::best_ends(map_of("no_peak = \"machine\"", {"analyses.map.y.from=1", "analyses.map.y.to=2"})).empty());
 }
 
 TEST(BestWords, CallNoDesignNearestWhereEveryMarginIsZero) {
-  const study::DesignMap map = map_of("limits = {\"machine.z\" = \"1 mm\"}, band = [0, 40]",
-                                      {"elements.spring.damping.proportional=0", "analyses.map.y.parameter=\"bodies.machine.mass\"", "analyses.map.y.from=8", "analyses.map.y.to=12"});
+  const study::DesignMap map =
+      map_of("limits = {\"machine.z\" = \"1 mm\"}, band = [0, 40]",
+             {"elements.spring.damping.proportional=0", "analyses.map.y.parameter=\"bodies.machine.mass\"",
+              "analyses.map.y.from=8", "analyses.map.y.to=12"});
   EXPECT_EQ(map.outcomes[*map.best].margin, 0);
-  EXPECT_THAT(results::best_words(map), HasSubstr("none is nearer than another: margin 0 (machine.z ≤ 0.001 m); in their midst: stiffness scale of spring = 1.25, "));
+  EXPECT_THAT(results::best_words(map),
+              HasSubstr("none is nearer than another: margin 0 (machine.z ≤ 0.001 m); in their midst: stiffness scale "
+                        "of spring = 1.25, "));
 }
 
 TEST(UnlimitedWords, NameAPeakOnlyWhereARuleForbidsIt) {
-  EXPECT_EQ(results::unlimited_words(map_of("limits = {\"machine.z\" = \"1 mm\"}", {"excitations.force.force=[0, 0, 0]"})), "nothing moves");
+  EXPECT_EQ(
+      results::unlimited_words(map_of("limits = {\"machine.z\" = \"1 mm\"}", {"excitations.force.force=[0, 0, 0]"})),
+      "nothing moves");
   EXPECT_EQ(results::unlimited_words(map_of("no_peak = \"machine\"")), "no peak");
 }
 

@@ -11,27 +11,33 @@ using namespace trivet;
 using test::mapped_machine;
 using test::two_axes;
 
-/// ζ = 0.25 at 10 rad/s: the peak stands at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends to F/m = 1 m/s².
+/// ζ = 0.25 at 10 rad/s: the peak stands at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends
+/// to F/m = 1 m/s².
 TEST(MapVerdicts, TellsWhereACaseGoesBeyondItsLimits) {
   const auto words = [&](const std::vector<std::string>& settings) {
-    const project::Project changed = test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}}\n"), settings);
+    const project::Project changed =
+        test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}}\n"), settings);
     const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
     return results::verdict_words(map, map.marks.at(0)).at(0);
   };
   EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m at 9.354 rad/s, allowed 0.015"));
-  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}), testing::HasSubstr(" at 1 rad/s, allowed 0.005"));
-  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}), testing::HasSubstr(" m/s² towards ω = ∞, allowed 0.9"));
+  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}),
+              testing::HasSubstr(" at 1 rad/s, allowed 0.005"));
+  EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}),
+              testing::HasSubstr(" m/s² towards ω = ∞, allowed 0.9"));
 }
 
 TEST(MapVerdicts, CallOnlySmallRisesSlight) {
   const auto words = [&](const std::string& damping) {
     const project::Project changed =
-        test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"machine\", peak_tolerance = 0.9}\n"), {"elements.spring.damping.proportional=" + damping});
+        test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"machine\", peak_tolerance = 0.9}\n"),
+                      {"elements.spring.damping.proportional=" + damping});
     const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
     return results::verdict_words(map, map.marks.at(0)).at(0);
   };
   EXPECT_THAT(words("0.12"), testing::MatchesRegex("machine.z rises slightly at .* rad/s \\(4.17 %\\)"));
-  EXPECT_THAT(words("0.06"), testing::MatchesRegex("machine.z has a peak within the tolerance at .* rad/s \\(74.7 %\\)"));
+  EXPECT_THAT(words("0.06"),
+              testing::MatchesRegex("machine.z has a peak within the tolerance at .* rad/s \\(74.7 %\\)"));
 }
 
 }  // namespace

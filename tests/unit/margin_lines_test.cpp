@@ -19,37 +19,45 @@ TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
   EXPECT_EQ(drawn.columns.front(), 0);
   EXPECT_EQ(drawn.columns.back(), 999);
   const design::MapGrid nodes = drawn.nodes();
-  for (const int k : {0, 1, 100, 239, 240}) EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[static_cast<std::size_t>(k)] / 999.0, 1e-15);
+  for (const int k : {0, 1, 100, 239, 240})
+    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[static_cast<std::size_t>(k)] / 999.0, 1e-15);
 }
 
 TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
   const design::MapGrid grid{700, 500};
-  const auto all = outcomes(grid, [](int i, int j) { return static_cast<float>(std::exp(0.9 * i / 699 + 0.4 * j / 499)); });
+  const auto all =
+      outcomes(grid, [](int i, int j) { return static_cast<float>(std::exp(0.9 * i / 699 + 0.4 * j / 499)); });
   const auto lines = design::margin_lines(design::drawn_grid(grid), all, std::exp(1.3));
   ASSERT_FALSE(lines.empty());
   for (const design::MarginLine& margin : lines)
     for (const design::MapLine& line : margin.lines)
-      for (const design::MapPlace& p : line) EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, 1e-5);  // float nodes
+      for (const design::MapPlace& p : line)
+        EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, 1e-5);  // float nodes
 }
 
 TEST(MarginLines, EndBesideDesignsWithoutBound) {
   const design::MapGrid grid{41, 41};
-  const auto all = outcomes(grid, [](int i, int j) { return i + j > 50 ? unlimited : static_cast<float>(std::exp(0.05 * i)); });
+  const auto all =
+      outcomes(grid, [](int i, int j) { return i + j > 50 ? unlimited : static_cast<float>(std::exp(0.05 * i)); });
   const auto lines = design::margin_lines(design::drawn_grid(grid), all, unlimited);
   ASSERT_FALSE(lines.empty());
   for (const design::MarginLine& margin : lines)
     for (const design::MapLine& line : margin.lines)
-      for (const design::MapPlace& p : line) EXPECT_NEAR(std::exp(2 * p.x), margin.margin, 1e-5) << "a step along the border of what has no bound";
+      for (const design::MapPlace& p : line)
+        EXPECT_NEAR(std::exp(2 * p.x), margin.margin, 1e-5) << "a step along the border of what has no bound";
 }
 
 TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
   const design::MapGrid grid{41, 41};
-  const auto all = outcomes(grid, [](int i, int j) { return i + j < 30 ? 0.9F : static_cast<float>(1.4 * std::exp(0.02 * i)); });  // a cliff from 0.9 to 1.4 … 3.1
+  const auto all = outcomes(grid, [](int i, int j) {
+    return i + j < 30 ? 0.9F : static_cast<float>(1.4 * std::exp(0.02 * i));
+  });  // a cliff from 0.9 to 1.4 … 3.1
   const auto lines = design::margin_lines(design::drawn_grid(grid), all, 3.1);
   ASSERT_FALSE(lines.empty());
   for (const design::MarginLine& margin : lines)
     for (const design::MapLine& line : margin.lines)
-      for (const design::MapPlace& p : line) EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
+      for (const design::MapPlace& p : line)
+        EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
 }
 
 TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
@@ -62,7 +70,8 @@ TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
     EXPECT_LE(lines.size(), 6u) << largest;
     for (const design::MarginLine& margin : lines)
       for (const design::MapLine& line : margin.lines)
-        for (const design::MapPlace& p : line) EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, 1e-5 * largest);
+        for (const design::MapPlace& p : line)
+          EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, 1e-5 * largest);
   }
 }
 

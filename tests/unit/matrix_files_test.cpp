@@ -21,7 +21,9 @@ constexpr double round_off = 8 * epsilon;
 /// Matrix Market files here have 16 decimals.
 constexpr double printed = 1e-15;
 
-std::string kept(const std::string& name) { return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name); }
+std::string kept(const std::string& name) {
+  return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name);
+}
 
 void expect_bar(const foundation::Expected<NamedMatrix>& read, double tolerance,
                 const Eigen::MatrixXd& added = Eigen::MatrixXd::Zero(12, 12)) {
@@ -97,7 +99,8 @@ TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
       {"0 0 0\n", "f:2: error: size: 0 × 0"},
       {"2000000000 2000000000 1\n1 1 1\n", "f:2: error: size: 2000000000 × 2000000000; a matrix of at most 6000"},
       {"99999999999 99999999999 1\n", "f:2: error: size"},
-      {"2 2 1\n0 1 5\n", "f:3: error: entry: row 0, column 1; rows and columns count from 1 to 2; the file seems to count from 0"},
+      {"2 2 1\n0 1 5\n",
+       "f:3: error: entry: row 0, column 1; rows and columns count from 1 to 2; the file seems to count from 0"},
       {"2 2 1\n3 1 5\n", "f:3: error: entry: row 3"},
       {"2 2 1\n1 1 abc\n", "f:3: error: entry: \"1 1 abc\""},
       {"2 2 1\n1 1 nan\n", "f:3: error: entry"},
@@ -114,16 +117,19 @@ TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
     const auto read = exchange::read_matrix_market(headless ? bad.text : head + bad.text, "f");
     EXPECT_THAT(complaint(read), HasSubstr(bad.complaint)) << bad.text;
   }
-  for (const char* kind :
-       {"coordinate pattern general", "coordinate real skew-symmetric", "array complex hermitian", "vector real general"})
-    EXPECT_THAT(complaint(exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + kind + "\n1 1 1\n1 1 1\n", "f")),
-                HasSubstr("f:1: error: header"));
-  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n2 1 5\n1 2 6\n", "f")),
+  for (const char* kind : {"coordinate pattern general", "coordinate real skew-symmetric", "array complex hermitian",
+                           "vector real general"})
+    EXPECT_THAT(
+        complaint(exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + kind + "\n1 1 1\n1 1 1\n", "f")),
+        HasSubstr("f:1: error: header"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market(
+                  "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n2 1 5\n1 2 6\n", "f")),
               HasSubstr("its mirror image in line 3 is 5"));
   EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n", "f")),
               HasSubstr("the file ends in column 2 of 2"));
-  EXPECT_THAT(complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real symmetric\n2 2\n1\n2\n3\n4\n", "f")),
-              HasSubstr("f:6: error: entries: more than"));
+  EXPECT_THAT(
+      complaint(exchange::read_matrix_market("%%MatrixMarket matrix array real symmetric\n2 2\n1\n2\n3\n4\n", "f")),
+      HasSubstr("f:6: error: entries: more than"));
 }
 
 /// A version 1 file with this header text and this many zero bytes behind it.
@@ -143,20 +149,26 @@ TEST(NumpyArray, SaysWhatIsWrong) {
   EXPECT_THAT(said("\x93NUMPY"), HasSubstr("no NumPy file"));
   EXPECT_THAT(said(std::string("\x93NUMPY\x01\x00\xff\xff{", 11)), HasSubstr("65535 bytes announced"));
   EXPECT_THAT(said(std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff{", 13)), HasSubstr("4294967295 bytes announced"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f4', " + order + "'shape': (1, 1), }", 4)), HasSubstr("number type: \"'<f4'\""));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f4', " + order + "'shape': (1, 1), }", 4)),
+              HasSubstr("number type: \"'<f4'\""));
   EXPECT_THAT(said(numpy_file("{'descr': '>f8', " + order + "'shape': (1, 1), }", 8)), HasSubstr("number type"));
   EXPECT_THAT(said(numpy_file("{'descr': '|O', " + order + "'shape': (1, 1), }", 8)), HasSubstr("number type"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', 'shape': (1, 1), }", 8)), HasSubstr("fortran_order"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (4,), }", 32)), HasSubstr("a matrix has two dimensions"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1, 1), }", 8)), HasSubstr("a matrix has two dimensions"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (4,), }", 32)),
+              HasSubstr("a matrix has two dimensions"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1, 1), }", 8)),
+              HasSubstr("a matrix has two dimensions"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 2), }", 16)), HasSubstr("size: 1 × 2"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (-1, -1), }", 16)), HasSubstr("size: -1 × -1"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (999999, 999999), }", 16)), HasSubstr("at most 6000"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (999999, 999999), }", 16)),
+              HasSubstr("at most 6000"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (5000, 5000), }", 16)),
               HasSubstr("16 bytes; a 5000 × 5000 matrix of this type has 200000000"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 7)), HasSubstr("was the file cut off?"));
-  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 0) + std::string("\0\0\0\0\0\0\xf8\x7f", 8)),
-              HasSubstr("entry (1, 1): nan"));
+  EXPECT_THAT(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 7)),
+              HasSubstr("was the file cut off?"));
+  EXPECT_THAT(
+      said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 0) + std::string("\0\0\0\0\0\0\xf8\x7f", 8)),
+      HasSubstr("entry (1, 1): nan"));
 }
 
 TEST(CsvMatrix, SaysWhatIsWrongAndWhere) {
@@ -172,7 +184,8 @@ TEST(CsvMatrix, SaysWhatIsWrongAndWhere) {
       {"inf,2\n3,4\n", "entry (1, 1): \"inf\""},
       {"1,2\n3,1e400\n", "entry (2, 2)"},
   };
-  for (const Bad& bad : cases) EXPECT_THAT(complaint(exchange::read_csv_matrix(bad.text, "f")), HasSubstr(bad.complaint)) << bad.text;
+  for (const Bad& bad : cases)
+    EXPECT_THAT(complaint(exchange::read_csv_matrix(bad.text, "f")), HasSubstr(bad.complaint)) << bad.text;
   EXPECT_THAT(complaint(exchange::read_csv_matrix(std::string(20000, ' ') + "1" + std::string(20000, ','), "f")),
               HasSubstr("at most 6000"));
 }

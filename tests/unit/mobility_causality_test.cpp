@@ -51,11 +51,13 @@ TEST(MobilityCausality, AConjugateOrReversedMobilityIsCaught) {
     if (std::string(name) == "wide plate") continue;  // real: it is its own conjugate
     EXPECT_FALSE(judged(ground, [](Complex y, double) { return std::conj(y); }).passes) << name;
   }
-  for (const auto& [name, ground] : grounds) EXPECT_TRUE(judged(ground, [](Complex y, double) { return -y; }).refused) << name;
+  for (const auto& [name, ground] : grounds)
+    EXPECT_TRUE(judged(ground, [](Complex y, double) { return -y; }).refused) << name;
 }
 
 TEST(MobilityCausality, ADelayIsCaught) {
-  for (const auto& [name, ground] : grounds) EXPECT_FALSE(judged(ground, [](Complex y, double w) { return y * std::polar(1.0, -0.004 * w); }).passes) << name;
+  for (const auto& [name, ground] : grounds)
+    EXPECT_FALSE(judged(ground, [](Complex y, double w) { return y * std::polar(1.0, -0.004 * w); }).passes) << name;
 }
 
 }  // namespace

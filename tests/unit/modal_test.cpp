@@ -14,7 +14,8 @@ using namespace trivet;
 using testing::HasSubstr;
 
 std::string cube(const std::string& elements) {
-  return "trivet = 1\n[bodies.cube]\nmass = 6\ninertia = {about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}\n" + elements;
+  return "trivet = 1\n[bodies.cube]\nmass = 6\ninertia = {about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}\n" +
+      elements;
 }
 
 std::vector<std::string> free_words(const std::string& text) {
@@ -25,10 +26,14 @@ std::vector<std::string> free_words(const std::string& text) {
 
 TEST(FreeMotions, AreNamed) {
   EXPECT_EQ(free_words(cube("")).size(), 6u);
-  const auto slides = free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 0, 10]\nrotation = [5, 5, 5]\n"));
+  const auto slides =
+      free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 0, "
+                      "10]\nrotation = [5, 5, 5]\n"));
   ASSERT_EQ(slides.size(), 1u);
   EXPECT_EQ(slides[0], "the system is free to slide along y");
-  const auto turns = free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0.5, 0, 0]\ntranslation = [10, 10, 10]\nrotation = [5, 5, 0]\n"));
+  const auto turns =
+      free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0.5, 0, 0]\ntranslation = [10, 10, "
+                      "10]\nrotation = [5, 5, 0]\n"));
   ASSERT_EQ(turns.size(), 1u);
   EXPECT_THAT(turns[0], HasSubstr("free to turn about z through (0.500, 0.000, 0.000)"));
 }
@@ -40,7 +45,9 @@ TEST(FreeMotions, OfAPartAreToldFromThoseOfTheWhole) {
 }
 
 TEST(Modes, RepeatedRootsGetAnOrthonormalBasisAndSaySo) {
-  const auto project = test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, 60]\nrotation = [40, 40, 90]\n"));
+  const auto project =
+      test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, "
+                         "60]\nrotation = [40, 40, 90]\n"));
   const modal::Modes modes = modal::modes(project.base().system);
   const Eigen::MatrixXd A = assembly::assemble(project.base().system).matrices.A;
   EXPECT_EQ(std::count_if(modes.list.begin(), modes.list.end(), [](const auto& m) { return m.repeated; }), 5);
@@ -49,7 +56,9 @@ TEST(Modes, RepeatedRootsGetAnOrthonormalBasisAndSaySo) {
 }
 
 TEST(Modes, AreNamedAfterTheirMotion) {
-  const auto project = test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 120, 240]\nrotation = [400, 900, 1600]\n"));
+  const auto project =
+      test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 120, "
+                         "240]\nrotation = [400, 900, 1600]\n"));
   const modal::Modes modes = modal::modes(project.base().system);
   EXPECT_EQ(modes.list[0].name, "translation along x");
   EXPECT_EQ(modes.list[2].name, "translation along z");
@@ -74,13 +83,16 @@ rotation = [0, 5, 0]
 }
 
 TEST(FreeMotions, OfABodyOnOneBushingWithoutRotationAreFound) {
-  const auto words = free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 20, 30]\n"));
+  const auto words =
+      free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 20, 30]\n"));
   EXPECT_EQ(words.size(), 3u);
   EXPECT_THAT(words[0], HasSubstr("free to turn"));
 }
 
 TEST(Roots, OfOneMassFollowTheTextbook) {
-  const auto roots_of = [](double dashpot) { return modal::roots(test::project(test::chain({2}, {1800}, {dashpot})).base().system); };
+  const auto roots_of = [](double dashpot) {
+    return modal::roots(test::project(test::chain({2}, {1800}, {dashpot})).base().system);
+  };
   const modal::Roots light = roots_of(12);  // ζ = 0.1
   ASSERT_EQ(light.list.size(), 2u);
   EXPECT_THAT(*light.list[0].damping_ratio, test::RelativelyNear(0.1, 1e-14));
@@ -104,9 +116,11 @@ TEST(Roots, OfALossFactorAreThoseOfThePositiveHalfPlane) {
 
 TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
   // 10 rad/s along x with the loss factor 0.8 makes |λ| = 10 (1 + 0.8²)^¼ = 11.3 rad/s, beyond the 11 rad/s along z.
-  const std::string text = "trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
-                           "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, 0]\nrotation = [0, 0, 0]\ndamping = {loss_factor = 0.8}\n"
-                           "[elements.z]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [0, 0, 121]\nrotation = [0, 0, 0]\n";
+  const std::string text =
+      "trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
+      "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, 0]\nrotation = [0, 0, "
+      "0]\ndamping = {loss_factor = 0.8}\n"
+      "[elements.z]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [0, 0, 121]\nrotation = [0, 0, 0]\n";
   const modal::Roots roots = modal::roots(test::project(text).base().system);
   ASSERT_EQ(roots.list.size(), 2u);
   EXPECT_NEAR(*roots.list[1].angular_frequency, 10 * std::pow(1.64, 0.25), 1e-12);
@@ -115,8 +129,15 @@ TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
 }
 
 TEST(Roots, OfAnUndampedMachineOnADeckBelongToTheModesInTheirOrder) {
-  const modal::Roots roots = modal::roots(test::project(test::machine_on_deck("[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 40, modal_mass = 5000, damping = 0, shapes = {m1 = [0, 0, 1], m2 = [0, 0, 1], m3 = [0, 0, 1]}}]\n", ""),
-                                                        {"elements.m1.damping.proportional=0", "elements.m2.damping.proportional=0", "elements.m3.damping.proportional=0"}).base().system);
+  const modal::Roots roots =
+      modal::roots(test::project(test::machine_on_deck(
+                                     "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 40, modal_mass = "
+                                     "5000, damping = 0, shapes = {m1 = [0, 0, 1], m2 = [0, 0, 1], m3 = [0, 0, 1]}}]\n",
+                                     ""),
+                                 {"elements.m1.damping.proportional=0", "elements.m2.damping.proportional=0",
+                                  "elements.m3.damping.proportional=0"})
+                       .base()
+                       .system);
   int number = 0;
   for (const modal::Root& root : roots.list)
     if (root.eigenvalue.imag() > 0) EXPECT_EQ(root.nearest_mode, ++number);
@@ -124,27 +145,42 @@ TEST(Roots, OfAnUndampedMachineOnADeckBelongToTheModesInTheirOrder) {
 }
 
 TEST(Roots, ADashpotToTheWallLeavesOneDriftAndOneDecay) {
-  const modal::Roots roots = modal::roots(test::project(test::chain({2, 1}, {0, 100, 0}, {}) +
-                                                        "[elements.d]\ntype = \"damper\"\non = \"m1\"\nat = [0, 0, 0]\naxis = \"x\"\ncoefficient = 5\n").base().system);
-  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(), [](const auto& r) { return r.kind == modal::RootKind::rigid; }), 1);
-  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(), [](const auto& r) { return r.kind == modal::RootKind::overdamped; }), 1);
+  const modal::Roots roots = modal::roots(
+      test::project(test::chain({2, 1}, {0, 100, 0}, {}) +
+                    "[elements.d]\ntype = \"damper\"\non = \"m1\"\nat = [0, 0, 0]\naxis = \"x\"\ncoefficient = 5\n")
+          .base()
+          .system);
+  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(),
+                          [](const auto& r) { return r.kind == modal::RootKind::rigid; }),
+            1);
+  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(),
+                          [](const auto& r) { return r.kind == modal::RootKind::overdamped; }),
+            1);
 }
 
 TEST(ModalDamping, GivesTheRatiosThatWereAskedFor) {
   const std::string text = test::chain({1, 2, 3}, {100, 200, 300, 400}, {});
   const modal::Roots roots = modal::roots(test::project(text + "[damping]\nmodal = [0.01, 0.05, 0.2]\n").base().system);
   ASSERT_EQ(roots.list.size(), 6u);
-  for (const auto& [index, ratio] : {std::pair{0u, 0.01}, {2u, 0.05}, {4u, 0.2}}) EXPECT_THAT(*roots.list[index].damping_ratio, test::RelativelyNear(ratio, 1e-10));
+  for (const auto& [index, ratio] : {std::pair{0u, 0.01}, {2u, 0.05}, {4u, 0.2}})
+    EXPECT_THAT(*roots.list[index].damping_ratio, test::RelativelyNear(ratio, 1e-10));
 }
 
 TEST(RayleighDamping, IsAlphaAPlusBetaK) {
-  const auto m = assembly::assemble(test::project(test::chain({1, 2}, {100, 200, 0}, {}) + "[damping]\nrayleigh = {mass = 0.3, stiffness = \"2 ms\"}\n").base().system).matrices;
+  const auto m = assembly::assemble(test::project(test::chain({1, 2}, {100, 200, 0}, {}) +
+                                                  "[damping]\nrayleigh = {mass = 0.3, stiffness = \"2 ms\"}\n")
+                                        .base()
+                                        .system)
+                     .matrices;
   EXPECT_LE((m.B - 0.3 * m.A - 0.002 * m.K).norm(), 1e-15);
 }
 
 TEST(Modes, OfAFoundationThatMovesNoMountHaveNoSharesOfStrain) {
-  const auto project = test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, 60]\nrotation = [40, 40, 90]\nfoundation = \"deck\"\n"
-                                          "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 3, modal_mass = 5, shapes = {k = [0, 0, 0]}}, {frequency = 7, modal_mass = 5, shapes = {k = [0, 0, 1]}}]\n"));
+  const auto project =
+      test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, "
+                         "60]\nrotation = [40, 40, 90]\nfoundation = \"deck\"\n"
+                         "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 3, modal_mass = 5, shapes = {k = "
+                         "[0, 0, 0]}}, {frequency = 7, modal_mass = 5, shapes = {k = [0, 0, 1]}}]\n"));
   const modal::Modes modes = modal::modes(project.base().system);
   ASSERT_EQ(modes.list.size(), 8u);
   int without = 0;

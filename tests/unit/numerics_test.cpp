@@ -6,11 +6,11 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
-#include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/peaks/response_series.h"
 #include "trivet/numerics/peaks/sign_changes.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace {
 
@@ -66,7 +66,8 @@ RC_GTEST_PROP(SignChanges, FindEverySeparatedRoot, ()) {
 }
 
 DynamicMatrices random_matrices(unsigned seed) {
-  return assembly::assemble(test::checked(test::RandomSystem(seed).description(2, test::RandomDamping::viscous))).matrices;
+  return assembly::assemble(test::checked(test::RandomSystem(seed).description(2, test::RandomDamping::viscous)))
+      .matrices;
 }
 
 TEST(Sweep, IsTheSameForAnyNumberOfFrequencies) {
@@ -76,11 +77,13 @@ TEST(Sweep, IsTheSameForAnyNumberOfFrequencies) {
   for (int i = 0; i < 19; ++i) omega.push_back(7.0 * i);
   const SweepResult together = sweep(m, h, omega);
   for (std::size_t i = 0; i < omega.size(); ++i)
-    EXPECT_EQ(together.response.col(static_cast<Eigen::Index>(i)), sweep(m, h, {omega[i]}).response.col(0)) << "a lane must not depend on its neighbours";
+    EXPECT_EQ(together.response.col(static_cast<Eigen::Index>(i)), sweep(m, h, {omega[i]}).response.col(0))
+        << "a lane must not depend on its neighbours";
 }
 
 TEST(Sweep, ASingularMatrixIsSaidToBeOne) {
-  DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
+  DynamicMatrices m{
+      Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
   const SweepResult found = sweep(m, Eigen::VectorXcd::Ones(2), {1.0, 2.0, 2.5});
   EXPECT_EQ(found.singular, 1);
   EXPECT_TRUE(found.response.col(0).allFinite());
@@ -89,7 +92,9 @@ TEST(Sweep, ASingularMatrixIsSaidToBeOne) {
 
 TEST(Sweep, ASkewFreeSystemHasNoResponseAtRest) {
   for (unsigned seed = 1; seed < 8; ++seed) {
-    const DynamicMatrices m = assembly::assemble(test::checked(test::RandomSystem(seed).description(2, test::RandomDamping::viscous, false))).matrices;
+    const DynamicMatrices m =
+        assembly::assemble(test::checked(test::RandomSystem(seed).description(2, test::RandomDamping::viscous, false)))
+            .matrices;
     const SweepResult found = sweep(m, Eigen::VectorXcd::Ones(m.size()), {0.0, 1.0});
     EXPECT_EQ(found.singular, 1) << "seed " << seed;
     EXPECT_TRUE(found.response.col(1).allFinite());
@@ -111,14 +116,16 @@ TEST(ResponseSeries, SumsToTheResponseAndAtInfinityToo) {
   for (Eigen::Index j = 0; j <= 30; ++j) sum += c.col(j) * std::pow(0.7, static_cast<double>(j));
   for (Eigen::Index j = 0; j <= 36; ++j) far_sum += far.col(j) * std::pow(0.5, static_cast<double>(j));
   EXPECT_THAT(sum, test::NearVector(sweep(m, h, {centre + 0.7 * radius}).response.col(0).eval(), 1e-12));
-  EXPECT_THAT((far_sum / (16000.0 * 16000.0)).eval(), test::NearVector(sweep(m, h, {16000.0}).response.col(0).eval(), 1e-12));
+  EXPECT_THAT((far_sum / (16000.0 * 16000.0)).eval(),
+              test::NearVector(sweep(m, h, {16000.0}).response.col(0).eval(), 1e-12));
 }
 
 TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
   for (unsigned seed = 1; seed < 6; ++seed) {
     const DynamicMatrices m = random_matrices(seed);
     const GeneralizedModes modes = generalized_modes(m.K, m.A, true);
-    QuadraticRoots one = roots_in_modal_basis(modes.lambda.cwiseSqrt(), modes.shapes.transpose() * m.B * modes.shapes, {});
+    QuadraticRoots one =
+        roots_in_modal_basis(modes.lambda.cwiseSqrt(), modes.shapes.transpose() * m.B * modes.shapes, {});
     const QuadraticRoots two = roots_of_companion(m);
     ASSERT_EQ(one.lambda.size(), two.lambda.size());
     for (Eigen::Index k = 0; k < one.lambda.size(); ++k)
@@ -128,7 +135,11 @@ TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
 
 TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
   // ζ = 1e-7 beside a stiff, well-damped coordinate: a double eigensolver leaves few digits of Re λ.
-  DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(2e-7, 1e4).asDiagonal(), Eigen::Vector2d(1, 1e10).asDiagonal(), {}, true};
+  DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2),
+                    Eigen::Vector2d(2e-7, 1e4).asDiagonal(),
+                    Eigen::Vector2d(1, 1e10).asDiagonal(),
+                    {},
+                    true};
   QuadraticRoots roots = roots_of_companion(m);
   roots.lambda += Eigen::VectorXcd::Constant(4, Complex(3e-9, 0));
   refine_roots(m, roots);

@@ -23,7 +23,8 @@ TEST(PeakCount, TellsHowNearlyItWasDecided) {
   const std::vector<double> heights = {1, 5, 2, 3, 0};  // prominences 4 and 1
   EXPECT_DOUBLE_EQ(prominent_peaks(heights, 0.8).closest, 0.25);
   EXPECT_DOUBLE_EQ(prominent_peaks(heights, 1.25).closest, 0.2);
-  EXPECT_EQ(prominent_peaks({heights.data(), 2}, 1).closest, std::numeric_limits<double>::infinity());  // no maximum between its ends
+  EXPECT_EQ(prominent_peaks({heights.data(), 2}, 1).closest,
+            std::numeric_limits<double>::infinity());  // no maximum between its ends
 }
 
 TEST(PeakCount, AnInfiniteHeightAlwaysCounts) {
@@ -36,17 +37,19 @@ TEST(RiseIsKnown, WhereThePeakAndItsBaseAre) {
   const std::vector<double> heights = {1, 5, 2, 3, 0};
   const auto known = [&](const std::vector<double>& doubts) { return rise_is_known(heights, doubts, 0.5, 4, 1e-6); };
   EXPECT_TRUE(known({0, 1e-9, 0, 0, 0}));
-  EXPECT_FALSE(known({0, 1e-5, 0, 0, 0}));   // of the peak
-  EXPECT_FALSE(known({1e-5, 0, 0, 0, 0}));   // of its base
-  EXPECT_TRUE(known({0, 0, 0.1, 0.1, 0}));   // of a peak that stays far below
-  EXPECT_FALSE(known({0, 0, 1, 1, 0}));      // of one that may not
+  EXPECT_FALSE(known({0, 1e-5, 0, 0, 0}));  // of the peak
+  EXPECT_FALSE(known({1e-5, 0, 0, 0, 0}));  // of its base
+  EXPECT_TRUE(known({0, 0, 0.1, 0.1, 0}));  // of a peak that stays far below
+  EXPECT_FALSE(known({0, 0, 1, 1, 0}));     // of one that may not
 }
 
 TEST(RiseIsKnown, OverABaseThatIsZeroToTheLastDigitOnly) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(rise_is_known(std::vector<double>{0, 5, 0}, std::vector<double>{0, 0, 0}, 0.5, infinity, 1e-6));
-  EXPECT_FALSE(rise_is_known(std::vector<double>{0, 5, 0, 6, 7}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity, 1e-6));
-  EXPECT_FALSE(rise_is_known(std::vector<double>{2, 6, 0, 5, 0}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity, 1e-6));  // between it and a true zero
+  EXPECT_FALSE(
+      rise_is_known(std::vector<double>{0, 5, 0, 6, 7}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity, 1e-6));
+  EXPECT_FALSE(rise_is_known(std::vector<double>{2, 6, 0, 5, 0}, std::vector<double>{0, 0, 1e-3, 0, 0}, 0.5, infinity,
+                             1e-6));  // between it and a true zero
 }
 
 TEST(RiseIsKnown, OverTheHigherOfTwoMinimaThatMayExchange) {

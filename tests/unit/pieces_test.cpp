@@ -31,7 +31,8 @@ TEST(Pieces, ThrowOnTheFirstFailureAndStop) {
                               [&](std::size_t first, std::size_t) {
                                 ++started;
                                 if (first == 3) throw std::runtime_error("piece 3");
-                                std::this_thread::sleep_for(std::chrono::microseconds(20));  // or all may be done before the failure is known
+                                std::this_thread::sleep_for(
+                                    std::chrono::microseconds(20));  // or all may be done before the failure is known
                               }),
                std::runtime_error);
   EXPECT_LT(started, 100000);
@@ -45,7 +46,9 @@ TEST(Pieces, ReportFromTheCallingThreadOnlyAndStopWhenInterrupted) {
     EXPECT_EQ(task, "counting");
     if (++reports == 2) throw Interrupted();
   };
-  EXPECT_THROW(for_each_piece(1000, {.size = 1, .threads = 1, .progress = progress, .task = "counting"}, [](std::size_t, std::size_t) {}), Interrupted);
+  EXPECT_THROW(for_each_piece(1000, {.size = 1, .threads = 1, .progress = progress, .task = "counting"},
+                              [](std::size_t, std::size_t) {}),
+               Interrupted);
   EXPECT_EQ(reports, 2);
 }
 

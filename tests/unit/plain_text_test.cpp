@@ -20,7 +20,7 @@ TEST(PlainText, ShowsControlCharactersAsEscapes) {
 
 TEST(PlainText, ShowsBytesThatAreNotUtf8) {
   EXPECT_EQ(on_one_line("M\xFCller"), "M\\xfcller");
-  EXPECT_EQ(on_one_line("Ger\xE4t"), "Ger\\xe4t");  // in UTF-8 this byte begins a character of three
+  EXPECT_EQ(on_one_line("Ger\xE4t"), "Ger\\xe4t");            // in UTF-8 this byte begins a character of three
   EXPECT_EQ(on_one_line("\xED\xA0\x80"), "\\xed\\xa0\\x80");  // half of a pair of UTF-16
   EXPECT_EQ(on_one_line("\xC0\xAF"), "\\xc0\\xaf");           // a slash written too long
 }

@@ -17,22 +17,27 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr double round_off = 1e-12;   // a few operations on numbers of one size
+constexpr double round_off = 1e-12;  // a few operations on numbers of one size
 constexpr double pi = std::numbers::pi;
 
 /// A steel cube of 1 m on four equal springs at the corners of its lower face.
 struct Cube {
   double mass = 7850, inertia = 7850.0 / 6, places = 1, stiffness = 2e6, centre = 0.5;
-  std::string about = "center_of_mass", gravity = "gravity = [0, 0, -9.80665]", more, of_body, of_mount, damping = "damping = {loss_factor = 0.1}";
+  std::string about = "center_of_mass", gravity = "gravity = [0, 0, -9.80665]", more, of_body, of_mount,
+              damping = "damping = {loss_factor = 0.1}";
 
   [[nodiscard]] std::string text() const {
-    std::string result = fmt::format("trivet = 1\n{}\n[bodies.cube]\nmass = {}\ncenter_of_mass = [0, 0, {}]\ninertia = {{about = \"{}\", xx = {}, yy = {}, zz = {}}}\n{}\n",
-                                     gravity, mass, centre, about, inertia, inertia, inertia, of_body);
+    std::string result = fmt::format(
+        "trivet = 1\n{}\n[bodies.cube]\nmass = {}\ncenter_of_mass = [0, 0, {}]\ninertia = {{about = \"{}\", xx = {}, "
+        "yy = {}, zz = {}}}\n{}\n",
+        gravity, mass, centre, about, inertia, inertia, inertia, of_body);
     int number = 0;
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5})
-        result += fmt::format("[elements.mount{}]\ntype = \"bushing\"\non = \"cube\"\nat = [{}, {}, 0]\ntranslation = [{}, {}, {}]\n{}\n{}\n", ++number, x * places, y * places, stiffness,
-                              stiffness, stiffness, damping, of_mount);
+        result += fmt::format(
+            "[elements.mount{}]\ntype = \"bushing\"\non = \"cube\"\nat = [{}, {}, 0]\ntranslation = [{}, {}, "
+            "{}]\n{}\n{}\n",
+            ++number, x * places, y * places, stiffness, stiffness, stiffness, damping, of_mount);
     return result + more;
   }
 };
@@ -44,7 +49,9 @@ std::vector<std::string> kinds(const std::string& text) {
   return found;
 }
 
-plausibility::BodyPicture picture(const project::Project& project) { return plausibility::pictures(project.base().system, {false}, {false}).front(); }
+plausibility::BodyPicture picture(const project::Project& project) {
+  return plausibility::pictures(project.base().system, {false}, {false}).front();
+}
 
 TEST(Plausibility, FeaturesOfACubeAreThoseOfItsClosedForms) {
   const project::Project project = test::project(Cube{}.text());
@@ -65,7 +72,9 @@ TEST(Plausibility, ASlipThatIsUndoneGivesTheFeaturesOfTheMachineThatWasMeant) {
   const auto expect_same = [&](const Cube& slipped, const plausibility::Slip& undone) {
     const project::Project project = test::project(slipped.text());
     const plausibility::Features found = plausibility::features(picture(project), undone);
-    for (const auto feature : {&plausibility::Features::density, &plausibility::Features::spread, &plausibility::Features::lever, &plausibility::Features::frequency, &plausibility::Features::sag})
+    for (const auto feature :
+         {&plausibility::Features::density, &plausibility::Features::spread, &plausibility::Features::lever,
+          &plausibility::Features::frequency, &plausibility::Features::sag})
       EXPECT_NEAR(*(found.*feature), *(sound.*feature), 1e-9 * *(sound.*feature)) << undone.kind;
     EXPECT_NEAR(*found.lowest, *sound.lowest, 1e-9 * *sound.lowest);
     EXPECT_NEAR(*found.highest, *sound.highest, 1e-9 * *sound.highest);
@@ -92,7 +101,8 @@ TEST(Plausibility, NamesOneKindForOneSlip) {
 }
 
 TEST(Plausibility, KnowsGravityInOtherUnitsAndUpwards) {
-  for (const char* gravity : {"[0, 0, -1]", "[0, 0, -9806.65]", "[0, 0, -980.665]", "[0, 0, -32.174]", "[0, 0, 9.80665]", "[0, 0, -1e4]"})
+  for (const char* gravity :
+       {"[0, 0, -1]", "[0, 0, -9806.65]", "[0, 0, -980.665]", "[0, 0, -32.174]", "[0, 0, 9.80665]", "[0, 0, -1e4]"})
     EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), ElementsAre("gravity")) << gravity;
   for (const char* gravity : {"[0, 0, -9.81]", "[0, 0, -1.62]", "[-9.80665, 0, 0]", "[0, 0, -29.4]"})
     EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), IsEmpty()) << gravity;
@@ -107,35 +117,55 @@ TEST(Plausibility, KnowsDampingInPercentAndExchanged) {
   EXPECT_THAT(kinds(Cube{.damping = "damping = {proportional = 0.8}"}.text()), ElementsAre("proportional damping"));
   EXPECT_THAT(kinds(Cube{.more = "[damping]\nmodal = 0.3\n", .damping = ""}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.more = "[damping]\nmodal = 2\n", .damping = ""}.text()), ElementsAre("modal damping"));
-  EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 2, stiffness = 4e-4}\n", .damping = ""}.text()), IsEmpty());
-  EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 4e-4, stiffness = 2}\n", .damping = ""}.text()), ElementsAre("rayleigh"));
+  EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 2, stiffness = 4e-4}\n", .damping = ""}.text()),
+              IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = "[damping]\nrayleigh = {mass = 4e-4, stiffness = 2}\n", .damping = ""}.text()),
+              ElementsAre("rayleigh"));
 }
 
 TEST(Plausibility, KnowsAMountThatIsNotLikeTheOthers) {
   const std::string fifth = "[elements.fifth]\ntype = \"bushing\"\non = \"cube\"\ndamping = {loss_factor = 0.1}\n";
   EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"}.text()), IsEmpty());
-  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e3, 2e3, 2e3]\n"}.text()), ElementsAre("stiffness"));
-  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e8, 2e8, 2e8]\n"}.text()), ElementsAre("unequal mounts"));
-  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0.5, 0.5, 0]\ntranslation = [2e6, 2e6, 2e6]\n"}.text()), ElementsAre("same place"));
-  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [500, 0.5, 0]\ntranslation = [2e6, 2e6, 2e6]\n"}.text()), ElementsAre("places"));
-  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e6, 2e6, 2e6]\nrotation = [35, 35, 35]\n", .of_mount = "rotation = [2000, 2000, 2000]"}.text()),
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e3, 2e3, 2e3]\n"}.text()),
+              ElementsAre("stiffness"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e8, 2e8, 2e8]\n"}.text()),
+              ElementsAre("unequal mounts"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0.5, 0.5, 0]\ntranslation = [2e6, 2e6, 2e6]\n"}.text()),
+              ElementsAre("same place"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [500, 0.5, 0]\ntranslation = [2e6, 2e6, 2e6]\n"}.text()),
+              ElementsAre("places"));
+  EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e6, 2e6, 2e6]\nrotation = [35, 35, 35]\n",
+                         .of_mount = "rotation = [2000, 2000, 2000]"}
+                        .text()),
               ElementsAre("stiffness per degree"));
 }
 
 TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
-  const auto moved = [](double x) { return fmt::format("position = [0, 0, 0]\npoints.p = [0, 0, 1]\n[bodies.block]\nmass = 20000\nposition = [{}, 0, 1]\ninertia = {{about = \"center_of_mass\", xx = 4000, yy = 4000, zz = 4000}}\n[elements.upper]\ntype = \"bushing\"\non = \"block\"\nat = [0, 0, 0]\nfrom = \"cube\"\ntranslation = [2e7, 2e7, 2e7]\nrotation = [2e7, 2e7, 2e7]\n", x); };
+  const auto moved = [](double x) {
+    return fmt::format(
+        "position = [0, 0, 0]\npoints.p = [0, 0, 1]\n[bodies.block]\nmass = 20000\nposition = [{}, 0, 1]\ninertia = "
+        "{{about = \"center_of_mass\", xx = 4000, yy = 4000, zz = 4000}}\n[elements.upper]\ntype = \"bushing\"\non = "
+        "\"block\"\nat = [0, 0, 0]\nfrom = \"cube\"\ntranslation = [2e7, 2e7, 2e7]\nrotation = [2e7, 2e7, 2e7]\n",
+        x);
+  };
   EXPECT_THAT(kinds(Cube{.of_body = moved(0.3)}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.of_body = moved(1)}.text()), ElementsAre("tipping"));
-  const std::string beam = "[elements.column]\ntype = \"beam\"\non = \"cube\"\nat = [1.2, 0, 0]\nlength = 0.5\nsection = {round = 0.1}\nmaterial = {E = 2.1e11, nu = 0.3, density = 7850}\n";
+  const std::string beam =
+      "[elements.column]\ntype = \"beam\"\non = \"cube\"\nat = [1.2, 0, 0]\nlength = 0.5\nsection = {round = "
+      "0.1}\nmaterial = {E = 2.1e11, nu = 0.3, density = 7850}\n";
   EXPECT_THAT(kinds(Cube{.more = beam, .of_body = moved(1)}.text()), IsEmpty()) << "a column bears it";
-  const std::string moment = "[excitations.torque]\ntype = \"constant\"\non = \"cube\"\nat = [0, 0, 0.5]\nmoment = [0, {}, 0]\n";
-  EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 3e4)}.text()), IsEmpty());   // m g a/2 = 38.5 kN m lifts a side
+  const std::string moment =
+      "[excitations.torque]\ntype = \"constant\"\non = \"cube\"\nat = [0, 0, 0.5]\nmoment = [0, {}, 0]\n";
+  EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 3e4)}.text()),
+              IsEmpty());  // m g a/2 = 38.5 kN m lifts a side
   EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 5e4)}.text()), ElementsAre("lift-off"));
 }
 
 TEST(Plausibility, KnowsProportionalDampingThatOverdamps) {
   const double frequency = std::sqrt(4 * 2e6 / 7850) / (2 * pi);  // π f δ = 2
-  const auto damped = [&](double ratio) { return Cube{.damping = fmt::format("damping = {{proportional = {}}}", ratio / (pi * frequency))}.text(); };
+  const auto damped = [&](double ratio) {
+    return Cube{.damping = fmt::format("damping = {{proportional = {}}}", ratio / (pi * frequency))}.text();
+  };
   EXPECT_THAT(kinds(damped(1.99)), IsEmpty());
   EXPECT_THAT(kinds(damped(2.01)), ElementsAre("proportional damping"));
 }
@@ -148,7 +178,10 @@ TEST(Plausibility, KnowsScalesInPercent) {
 TEST(Plausibility, KnowsLimitsLargerThanTheBody) {
   const double size = 2 * std::sqrt(3 * (7850.0 / 6) / (2 * 7850));  // twice the root mean square distance of the mass
   const auto limited = [](double amplitude) {
-    return Cube{.more = fmt::format("[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\nresponse = {{of = \"cube\"}}\n[limits]\n\"cube.z\" = {}\n", amplitude)}.text();
+    return Cube{.more = fmt::format("[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = "
+                                    "[0, 0, 1]\n[analyses]\nresponse = {{of = \"cube\"}}\n[limits]\n\"cube.z\" = {}\n",
+                                    amplitude)}
+        .text();
   };
   EXPECT_THAT(kinds(limited(0.99 * size)), IsEmpty());
   EXPECT_THAT(kinds(limited(1.01 * size)), ElementsAre("limit"));
@@ -158,7 +191,9 @@ TEST(Plausibility, KnowsOneDamperOfThree) {
   const auto dampers = [](double last) {
     std::string text;
     for (int i = 0; i < 3; ++i)
-      text += fmt::format("[elements.d{}]\ntype = \"damper\"\non = \"cube\"\nat = [{}, 0, 0]\naxis = \"z\"\ncoefficient = {}\n", i, i, i == 2 ? last : 1e4);
+      text += fmt::format(
+          "[elements.d{}]\ntype = \"damper\"\non = \"cube\"\nat = [{}, 0, 0]\naxis = \"z\"\ncoefficient = {}\n", i, i,
+          i == 2 ? last : 1e4);
     return Cube{.more = text}.text();
   };
   EXPECT_THAT(kinds(dampers(1e4 / 49)), IsEmpty());
@@ -166,14 +201,18 @@ TEST(Plausibility, KnowsOneDamperOfThree) {
 }
 
 TEST(Plausibility, UndoesStiffnessTogetherWithTheDampingOfItsLaw) {
-  EXPECT_THAT(kinds(Cube{.stiffness = 2e3, .damping = "damping = {kelvin_voigt = {time = \"0.6 ms\"}}"}.text()), ElementsAre("stiffness"));
+  EXPECT_THAT(kinds(Cube{.stiffness = 2e3, .damping = "damping = {kelvin_voigt = {time = \"0.6 ms\"}}"}.text()),
+              ElementsAre("stiffness"));
 }
 
 TEST(Plausibility, KnowsRimsThatBurst) {
   // A steel cylinder twice as long as thick, r³ = m / 4πρ: 100 kg have 0.1004 m, 600 m/s are 5975 rad/s.
   const double radius = std::cbrt(100 / (4 * pi * 7850));
   const auto rotor = [&](double rim) {
-    return fmt::format("[excitations.rotor]\ntype = \"unbalance\"\non = \"cube\"\nat = [0, 0, 0.5]\naxis = \"x\"\ngrade = 6.3\nrotor_mass = 100\nservice_speed = \"{} rad/s\"\n", rim / radius);
+    return fmt::format(
+        "[excitations.rotor]\ntype = \"unbalance\"\non = \"cube\"\nat = [0, 0, 0.5]\naxis = \"x\"\ngrade = "
+        "6.3\nrotor_mass = 100\nservice_speed = \"{} rad/s\"\n",
+        rim / radius);
   };
   EXPECT_THAT(kinds(Cube{.more = rotor(599)}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.more = rotor(601)}.text()), ElementsAre("speed"));
@@ -181,11 +220,14 @@ TEST(Plausibility, KnowsRimsThatBurst) {
 
 TEST(Plausibility, KnowsEndsTypedInTheFrameOfTheBody) {
   const auto end = [](double z) { return fmt::format("from_at = [0.5, 0.5, {}]", z); };
-  // All four mounts end at one corner of the ground's frame: only those of a body with a position can be meant otherwise.
+  // All four mounts end at one corner of the ground's frame: only those of a body with a position can be meant
+  // otherwise.
   const std::string position = "position = [0, 0, 1.2]";
   std::string text = Cube{.of_body = position}.text();
   EXPECT_THAT(kinds(text), IsEmpty());
-  text += "[elements.post]\ntype = \"bushing\"\non = \"cube\"\nat = [0.5, 0.5, 0]\ntranslation = [3e6, 3e6, 3e6]\ndamping = {loss_factor = 0.1}\n";
+  text +=
+      "[elements.post]\ntype = \"bushing\"\non = \"cube\"\nat = [0.5, 0.5, 0]\ntranslation = [3e6, 3e6, 3e6]\ndamping "
+      "= {loss_factor = 0.1}\n";
   EXPECT_THAT(kinds(text + end(-0.05)), testing::Contains("places"));
   EXPECT_THAT(kinds(text + end(1.15)), testing::Not(testing::Contains("places")));
 }
@@ -193,27 +235,43 @@ TEST(Plausibility, KnowsEndsTypedInTheFrameOfTheBody) {
 TEST(Plausibility, TellsAMachineThatFallsOver) {
   // Four springs of 20 N/mm at ±0.2 m: k = 4 · 20e3 · 0.2² = 3200 N m/rad against m g h.
   const auto rack = [](double h) {
-    std::string text = fmt::format("trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, {}]\ninertia = {{about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}}\n", h);
+    std::string text = fmt::format(
+        "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, {}]\ninertia = "
+        "{{about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}}\n",
+        h);
     int number = 0;
     for (const double x : {-0.2, 0.2})
-      for (const double y : {-0.2, 0.2}) text += fmt::format("[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n", ++number, x, y);
+      for (const double y : {-0.2, 0.2})
+        text += fmt::format(
+            "[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n",
+            ++number, x, y);
     return plausibility::overturning_notes(test::project(text).base().system);
   };
   EXPECT_THAT(rack(0.27), IsEmpty());  // 24.8 %
   EXPECT_THAT(rack(0.28), ElementsAre(testing::HasSubstr("26 % of the stiffness are lost")));
   EXPECT_THAT(rack(1.08), ElementsAre(testing::HasSubstr("99 % of the stiffness are lost")));
-  EXPECT_THAT(rack(1.09), ElementsAre(testing::HasSubstr("by 3208 N m/rad, its mounts hold it by 3200 N m/rad: it falls over")));
+  EXPECT_THAT(rack(1.09),
+              ElementsAre(testing::HasSubstr("by 3208 N m/rad, its mounts hold it by 3200 N m/rad: it falls over")));
   EXPECT_THAT(rack(-1), IsEmpty());
 }
 
 TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
-  // 300 kg on four feet of 25.6 kN/m at ±0.2 m (k = 4096 N m/rad) and a lateral guide at another height, which bears nothing: only the feet count.
+  // 300 kg on four feet of 25.6 kN/m at ±0.2 m (k = 4096 N m/rad) and a lateral guide at another height, which bears
+  // nothing: only the feet count.
   const auto guided = [](double feet, double guide) {
-    std::string text = "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ninertia = {about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}\n";
+    std::string text =
+        "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ninertia = {about = \"center_of_mass\", xx = "
+        "60, yy = 60, zz = 20}\n";
     int number = 0;
     for (const double x : {-0.2, 0.2})
-      for (const double y : {-0.2, 0.2}) text += fmt::format("[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, {}]\ntranslation = [1, 1, 25600]\n", ++number, x, y, feet);
-    text += fmt::format("[elements.guide]\ntype = \"bushing\"\non = \"rack\"\nat = [0, 0, {}]\ntranslation = [1e6, 1e6, 0]\nrotation = [0, 0, 1e4]\n", guide);
+      for (const double y : {-0.2, 0.2})
+        text += fmt::format(
+            "[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, {}]\ntranslation = [1, 1, 25600]\n",
+            ++number, x, y, feet);
+    text += fmt::format(
+        "[elements.guide]\ntype = \"bushing\"\non = \"rack\"\nat = [0, 0, {}]\ntranslation = [1e6, 1e6, 0]\nrotation = "
+        "[0, 0, 1e4]\n",
+        guide);
     return plausibility::overturning_notes(test::project(text).base().system);
   };
   EXPECT_THAT(guided(0, -1.2), IsEmpty());
@@ -221,33 +279,55 @@ TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
 }
 
 TEST(Plausibility, FindsTheWorstAxisOfTilting) {
-  // Feet at ±0.2 m along an axis turned by any angle and ±0.5 m across: the narrow side counts, whatever the axes of the body.
+  // Feet at ±0.2 m along an axis turned by any angle and ±0.5 m across: the narrow side counts, whatever the axes of
+  // the body.
   for (const double angle : {0.0, 0.4, 1.0}) {
-    std::string text = "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, 0.9]\ninertia = {about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}\n";
+    std::string text =
+        "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, 0.9]\ninertia = "
+        "{about = \"center_of_mass\", xx = 60, yy = 60, zz = 20}\n";
     int number = 0;
     for (const double along : {-0.2, 0.2})
       for (const double across : {-0.5, 0.5})
-        text += fmt::format("[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n", ++number,
-                            along * std::cos(angle) - across * std::sin(angle), along * std::sin(angle) + across * std::cos(angle));
-    EXPECT_THAT(plausibility::overturning_notes(test::project(text).base().system), ElementsAre(testing::HasSubstr("by 2649 N m/rad, its mounts hold it by 3200 N m/rad: 83 %")));
+        text += fmt::format(
+            "[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n",
+            ++number, along * std::cos(angle) - across * std::sin(angle),
+            along * std::sin(angle) + across * std::cos(angle));
+    EXPECT_THAT(plausibility::overturning_notes(test::project(text).base().system),
+                ElementsAre(testing::HasSubstr("by 2649 N m/rad, its mounts hold it by 3200 N m/rad: 83 %")));
   }
 }
 
 TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
-  const std::string push = "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
+  const std::string push =
+      "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());
-  EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"900 Hz\", \"2000 Hz\"]}\n"}.text()), ElementsAre("band"));
-  const std::string shock = "[excitations.shock]\ntype = \"time\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = \"1 N\", duration = \"20 ms\", start = \"10 ms\"}}\n[analyses]\n";
-  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"29 ms\"}\n", .damping = "damping = {proportional = 0.003}"}.text()), ElementsAre("transient"));
-  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"50 ms\"}\n", .damping = "damping = {proportional = 0.003}"}.text()), ElementsAre("transient"));  // half a period of the lowest mode is 0.2 s
-  EXPECT_THAT(kinds(Cube{.more = shock + "transient = {to = \"1 s\"}\n", .damping = "damping = {proportional = 0.003}"}.text()), IsEmpty());
+  EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"900 Hz\", \"2000 Hz\"]}\n"}.text()),
+              ElementsAre("band"));
+  const std::string shock =
+      "[excitations.shock]\ntype = \"time\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\nhistory = {half_sine "
+      "= {amplitude = \"1 N\", duration = \"20 ms\", start = \"10 ms\"}}\n[analyses]\n";
+  EXPECT_THAT(
+      kinds(
+          Cube{.more = shock + "transient = {to = \"29 ms\"}\n", .damping = "damping = {proportional = 0.003}"}.text()),
+      ElementsAre("transient"));
+  EXPECT_THAT(
+      kinds(
+          Cube{.more = shock + "transient = {to = \"50 ms\"}\n", .damping = "damping = {proportional = 0.003}"}.text()),
+      ElementsAre("transient"));  // half a period of the lowest mode is 0.2 s
+  EXPECT_THAT(
+      kinds(Cube{.more = shock + "transient = {to = \"1 s\"}\n", .damping = "damping = {proportional = 0.003}"}.text()),
+      IsEmpty());
 }
 
 TEST(Plausibility, KnowsProductsOfInertiaAboutThePoleWithTheOtherSign) {
   // m = 100 kg at (0.2, 0.2, 0), a cube of 0.6 m: Jxy about the pole is m x y = 4 kg m²
   const auto body = [](double xy) {
-    return fmt::format("trivet = 1\n[bodies.b]\nmass = 100\ncenter_of_mass = [0.2, 0.2, 0]\ninertia = {{about = \"pole\", xx = 10, yy = 10, zz = 14, xy = {}}}\n"
-                       "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nrotation = [1e4, 1e4, 1e4]\n", xy);
+    return fmt::format(
+        "trivet = 1\n[bodies.b]\nmass = 100\ncenter_of_mass = [0.2, 0.2, 0]\ninertia = {{about = \"pole\", xx = 10, yy "
+        "= 10, zz = 14, xy = {}}}\n"
+        "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nrotation = [1e4, "
+        "1e4, 1e4]\n",
+        xy);
   };
   EXPECT_THAT(kinds(body(4)), IsEmpty());
   const auto refused = project::project_from_text(body(-4), "p.toml");  // 8 kg m² are left, more than Jxx = 6

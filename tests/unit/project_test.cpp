@@ -49,7 +49,8 @@ TEST(Project, CasesMergeKeyByKeyAndReplaceTablesInBraces) {
   ASSERT_EQ(project.cases.size(), 4u);
   EXPECT_EQ(project.find("stiff")->system.elements()[0].law.scale, 4);
   EXPECT_TRUE(std::holds_alternative<elements::LossFactor>(project.find("stiff")->system.elements()[0].law.damping));
-  EXPECT_TRUE(std::holds_alternative<elements::ProportionalDamping>(project.find("other damping")->system.elements()[0].law.damping));
+  EXPECT_TRUE(std::holds_alternative<elements::ProportionalDamping>(
+      project.find("other damping")->system.elements()[0].law.damping));
   EXPECT_EQ(std::get<elements::LossFactor>(project.find("more loss")->system.elements()[0].law.damping).value, 0.3);
   EXPECT_EQ(project.find("stiff")->changes, std::vector<std::string>{"elements.k.scale = 4"});
 }
@@ -87,8 +88,10 @@ TEST(Project, TheStarterFileRuns) {
 
 TEST(Project, TheSameInputGivesTheSameBytes) {
   const auto a = test::project(project::starter_text), b = test::project(project::starter_text);
-  const auto answers_a = study::answers(a.base(), a.base().analyses), answers_b = study::answers(b.base(), b.base().analyses);
-  EXPECT_EQ(results::answer_json("response", a.base(), answers_a), results::answer_json("response", b.base(), answers_b));
+  const auto answers_a = study::answers(a.base(), a.base().analyses),
+             answers_b = study::answers(b.base(), b.base().analyses);
+  EXPECT_EQ(results::answer_json("response", a.base(), answers_a),
+            results::answer_json("response", b.base(), answers_b));
   EXPECT_EQ(results::answer_json("peaks", a.base(), answers_a), results::answer_json("peaks", b.base(), answers_b));
 }
 
@@ -115,7 +118,7 @@ coefficient = 10
 )");
   const auto m = assembly::assemble(project.base().system).matrices;
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(12);
-  velocity(1) = 1;                                          // a's y axis is the ground's z
+  velocity(1) = 1;  // a's y axis is the ground's z
   EXPECT_NEAR(velocity.dot(m.B * velocity), 10, 1e-12);
   velocity.setZero();
   velocity(0) = 1;

@@ -39,21 +39,25 @@ model::Element strut(const std::string& name, std::optional<std::size_t> from, s
   element.type = "matrix";
   element.n.body = from;
   element.k.body = on;
-  element.law.nominal_stiffness = elements::constant_along_line(stiffness, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), 0);
+  element.law.nominal_stiffness =
+      elements::constant_along_line(stiffness, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), 0);
   element.law.damping = std::move(damping);
   return element;
 }
 
 elements::Damping dashpot(double damping) {
-  return elements::DampingMatrix{elements::constant_along_line(damping, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), 0)};
+  return elements::DampingMatrix{
+      elements::constant_along_line(damping, Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), 0)};
 }
 
 struct Case {
   model::System system;
   assembly::Assembled assembled = assembly::assemble(system);
-  response::RandomResponse random(const response::RandomLoading& loading, const response::RandomOptions& options = {}) const {
-    return response::random_response(assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
-                                     loading, options);
+  response::RandomResponse random(const response::RandomLoading& loading,
+                                  const response::RandomOptions& options = {}) const {
+    return response::random_response(
+        assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement), loading,
+        options);
   }
   assembly::Loading force(std::size_t body = 0) const {
     model::Action action;
@@ -79,7 +83,8 @@ TEST(RandomHardCases, AnyDampingOfOneMassMeetsItsClosedForm) {
   for (const double ratio : {1e-8, 1e-5, 1e-3, 0.1, 0.7, 0.999999, 1.000001, 1.5, 300.0}) {
     const Case c = one_mass(100, dashpot(2 * ratio * 10));
     const response::RandomAnswer answer = c.random(white(c, 0, 1e9)).answers[0];
-    const double tolerance = std::abs(ratio - 1) < 1e-3 ? 2e-8 : round_off;  // by quadrature where two poles nearly meet
+    const double tolerance =
+        std::abs(ratio - 1) < 1e-3 ? 2e-8 : round_off;  // by quadrature where two poles nearly meet
     EXPECT_NEAR(*answer.rms * std::sqrt(2 * 100 * 2 * ratio * 10 / pi), 1, tolerance) << ratio;
     EXPECT_NEAR(*answer.zero_crossings * 2 * pi / 10, 1, tolerance + 2 * ratio * 10 / 1e9) << ratio;  // the band ends
   }
@@ -94,8 +99,9 @@ TEST(RandomHardCases, EqualMachinesSideBySideAreEachWhatOneIs) {
   // A dashpot between equals: their undamped modes may be chosen freely, their damped ones not.
   d.elements.push_back(strut("between", 0, 1, 0.001, dashpot(0.5)));
   const Case c{test::checked(d)};
-  const auto random =
-      c.random({{{"a", c.force(0), excitation::flat_spectrum(1, 0, 1e7)}, {"c", c.force(2), excitation::flat_spectrum(1, 0, 1e7)}}, {}});
+  const auto random = c.random({{{"a", c.force(0), excitation::flat_spectrum(1, 0, 1e7)},
+                                 {"c", c.force(2), excitation::flat_spectrum(1, 0, 1e7)}},
+                                {}});
   EXPECT_EQ(random.method, response::RandomMethod::poles) << random.remark;
   EXPECT_NEAR(*random.answers[2].rms, std::sqrt(pi / (2 * 100 * 0.2)), round_off);
   EXPECT_NEAR(random.answers[2].variance_share[1], 1, round_off);
@@ -186,15 +192,18 @@ TEST(RandomRefusals, SayWhatIsWrong) {
   const excitation::Spectrum flat = excitation::flat_spectrum(1, 1, 10);
   EXPECT_THROW((void)c.random({}), foundation::InvalidInput);
   EXPECT_THROW((void)c.random({{{"none", c.force(), {}}}, {}}), foundation::InvalidInput);
-  EXPECT_THROW((void)c.random({{{"rest", assembly::Loading(Eigen::VectorXd::Zero(1).eval()), flat}}, {}}), foundation::InvalidInput);
+  EXPECT_THROW((void)c.random({{{"rest", assembly::Loading(Eigen::VectorXd::Zero(1).eval()), flat}}, {}}),
+               foundation::InvalidInput);
   EXPECT_THROW((void)c.random({{{"negative", c.force(), {{{1, 2, -1, 1, true}}}}}, {}}), foundation::InvalidInput);
   EXPECT_THROW((void)c.random({{{"nan", c.force(), {{{1, 2, std::nan(""), 1, true}}}}}, {}}), foundation::InvalidInput);
-  EXPECT_THROW((void)c.random({{{"a", c.force(), flat}, {"b", c.force(), flat}}, {{0, 1, {.at_zero = 1.5}, 0}}}), foundation::InvalidInput);
-  EXPECT_THROW((void)c.random({{{"a", c.force(), flat}}, {}}, {.weighted = {{1, excitation::Weighting::Wk}}}), foundation::InvalidInput);
+  EXPECT_THROW((void)c.random({{{"a", c.force(), flat}, {"b", c.force(), flat}}, {{0, 1, {.at_zero = 1.5}, 0}}}),
+               foundation::InvalidInput);
+  EXPECT_THROW((void)c.random({{{"a", c.force(), flat}}, {}}, {.weighted = {{1, excitation::Weighting::Wk}}}),
+               foundation::InvalidInput);
   const auto forces = assembly::channels(c.system, c.assembled, {"spring"}, assembly::Quantity::displacement);
-  EXPECT_THROW(
-      (void)response::random_response(c.assembled, forces, {{{"a", c.force(), flat}}, {}}, {.weighted = {{0, excitation::Weighting::Wk}}}),
-      foundation::InvalidInput);
+  EXPECT_THROW((void)response::random_response(c.assembled, forces, {{{"a", c.force(), flat}}, {}},
+                                               {.weighted = {{0, excitation::Weighting::Wk}}}),
+               foundation::InvalidInput);
   EXPECT_EQ(response::check({}, "random").errors(), 1U);
 }
 
@@ -256,9 +265,11 @@ TEST(LyapunovCovariance, OfOneMassIsItsEquipartitionAndGrowthIsRefused) {
 
 TEST(IntegrationPanels, IntegrateANarrowResonanceAndAWaveToRoundOff) {
   const Complex pole(-1e-4, 7);
-  const response::IntegrationNodes nodes = response::gauss_nodes(response::graded_panels(Eigen::VectorXcd::Constant(1, pole), 0, 20, 3));
+  const response::IntegrationNodes nodes =
+      response::gauss_nodes(response::graded_panels(Eigen::VectorXcd::Constant(1, pole), 0, 20, 3));
   const Eigen::VectorXd lorentz = ((nodes.omega.array() - 7).square() + 1e-8).inverse();
-  EXPECT_NEAR(nodes.weight.dot(lorentz) / ((std::atan(13 / 1e-4) + std::atan(7 / 1e-4)) / 1e-4), 1, 2e-12);  // a node moves by ε 7 in 1e-4
+  EXPECT_NEAR(nodes.weight.dot(lorentz) / ((std::atan(13 / 1e-4) + std::atan(7 / 1e-4)) / 1e-4), 1,
+              2e-12);  // a node moves by ε 7 in 1e-4
   EXPECT_NEAR(nodes.weight.dot((3 * nodes.omega).array().cos().matrix()), std::sin(60.0) / 3, 1e-12);
   const response::KronrodRule rule = response::kronrod_rule();
   EXPECT_NEAR((rule.kronrod * rule.node.pow(22)).sum(), 2.0 / 23, 1e-15);

@@ -17,7 +17,9 @@ constexpr double tolerance = 1e-6;
 /// Two curves with the resonances 3, 7 and 7.01 rad/s of different damping, one of them not conjugate-symmetric.
 Eigen::VectorXcd curves(double w) {
   const Complex i(0, 1);
-  const auto pole = [&](double natural, double ratio) { return 1.0 / (natural * natural - w * w + 2.0 * i * ratio * natural * w); };
+  const auto pole = [&](double natural, double ratio) {
+    return 1.0 / (natural * natural - w * w + 2.0 * i * ratio * natural * w);
+  };
   Eigen::VectorXcd y(2);
   y << 2.0 * pole(3, 1e-3) + 5.0 * pole(7, 1e-2), Complex(1, 2) * pole(7, 1e-2) - i * pole(7.01, 1e-4) * w;
   return y;
@@ -36,7 +38,8 @@ numerics::RationalFit fit(const Eigen::VectorXd& x) {
 
 Eigen::VectorXd samples() {
   Eigen::VectorXd x(27);
-  x << 0, 0.5, 1, 1.8, 2.5, 2.99, 2.997, 3, 3.003, 3.01, 3.5, 4.2, 5, 6, 6.5, 6.9, 6.93, 7, 7.0093, 7.01, 7.0107, 7.07, 7.2, 7.6, 8.5, 9.2, 10;
+  x << 0, 0.5, 1, 1.8, 2.5, 2.99, 2.997, 3, 3.003, 3.01, 3.5, 4.2, 5, 6, 6.5, 6.9, 6.93, 7, 7.0093, 7.01, 7.0107, 7.07,
+      7.2, 7.6, 8.5, 9.2, 10;
   return x;
 }
 
@@ -74,9 +77,13 @@ TEST(RationalFit, OfConstantsNeedsOneNodeAndOfTwoSamplesIsALine) {
 TEST(RationalFit, RefusesWhatDoesNotGoTogether) {
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0, 4);
   const Eigen::MatrixXcd y = Eigen::MatrixXcd::Ones(1, 5);
-  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y, Eigen::MatrixXd::Zero(1, 5), tolerance)), foundation::InvalidInput);
-  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y.leftCols(4), Eigen::MatrixXd::Ones(1, 5), tolerance)), foundation::InvalidInput);
-  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x.head(1), y.leftCols(1), Eigen::MatrixXd::Ones(1, 1), tolerance)), foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y, Eigen::MatrixXd::Zero(1, 5), tolerance)),
+               foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y.leftCols(4), Eigen::MatrixXd::Ones(1, 5), tolerance)),
+               foundation::InvalidInput);
+  EXPECT_THROW(
+      static_cast<void>(numerics::rational_fit(x.head(1), y.leftCols(1), Eigen::MatrixXd::Ones(1, 1), tolerance)),
+      foundation::InvalidInput);
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ TEST(Report, HoldsItsDataAndNothingFromOutside) {
   EXPECT_THAT(page, testing::HasSubstr(project.sha256));
   EXPECT_THAT(page, testing::HasSubstr("trivet 0.1.0"));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
-  for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"}) EXPECT_THAT(page, testing::Not(testing::HasSubstr(outside)));
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"})
+    EXPECT_THAT(page, testing::Not(testing::HasSubstr(outside)));
 }
 
 TEST(Report, CarriesModelsOfItsCurvesInsteadOfTheirPoints) {
@@ -95,10 +96,13 @@ TEST(Figures, OnePerGroupOfCurves) {
   }
 }
 
-/// Of a block that is pushed along x and z: a case with another stiffness along z has the first curve of the base model, and is another all the same.
+/// Of a block that is pushed along x and z: a case with another stiffness along z has the first curve of the base
+/// model, and is another all the same.
 std::string overview_with(const std::string& the_case) {
-  const std::string block = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2}", "{parameter = \"bodies.block.mass\", from = 5, to = 20}");
-  const project::Project project = test::project(block + "[analyses.response]\nband = [0, 40]\n" + the_case, {"excitations.force.force=[1, 0, 1]"});
+  const std::string block = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2}",
+                                               "{parameter = \"bodies.block.mass\", from = 5, to = 20}");
+  const project::Project project =
+      test::project(block + "[analyses.response]\nband = [0, 40]\n" + the_case, {"excitations.force.force=[1, 0, 1]"});
   std::vector<study::Answers> answers;
   for (const project::Case& variant : project.cases) {
     project::Analyses asked;

@@ -28,12 +28,14 @@ TEST(Phase, ContinuousFollowsWholeTurns) {
 }
 
 std::string driven_chain(const std::string& analyses) {
-  return test::chain({1, 1, 1}, {100, 100, 100, 0}, {0.2, 0.2, 0.2}) + "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" + analyses;
+  return test::chain({1, 1, 1}, {100, 100, 100, 0}, {0.2, 0.2, 0.2}) +
+      "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" + analyses;
 }
 
 TEST(Phase, ContinuousFromRestAtAFewAskedFrequencies) {
   // A transfer function of a chain of three: two resonances passed without a zero turn the phase of m3 by −π each.
-  const auto project = test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));
+  const auto project =
+      test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));
   const auto answers = study::answers(project.base(), project.base().analyses);
   EXPECT_NEAR(answers.response->phase[0](0), 0, 0.01);
   EXPECT_NEAR(answers.response->phase[0](1), -3 * pi, 0.2);
@@ -45,10 +47,13 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
   const auto& omega = answers.response->curves.angular_frequency;
   EXPECT_LT(omega.size(), 1500u);
   for (const auto& peak : answers.peaks->peaks.list) {
-    const auto nearest = *std::min_element(omega.begin(), omega.end(), [&](double a, double b) { return std::abs(a - peak.angular_frequency) < std::abs(b - peak.angular_frequency); });
+    const auto nearest = *std::min_element(omega.begin(), omega.end(), [&](double a, double b) {
+      return std::abs(a - peak.angular_frequency) < std::abs(b - peak.angular_frequency);
+    });
     EXPECT_NEAR(nearest, peak.angular_frequency, 1e-6 * peak.angular_frequency) << "no peak is cut";
   }
-  const auto dense = test::project(driven_chain("[analyses]\nresponse = {band = [0, 30], spacing = \"linear\", points = 20001}\n"));
+  const auto dense =
+      test::project(driven_chain("[analyses]\nresponse = {band = [0, 30], spacing = \"linear\", points = 20001}\n"));
   const auto truth = study::answers(dense.base(), dense.base().analyses);
   for (std::size_t c = 0; c < 3; ++c) {
     const double top = answers.response->curves.curves[c].value.cwiseAbs().maxCoeff();
@@ -57,8 +62,11 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
       const double w = truth.response->curves.angular_frequency[i];
       while (k + 2 < omega.size() && omega[k + 1] < w) ++k;
       const double share = (w - omega[k]) / (omega[k + 1] - omega[k]);
-      const auto at = [&](std::size_t j) { return std::abs(answers.response->curves.curves[c].value(static_cast<Eigen::Index>(j))); };
-      EXPECT_NEAR((1 - share) * at(k) + share * at(k + 1), std::abs(truth.response->curves.curves[c].value(static_cast<Eigen::Index>(i))), 0.004 * top);
+      const auto at = [&](std::size_t j) {
+        return std::abs(answers.response->curves.curves[c].value(static_cast<Eigen::Index>(j)));
+      };
+      EXPECT_NEAR((1 - share) * at(k) + share * at(k + 1),
+                  std::abs(truth.response->curves.curves[c].value(static_cast<Eigen::Index>(i))), 0.004 * top);
     }
   }
 }
@@ -72,7 +80,8 @@ TEST(Grids, EndWhereTheyShould) {
 
 TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
   Eigen::VectorXcd poles(4);
-  poles << std::complex<double>(-1e-6, 3), std::complex<double>(-1e-6, -3), std::complex<double>(-2, 40), std::complex<double>(-2, -40);
+  poles << std::complex<double>(-1e-6, 3), std::complex<double>(-1e-6, -3), std::complex<double>(-2, 40),
+      std::complex<double>(-2, -40);
   const auto cover = numerics::cover_axis(poles);
   double end = 0;
   for (const auto& panel : cover.panels) {
@@ -103,8 +112,10 @@ TEST(AxisPanels, CoverTheAxisOfNothingButFreeMotion) {
 }
 
 TEST(Peaks, OfABodyThatNothingHoldsAreNoneThoughItMoves) {
-  const auto project = test::project("trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"x\", \"y\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n"
-                                     "[analyses]\npeaks = {}\n");
+  const auto project = test::project(
+      "trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"x\", \"y\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat "
+      "= [0, 0, 0]\nforce = [1, 0, 0]\n"
+      "[analyses]\npeaks = {}\n");
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   ASSERT_EQ(answers.peaks->peaks.curves.size(), 2u);
   EXPECT_FALSE(answers.peaks->peaks.curves[0].vanishes);
@@ -113,7 +124,8 @@ TEST(Peaks, OfABodyThatNothingHoldsAreNoneThoughItMoves) {
 }
 
 TEST(Static, OfAFreeSystemIsRefusedInWords) {
-  const auto project = test::project("trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
+  const auto project = test::project(
+      "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   EXPECT_FALSE(answers.statics.has_value());
   ASSERT_EQ(answers.failures.size(), 1u);
@@ -122,14 +134,17 @@ TEST(Static, OfAFreeSystemIsRefusedInWords) {
 
 TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
   for (const char* band : {"[0, 30]", "[30, 60]", "[0, 29.999]", "[30.001, 60]"}) {
-    const auto project = test::project(test::chain({2}, {1800}, {}) + "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" +
-                                       "[limits]\n\"m1.x\" = 1\n[analyses]\nresponse = {band = " + band + "}\n");
+    const auto project =
+        test::project(test::chain({2}, {1800}, {}) +
+                      "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" +
+                      "[limits]\n\"m1.x\" = 1\n[analyses]\nresponse = {band = " + band + "}\n");
     EXPECT_FALSE(study::answers(project.base(), project.base().analyses).limits[0].kept) << band;
   }
 }
 
 TEST(Limits, AreKeptByWhatStandsOnThem) {
-  const auto project = test::project(driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
+  const auto project = test::project(
+      driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
   project::Analyses asked = project.base().analyses;
   const double largest = study::answers(project.base(), asked).limits[0].in_band;
   for (const auto& [share, kept] : {std::pair{1 - 1e-12, true}, {1 - 1e-6, false}}) {
@@ -139,7 +154,8 @@ TEST(Limits, AreKeptByWhatStandsOnThem) {
 }
 
 TEST(Limits, AreJudgedAtTheExactPeakWithinTheBand) {
-  const auto project = test::project(driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
+  const auto project = test::project(
+      driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
   const auto limits = study::answers(project.base(), project.base().analyses).limits;
   ASSERT_EQ(limits.size(), 1u);
   EXPECT_TRUE(limits[0].kept);

@@ -20,14 +20,22 @@ constexpr double round_off = 1e-12;
 
 class Dimensions {
  public:
-  double between(double low, double high) { return low * std::pow(high / low, std::uniform_real_distribution<>(0, 1)(engine_)); }
+  double between(double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<>(0, 1)(engine_));
+  }
   Rubber rubber() { return {between(2e5, 3e6), between(1e9, 3e9)}; }
   RubberDisc disc() {
     const double radius = between(0.01, 0.3);
-    return {.rubber = rubber(), .radius = radius, .hole_radius = radius * between(0.15, 0.8), .thickness = radius * between(0.02, 2)};
+    return {.rubber = rubber(),
+            .radius = radius,
+            .hole_radius = radius * between(0.15, 0.8),
+            .thickness = radius * between(0.02, 2)};
   }
   RubberBlock block() {
-    return {.rubber = rubber(), .width_1 = between(0.02, 0.5), .width_2 = between(0.02, 0.5), .thickness = between(0.005, 0.1)};
+    return {.rubber = rubber(),
+            .width_1 = between(0.02, 0.5),
+            .width_2 = between(0.02, 0.5),
+            .thickness = between(0.005, 0.1)};
   }
   RubberBush bush() {
     const double inner = between(0.005, 0.1), wall = inner * between(0.15, 4);
@@ -122,7 +130,8 @@ TEST(Sandwich, OfOneLayerIsTheLayer) {
 }
 
 TEST(Sandwich, OfManyLayersBendsLikeATimoshenkoColumn) {
-  // n layers: the ends' parallel shift meets n/k_shear plus the tilting of the layers, Σ z_i²/k_bending about the middle.
+  // n layers: the ends' parallel shift meets n/k_shear plus the tilting of the layers, Σ z_i²/k_bending about the
+  // middle.
   const RubberDisc disc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.01};
   const int n = 7;
   const double plate = 0.003, pitch = disc.thickness + plate;
@@ -137,7 +146,8 @@ TEST(Sandwich, OfManyLayersBendsLikeATimoshenkoColumn) {
 
 TEST(RubberChecks, NameEveryBadNumber) {
   EXPECT_TRUE(check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.02}).list().empty());
-  const auto bad = check(RubberDisc{.rubber = {-1, 0}, .radius = 0, .hole_radius = 0.2, .thickness = std::nan(""), .dynamic_factor = 0});
+  const auto bad = check(
+      RubberDisc{.rubber = {-1, 0}, .radius = 0, .hole_radius = 0.2, .thickness = std::nan(""), .dynamic_factor = 0});
   EXPECT_EQ(bad.list().size(), 5u);  // the hole of a disc without a radius is no sixth
   EXPECT_TRUE(check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .hole_radius = 0.005, .thickness = 0.02}).has_errors());
   for (const double thickness : {0.5, 0.001}) {  // shape factors 0.1 and 50
@@ -145,9 +155,12 @@ TEST(RubberChecks, NameEveryBadNumber) {
     EXPECT_EQ(warned.list().size(), 1u);
     EXPECT_FALSE(warned.has_errors());
   }
-  EXPECT_TRUE(check(RubberBush{.rubber = {1e6}, .inner_radius = 0.03, .outer_radius = 0.01, .length = 0.05}).has_errors());
-  EXPECT_TRUE(check(Sandwich{.layer = RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.02}, .layers = 0}).has_errors());
-  EXPECT_THROW((void)rubber_block({.rubber = {1e6}, .width_1 = -0.1, .width_2 = 0.1, .thickness = 0.01}), foundation::InvalidInput);
+  EXPECT_TRUE(
+      check(RubberBush{.rubber = {1e6}, .inner_radius = 0.03, .outer_radius = 0.01, .length = 0.05}).has_errors());
+  EXPECT_TRUE(check(Sandwich{.layer = RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.02}, .layers = 0})
+                  .has_errors());
+  EXPECT_THROW((void)rubber_block({.rubber = {1e6}, .width_1 = -0.1, .width_2 = 0.1, .thickness = 0.01}),
+               foundation::InvalidInput);
   EXPECT_THROW((void)in_series({}, {}), foundation::InvalidInput);
 }
 

@@ -49,6 +49,7 @@ TEST(SampleProjects, HoldEveryElementLaw) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, SampleProject, testing::ValuesIn(files()), [](const auto& info) { return info.param.stem().string(); });
+INSTANTIATE_TEST_SUITE_P(Files, SampleProject, testing::ValuesIn(files()),
+                         [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace

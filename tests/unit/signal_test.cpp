@@ -59,7 +59,8 @@ TEST(Signal, ASlowSineGoesOverIntoAParabola) {
                parabola_integral = integrals({{Piece{0, 1, 2, 3, 0}}}, 2).twice;
   EXPECT_THAT(slow_integral, RelativelyNear(parabola_integral, 1e-9));  // κ²s² = 4e-10
   // Either side of the change from series to closed form, κs = 1.
-  EXPECT_THAT(state_on({0, 1, 2, 3, 1 + 1e-14}, 1).value, RelativelyNear(state_on({0, 1, 2, 3, 1 - 1e-14}, 1).value, round_off));
+  EXPECT_THAT(state_on({0, 1, 2, 3, 1 + 1e-14}, 1).value,
+              RelativelyNear(state_on({0, 1, 2, 3, 1 - 1e-14}, 1).value, round_off));
 }
 
 TEST(Signal, IntegralsAgreeWithSimpsonsRule) {
@@ -67,7 +68,7 @@ TEST(Signal, IntegralsAgreeWithSimpsonsRule) {
     const Piece second{1.5, -1, 0.5, 2, 7};
     const auto both = [&](const std::function<double(double)>& weight) {
       return simpson([&](double t) { return weight(t) * state_on(piece, t).value; }, 0, 1.5) +
-             simpson([&](double t) { return weight(t) * state_on(second, t - 1.5).value; }, 1.5, 3);
+          simpson([&](double t) { return weight(t) * state_on(second, t - 1.5).value; }, 1.5, 3);
     };
     const SignalIntegrals sum = integrals({{piece, second}}, 3);
     EXPECT_THAT(sum.once, RelativelyNear(both([](double) { return 1.0; }), 1e-9));
@@ -93,8 +94,8 @@ TEST(Pulses, ReachTheirAmplitudeAndReturnToZero) {
   EXPECT_THAT(state(sine_burst(7, pi, 2.5, 1), 1.5).value, RelativelyNear(7, round_off));
   EXPECT_THAT(state(ramp(7, 2, 1), 2).value, RelativelyNear(3.5, round_off));
   EXPECT_THAT(state(rounded_step(7, 2, 1), 2).value, RelativelyNear(3.5, round_off));
-  for (const Signal& pulse :
-       {half_sine(7, 2, 1), versed_sine(7, 2, 1), trapezoid(7, 1, 0.5, 0.5, 1), triangle(7, 1, 1, 1), rectangular(7, 2, 1)})
+  for (const Signal& pulse : {half_sine(7, 2, 1), versed_sine(7, 2, 1), trapezoid(7, 1, 0.5, 0.5, 1),
+                              triangle(7, 1, 1, 1), rectangular(7, 2, 1)})
     EXPECT_EQ(state(pulse, 3.0001).value, 0);
   EXPECT_EQ(state(ramp(7, 2, 1), 5).value, 7);
   EXPECT_EQ(state(rounded_step(7, 2, 1), 5).value, 7);
@@ -124,31 +125,34 @@ TEST(Signal, IsDelayedAndScaled) {
 }
 
 double angle(const Sweep& sweep, double s) {  // by quadrature of the frequency
-  return sweep.phase + simpson(
-                           [&](double t) {
-                             const double share = t / sweep.duration;
-                             return sweep.law == Sweep::Law::linear ? sweep.from + (sweep.to - sweep.from) * share
-                                                                    : sweep.from * std::pow(sweep.to / sweep.from, share);
-                           },
-                           0, s);
+  return sweep.phase +
+      simpson(
+             [&](double t) {
+               const double share = t / sweep.duration;
+               return sweep.law == Sweep::Law::linear ? sweep.from + (sweep.to - sweep.from) * share
+                                                      : sweep.from * std::pow(sweep.to / sweep.from, share);
+             },
+             0, s);
 }
 
 TEST(Sweep, KeepsItsToleranceEverywhere) {
   using Law = Sweep::Law;
   using Amplitude = Sweep::Amplitude;
   const double slowest = 2 * pi * 2, fastest = 2 * pi * 40;
-  for (const Sweep& sweep :
-       {Sweep{3, slowest, fastest, 4, Law::linear, Amplitude::constant, 0.3, 1}, Sweep{3, 0, fastest, 4},
-        Sweep{3, fastest, slowest, 4, Law::logarithmic}, Sweep{3, slowest, fastest, 4, Law::logarithmic, Amplitude::speed_squared},
-        Sweep{3, 0, fastest, 4, Law::linear, Amplitude::speed_squared}})
+  for (const Sweep& sweep : {Sweep{3, slowest, fastest, 4, Law::linear, Amplitude::constant, 0.3, 1},
+                             Sweep{3, 0, fastest, 4}, Sweep{3, fastest, slowest, 4, Law::logarithmic},
+                             Sweep{3, slowest, fastest, 4, Law::logarithmic, Amplitude::speed_squared},
+                             Sweep{3, 0, fastest, 4, Law::linear, Amplitude::speed_squared}})
     for (const double tolerance : {1e-3, 1e-5}) {
       const Signal signal = sweep_signal(sweep, tolerance);
       double worst = 0, worst_rate = 0;
       for (int i = 0; i <= 20011; ++i) {
         const double s = sweep.duration * i / 20012;
-        const double omega = (sweep.law == Law::linear ? sweep.from + (sweep.to - sweep.from) * s / sweep.duration
-                                                       : sweep.from * std::pow(sweep.to / sweep.from, s / sweep.duration));
-        const double amplitude = sweep.amplitude * (sweep.amplitude_law == Amplitude::constant ? 1 : std::pow(omega / sweep.to, 2));
+        const double omega =
+            (sweep.law == Law::linear ? sweep.from + (sweep.to - sweep.from) * s / sweep.duration
+                                      : sweep.from * std::pow(sweep.to / sweep.from, s / sweep.duration));
+        const double amplitude =
+            sweep.amplitude * (sweep.amplitude_law == Amplitude::constant ? 1 : std::pow(omega / sweep.to, 2));
         if (i % 50 == 0) {
           EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(angle(sweep, s)), 1e-8);  // Simpson's error
         }
@@ -174,7 +178,8 @@ TEST(Sweep, StateHoldsTheDerivativesOfItsValue) {
   const double h = 1e-5;
   for (const auto law : {Sweep::Law::linear, Sweep::Law::logarithmic}) {
     const Sweep sweep{2, 3, 8, 4, law, Sweep::Amplitude::speed_squared, 0.3};
-    const SignalState before = sweep_state(sweep, 1.7 - h), here = sweep_state(sweep, 1.7), after = sweep_state(sweep, 1.7 + h);
+    const SignalState before = sweep_state(sweep, 1.7 - h), here = sweep_state(sweep, 1.7),
+                      after = sweep_state(sweep, 1.7 + h);
     EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);  // h² u‴/6
     EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, 1e-7);
   }
@@ -184,13 +189,15 @@ TEST(Sweep, RefusesWhatItCannotRun) {
   EXPECT_THROW((void)sweep_signal({1, 0, 10, 1, Sweep::Law::logarithmic}), foundation::InvalidInput);
   EXPECT_THROW((void)sweep_signal({1, 1, 10, 0}), foundation::InvalidInput);
   EXPECT_THROW((void)sweep_signal({1, -1, 10, 1}), foundation::InvalidInput);
-  EXPECT_THROW((void)sweep_signal({1, 1, 0, 1, Sweep::Law::linear, Sweep::Amplitude::speed_squared}), foundation::InvalidInput);
+  EXPECT_THROW((void)sweep_signal({1, 1, 0, 1, Sweep::Law::linear, Sweep::Amplitude::speed_squared}),
+               foundation::InvalidInput);
   EXPECT_THROW((void)sweep_signal({1, 1, 10, 1}, 0), foundation::InvalidInput);
   EXPECT_THROW((void)sweep_signal({1, 1, 1e9, 1e3}), foundation::NotComputable);
 }
 
 TEST(Samples, AreJoinedByStraightLinesAndHeldOrDropped) {
-  const Signal held = from_samples({{0, 1, 3}, {0, 2, -2}}), dropped = from_samples({{0, 1, 3}, {0, 2, -2}, Samples::Afterwards::zero});
+  const Signal held = from_samples({{0, 1, 3}, {0, 2, -2}}),
+               dropped = from_samples({{0, 1, 3}, {0, 2, -2}, Samples::Afterwards::zero});
   EXPECT_THAT(state(held, 0.5).value, RelativelyNear(1, round_off));
   EXPECT_NEAR(state(held, 2).value, 0, round_off);
   EXPECT_EQ(state(held, 4).value, -2);
@@ -199,7 +206,8 @@ TEST(Samples, AreJoinedByStraightLinesAndHeldOrDropped) {
 
 TEST(Samples, FindingsNameTheRow) {
   const auto first = [](const Samples& samples) { return foundation::message(check(samples, "a.csv").list().at(0)); };
-  EXPECT_THAT(first({{0, 2, 1}, {0, 0, 0}}), HasSubstr("row 3: time 1 s after 2 s; times must increase; sort the rows"));
+  EXPECT_THAT(first({{0, 2, 1}, {0, 0, 0}}),
+              HasSubstr("row 3: time 1 s after 2 s; times must increase; sort the rows"));
   EXPECT_THAT(first({{0, 1, 1}, {0, 0, 0}}), HasSubstr("however close"));
   EXPECT_THAT(first({{0, 1}, {0, not_a_number}}), HasSubstr("row 2: the value is nan"));
   EXPECT_THAT(first({{not_a_number, 1}, {0, 0}}), HasSubstr("row 1: the time is nan"));

@@ -55,7 +55,8 @@ TEST(RigidSolid, ABoxInPiecesIsTheBox) {
 }
 
 TEST(RigidSolid, DensitiesWeighTheCentre) {
-  const auto solid = rigid_solid({{"steel", Box{0.1, 0.1, 0.1}, 7800}, {"light", Box{0.1, 0.1, 0.1}, 2600, {{0.4, 0, 0}, Eigen::Matrix3d::Identity()}}});
+  const auto solid = rigid_solid({{"steel", Box{0.1, 0.1, 0.1}, 7800},
+                                  {"light", Box{0.1, 0.1, 0.1}, 2600, {{0.4, 0, 0}, Eigen::Matrix3d::Identity()}}});
   ASSERT_TRUE(solid);
   EXPECT_THAT(solid->properties.mass, test::RelativelyNear(10.4, round_off));
   EXPECT_THAT(solid->properties.centre, test::NearVector(Eigen::Vector3d(0.1, 0, 0), round_off));
@@ -74,11 +75,13 @@ TEST(RigidSolid, ATurnedPartTurnsItsInertia) {
 // ---- bad parts
 
 TEST(RigidSolid, TellsEveryProblemOfEveryPartAtOnce) {
-  const auto solid = rigid_solid({{"plate", Box{0.3, 0.2, -0.01}, -7850}, {"pipe", Tube{0.05, 0.06, 1}, 7850}, {"ball", Sphere{}, 1000}});
+  const auto solid = rigid_solid(
+      {{"plate", Box{0.3, 0.2, -0.01}, -7850}, {"pipe", Tube{0.05, 0.06, 1}, 7850}, {"ball", Sphere{}, 1000}});
   ASSERT_FALSE(solid);
-  EXPECT_THAT(messages(solid), AllOf(HasSubstr("plate.density: -7850 kg/m³"), HasSubstr("plate.length_z: -0.01 m"),
-                                     HasSubstr("pipe.inner_diameter: 0.06 m, outer_diameter = 0.05 m: wall -0.005 m"),
-                                     HasSubstr("ball.diameter: not given")));
+  EXPECT_THAT(messages(solid),
+              AllOf(HasSubstr("plate.density: -7850 kg/m³"), HasSubstr("plate.length_z: -0.01 m"),
+                    HasSubstr("pipe.inner_diameter: 0.06 m, outer_diameter = 0.05 m: wall -0.005 m"),
+                    HasSubstr("ball.diameter: not given")));
 }
 
 TEST(RigidSolid, RefusesWhatHasNoVolume) {
@@ -97,7 +100,9 @@ TEST(RigidSolid, RefusesAPoseThatIsNone) {
   EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("position"));
 }
 
-TEST(Primitives, AreRefusedWhenACallerSkipsTheirCheck) { EXPECT_THROW((void)integrals(Cylinder{0.1, -1}), foundation::InvalidInput); }
+TEST(Primitives, AreRefusedWhenACallerSkipsTheirCheck) {
+  EXPECT_THROW((void)integrals(Cylinder{0.1, -1}), foundation::InvalidInput);
+}
 
 // ---- surfaces of triangles
 
@@ -119,38 +124,50 @@ TEST(ClosedSurface, TextAndBinaryFilesOfABoxAreExact) {
 TEST(ClosedSurface, AHoleIsToldWithItsPlaceAndItsOpenEdges) {
   test::Triangles box = test::box_triangles({0, 0, 0}, {10, 20, 30});
   box.erase(box.begin() + 2, box.begin() + 4);  // the lid at z = 30
-  EXPECT_THAT(messages(stl_solid(box)), AllOf(HasSubstr("part.file"), HasSubstr("hole 1 of 1: 4 open edges around (5, 10, 30), from (0, 0, 30) to (10, 20, 30)")));
+  EXPECT_THAT(messages(stl_solid(box)),
+              AllOf(HasSubstr("part.file"),
+                    HasSubstr("hole 1 of 1: 4 open edges around (5, 10, 30), from (0, 0, 30) to (10, 20, 30)")));
 }
 
 TEST(ClosedSurface, TwoHolesAreTwoFindings) {
-  test::Triangles boxes = test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({5, 0, 0}, {6, 1, 1}));
+  test::Triangles boxes =
+      test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({5, 0, 0}, {6, 1, 1}));
   boxes.erase(boxes.begin() + 12);
   boxes.erase(boxes.begin());
-  EXPECT_THAT(messages(stl_solid(boxes)), AllOf(HasSubstr("hole 1 of 2: 3 open edges"), HasSubstr("hole 2 of 2: 3 open edges"), HasSubstr("(6, 1, 0)")));
+  EXPECT_THAT(
+      messages(stl_solid(boxes)),
+      AllOf(HasSubstr("hole 1 of 2: 3 open edges"), HasSubstr("hole 2 of 2: 3 open edges"), HasSubstr("(6, 1, 0)")));
 }
 
 TEST(ClosedSurface, ATurnedTriangleIsNotAHole) {
   test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
   std::swap(box[0][1], box[0][2]);
-  EXPECT_THAT(messages(stl_solid(box)), AllOf(HasSubstr("3 edges between triangles that face opposite sides"), ::testing::Not(HasSubstr("hole"))));
+  EXPECT_THAT(
+      messages(stl_solid(box)),
+      AllOf(HasSubstr("3 edges between triangles that face opposite sides"), ::testing::Not(HasSubstr("hole"))));
 }
 
 TEST(ClosedSurface, ASurfaceInsideOutIsRefused) {
-  EXPECT_THAT(messages(stl_solid(test::turned(test::box_triangles({0, 0, 0}, {1, 1, 1})))), HasSubstr("faces inwards: volume -1"));
-  const auto beside = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}), test::turned(test::box_triangles({9, 0, 0}, {10, 1, 1})));
+  EXPECT_THAT(messages(stl_solid(test::turned(test::box_triangles({0, 0, 0}, {1, 1, 1})))),
+              HasSubstr("faces inwards: volume -1"));
+  const auto beside = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}),
+                                     test::turned(test::box_triangles({9, 0, 0}, {10, 1, 1})));
   EXPECT_THAT(messages(stl_solid(beside)), HasSubstr("from (9, 0, 0) to (10, 1, 1) in the file's units faces inwards"));
 }
 
 TEST(ClosedSurface, ACavityTakesItsVolumeAway) {
-  const auto hollow = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}), test::turned(test::box_triangles({1, 1, 1}, {2, 2, 2})));
+  const auto hollow = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}),
+                                     test::turned(test::box_triangles({1, 1, 1}, {2, 2, 2})));
   const auto solid = stl_solid(hollow);
   ASSERT_TRUE(solid) << messages(solid);
   EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(63e-9, round_off));
-  EXPECT_THAT(solid->properties.centre, test::NearVector(Eigen::Vector3d::Constant((64 * 2 - 1.5) / 63 * mm), round_off));
+  EXPECT_THAT(solid->properties.centre,
+              test::NearVector(Eigen::Vector3d::Constant((64 * 2 - 1.5) / 63 * mm), round_off));
 }
 
 TEST(ClosedSurface, AFlatSurfaceHasNoVolume) {
-  EXPECT_THAT(messages(stl_solid(test::box_triangles({0, 0, 0}, {1, 1, 0}))), AllOf(HasSubstr("part.file"), HasSubstr("volume")));
+  EXPECT_THAT(messages(stl_solid(test::box_triangles({0, 0, 0}, {1, 1, 0}))),
+              AllOf(HasSubstr("part.file"), HasSubstr("volume")));
 }
 
 TEST(ClosedSurface, DegenerateTrianglesAreRemarkedAndHarmless) {
@@ -164,7 +181,8 @@ TEST(ClosedSurface, DegenerateTrianglesAreRemarkedAndHarmless) {
 }
 
 TEST(ClosedSurface, BoxesThatTouchInAnEdgeAreRemarkedAndAddUp) {
-  const auto solid = stl_solid(test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({1, 1, 0}, {2, 2, 1})));
+  const auto solid =
+      stl_solid(test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({1, 1, 0}, {2, 2, 1})));
   ASSERT_TRUE(solid) << messages(solid);
   EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(2e-9, round_off));
   EXPECT_THAT(solid->remarks.list(), SizeIs(1));
@@ -182,18 +200,23 @@ TEST(StlFile, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(of(""), HasSubstr("0 bytes"));
   EXPECT_THAT(of("hello"), HasSubstr("5 bytes, neither text nor a binary STL file"));
   EXPECT_THAT(of("solid nothing\nendsolid\n"), HasSubstr("holds no triangle"));
-  EXPECT_THAT(of(test::stl_binary(box).substr(0, 400)), HasSubstr("400 bytes; a binary file of 12 triangles, as its header says, has 684"));
+  EXPECT_THAT(of(test::stl_binary(box).substr(0, 400)),
+              HasSubstr("400 bytes; a binary file of 12 triangles, as its header says, has 684"));
   EXPECT_THAT(of(test::stl_text(box).substr(0, 400)), HasSubstr("cut off"));
-  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n"), AllOf(HasSubstr("line 4"), HasSubstr("three finite numbers")));
-  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 nan\n"), HasSubstr("three finite numbers"));
+  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n"),
+              AllOf(HasSubstr("line 4"), HasSubstr("three finite numbers")));
+  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 nan\n"),
+              HasSubstr("three finite numbers"));
   EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nendloop\n"), HasSubstr("a loop of 1 vertices"));
   EXPECT_THAT(of("solid\nfaçade\n"), HasSubstr("unexpected 'façade'"));
   std::string with_nan = test::stl_binary(box);
   with_nan.replace(84 + 12, 4, "\xff\xff\xff\x7f");
   EXPECT_THAT(of(with_nan), HasSubstr("triangle 1 of 12 has a coordinate that is no finite number"));
-  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "missing.stl", mm}, 1000}})), HasSubstr("cannot be read"));
+  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "missing.stl", mm}, 1000}})),
+              HasSubstr("cannot be read"));
   EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path(), mm}, 1000}})), HasSubstr("cannot be read"));
-  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "part.stl"}, 1000}})), HasSubstr("part.unit: not given"));
+  EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "part.stl"}, 1000}})),
+              HasSubstr("part.unit: not given"));
 }
 
 }  // namespace

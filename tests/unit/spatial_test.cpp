@@ -44,7 +44,9 @@ TEST(AxesAlong, FollowTheConvention) {
 }
 
 TEST(RotationAbout, IsRightHanded) {
-  EXPECT_LE((rotation_about({0, 0, 5}, std::numbers::pi / 2) * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LE(
+      (rotation_about({0, 0, 5}, std::numbers::pi / 2) * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(),
+      1e-15);
 }
 
 TEST(MassProperties, GoToThePoleAndBack) {
@@ -59,11 +61,14 @@ TEST(MassMatrix, GivesTheKineticEnergyOfThePoints) {
   const double m1 = 3, m2 = 5;
   const Eigen::Vector3d centre = (m1 * p1 + m2 * p2) / (m1 + m2);
   Eigen::Matrix3d j = Eigen::Matrix3d::Zero();
-  for (const auto& [m, p] : {std::pair{m1, p1}, {m2, p2}}) j += m * (p.squaredNorm() * Eigen::Matrix3d::Identity() - p * p.transpose());
+  for (const auto& [m, p] : {std::pair{m1, p1}, {m2, p2}})
+    j += m * (p.squaredNorm() * Eigen::Matrix3d::Identity() - p * p.transpose());
   const Matrix6 a = mass_matrix(from_inertia_about_pole(m1 + m2, centre, j));
   Vector6 q;
   q << 0.3, -1, 2, 0.7, -0.2, 0.9;
-  const auto velocity = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return q.head<3>() + Eigen::Vector3d(q.tail<3>()).cross(p); };
+  const auto velocity = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return q.head<3>() + Eigen::Vector3d(q.tail<3>()).cross(p);
+  };
   EXPECT_NEAR(q.dot(a * q), m1 * velocity(p1).squaredNorm() + m2 * velocity(p2).squaredNorm(), 1e-12);
 }
 
@@ -79,7 +84,8 @@ TEST(BrokenBounds, NameEachBound) {
   body.mass = 2;
   ASSERT_EQ(broken_bounds(body).size(), 1u);
   EXPECT_THAT(broken_bounds(body)[0].rule, testing::HasSubstr("by 1 kg m²"));
-  EXPECT_FALSE(broken_bounds({2, {0, 0, 0}, Eigen::Vector3d(0, 1, 1).asDiagonal()}).empty()) << "a rod without thickness cannot turn about itself";
+  EXPECT_FALSE(broken_bounds({2, {0, 0, 0}, Eigen::Vector3d(0, 1, 1).asDiagonal()}).empty())
+      << "a rod without thickness cannot turn about itself";
 }
 
 TEST(Screw, OfARotationAboutADistantAxis) {

@@ -54,7 +54,8 @@ TEST(Spectrum, FollowsItsTableOverLogarithms) {
   EXPECT_THAT(two_pi * density(s, two_pi * 20), RelativelyNear(0.01, round_off));
   EXPECT_THAT(two_pi * density(s, two_pi * 40), RelativelyNear(0.02, round_off));  // a slope of 1 over logarithms
   EXPECT_THAT(two_pi * density(s, two_pi * 100), RelativelyNear(0.04, round_off));
-  EXPECT_THAT(two_pi * density(s, two_pi * 12.5), RelativelyNear(0.005, round_off));  // the piece with a zero is straight
+  EXPECT_THAT(two_pi * density(s, two_pi * 12.5),
+              RelativelyNear(0.005, round_off));  // the piece with a zero is straight
   EXPECT_THAT(two_pi * density(s, two_pi * 2000), RelativelyNear(0.007, round_off));
   EXPECT_EQ(density(s, two_pi * 4.99), 0);
   EXPECT_EQ(density(s, two_pi * 2001), 0);
@@ -83,7 +84,8 @@ TEST(Spectrum, MeanSquareAgreesWithQuadratureForAllPiecesAndDerivatives) {
       EXPECT_THAT(mean_square(s), RelativelyNear(by_quadrature(s, s.from(), s.to()), simpsons_error));
       EXPECT_THAT(mean_square(s, 50, 70), RelativelyNear(by_quadrature(s, 50, 70), simpsons_error));
       for (const double omega : {25.0, 60.0, 100.0})
-        EXPECT_THAT(density(s, omega) + 1, RelativelyNear(density(spectrum, omega) * std::pow(omega, 2 * times) + 1, round_off));
+        EXPECT_THAT(density(s, omega) + 1,
+                    RelativelyNear(density(spectrum, omega) * std::pow(omega, 2 * times) + 1, round_off));
     }
 }
 
@@ -136,7 +138,8 @@ TEST(Road, RefusesWhatIsNoRoad) {
   EXPECT_THROW((void)road_class('I'), foundation::InvalidInput);
   EXPECT_THROW((void)road_spectrum(road_class('C'), 0), foundation::InvalidInput);
   EXPECT_THROW((void)road_spectrum({.roughness = -1}, 20), foundation::InvalidInput);
-  EXPECT_THROW((void)road_spectrum({.roughness = 1, .waviness = 2, .wave_number_from = 0}, 20), foundation::InvalidInput);
+  EXPECT_THROW((void)road_spectrum({.roughness = 1, .waviness = 2, .wave_number_from = 0}, 20),
+               foundation::InvalidInput);
 }
 
 RandomInputs two_inputs(double coherent, double delay) {
@@ -169,7 +172,9 @@ TEST(RandomInputs, CoherenceDecaysWithDistanceOverWavelength) {
 }
 
 TEST(RandomInputs, RefuseWhatNoSignalsCanDo) {
-  const auto first = [](const RandomInputs& inputs) { return foundation::message(check(inputs, "random").list().at(0)); };
+  const auto first = [](const RandomInputs& inputs) {
+    return foundation::message(check(inputs, "random").list().at(0));
+  };
   const std::vector<Spectrum> three(3, flat_spectrum(1, 1, 9));
   // 1 with 2 and 2 with 3 fully coherent, 1 with 3 not at all.
   EXPECT_THAT(first({three, {{0, 1}, {1, 2}}}), HasSubstr("eigenvalue -0.414"));

@@ -11,7 +11,8 @@ using namespace trivet;
 using Kind = design::DesignRule::Kind;
 
 constexpr std::uint8_t amplitude = 0, no_peak = 1;
-const std::vector<design::MapRule> rules = {{Kind::amplitude, "a.z", "m", 0.01, "a.z ≤ 0.01 m"}, {Kind::no_peak, "a.z", "m", 0.01, "no peak of a.z"}};
+const std::vector<design::MapRule> rules = {{Kind::amplitude, "a.z", "m", 0.01, "a.z ≤ 0.01 m"},
+                                            {Kind::no_peak, "a.z", "m", 0.01, "no peak of a.z"}};
 
 /// Of two designs side by side, and of the same one above the other.
 std::size_t steep(const design::DesignOutcome& a, const design::DesignOutcome& b) {

@@ -39,7 +39,8 @@ class StepFile : public ::testing::Test {
 
 TEST_F(StepFile, ThatIsNoneIsRefusedWithoutTraces) {
   test::write_file(folder_.path() / "text.step", "hello, this is not a part\n");
-  EXPECT_THAT(message_of(folder_.path() / "text.step"), AllOf(HasSubstr("text.step: is not a STEP file"), HasSubstr("ISO-10303-21")));
+  EXPECT_THAT(message_of(folder_.path() / "text.step"),
+              AllOf(HasSubstr("text.step: is not a STEP file"), HasSubstr("ISO-10303-21")));
   test::write_file(folder_.path() / "empty.step", "");
   EXPECT_THAT(message_of(folder_.path() / "empty.step"), HasSubstr("is not a STEP file"));
   EXPECT_THAT(message_of(folder_.path() / "missing.step"), HasSubstr("missing.step: cannot be read"));
@@ -52,7 +53,8 @@ TEST_F(StepFile, ThatWasCutOffIsRefusedInGmshsWords) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_step(file, "Cylinder(1) = {0, 0, 0, 0, 0, 25, 25};");
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-  EXPECT_THAT(message_of(file), AllOf(HasSubstr("part.step: gmsh failed (exit code 1)"), HasSubstr("Could not read file")));
+  EXPECT_THAT(message_of(file),
+              AllOf(HasSubstr("part.step: gmsh failed (exit code 1)"), HasSubstr("Could not read file")));
 }
 
 TEST_F(StepFile, WithSurfacesOnlyHoldsNoSolid) {
@@ -80,7 +82,8 @@ TEST_F(StepFile, WithAWildNameIsReadAsItStands) {
 TEST_F(StepFile, IsInterruptedWithoutTraces) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_step(file, "Box(1) = {0, 0, 0, 10, 20, 30};");
-  EXPECT_THROW((void)step_volumes(file, [](std::string_view, double) { throw foundation::Interrupted(); }), foundation::Interrupted);
+  EXPECT_THROW((void)step_volumes(file, [](std::string_view, double) { throw foundation::Interrupted(); }),
+               foundation::Interrupted);
   EXPECT_TRUE(std::filesystem::is_empty(temporary_));
 }
 
@@ -92,7 +95,8 @@ TEST_F(StepFile, GivesItsSolidsByNumber) {
   EXPECT_NEAR(second->properties.mass, 1e-3, 1e-15);
   const auto third = rigid_solid({{"none", StepSolid{file, {3}}, 1e6}});
   ASSERT_FALSE(third);
-  EXPECT_THAT(message(third.error().list().front()), AllOf(HasSubstr("none.solids: 3"), HasSubstr("numbered from 1 to 2")));
+  EXPECT_THAT(message(third.error().list().front()),
+              AllOf(HasSubstr("none.solids: 3"), HasSubstr("numbered from 1 to 2")));
   const auto twice = rigid_solid({{"twice", StepSolid{file, {1, 1}}, 1e6}});
   ASSERT_FALSE(twice);
   EXPECT_THAT(message(twice.error().list().front()), HasSubstr("twice.solids: 1 is named twice"));

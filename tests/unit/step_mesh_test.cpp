@@ -80,7 +80,8 @@ TEST_F(StepMeshing, FollowsCurvedSurfacesAtSecondOrder) {
   const auto step = mesh_step(cylinder(), coarse());
   ASSERT_TRUE(step);
   int outside = 0;
-  for (Eigen::Index t = 0; t < step->mesh.nodes.cols(); ++t) outside += step->mesh.nodes.col(t).head<2>().norm() > 25 * mm + on_the_face;
+  for (Eigen::Index t = 0; t < step->mesh.nodes.cols(); ++t)
+    outside += step->mesh.nodes.col(t).head<2>().norm() > 25 * mm + on_the_face;
   EXPECT_EQ(outside, 0);
   const auto middle_on_surface = [&](Eigen::Index e) {  // node 4 halves the edge 0–1
     const auto radius = [&](int k) { return step->mesh.nodes.col(step->mesh.elements(k, e)).head<2>().norm(); };
@@ -119,11 +120,13 @@ TEST_F(StepMeshing, ScalesTheSolid) {
 }
 
 TEST_F(StepMeshing, JoinsTouchingSolidsAndNumbersThemAsMaterials) {
-  const auto step = mesh_step(this->step("Box(1) = {0, 0, 0, 20, 20, 10}; Box(2) = {5, 5, 10, 10, 10, 4}; Box(3) = {0, 0, 14, 20, 20, 10};"),
-                              {.size = 8 * mm, .rim_size = 5 * mm});
+  const auto step = mesh_step(
+      this->step("Box(1) = {0, 0, 0, 20, 20, 10}; Box(2) = {5, 5, 10, 10, 10, 4}; Box(3) = {0, 0, 14, 20, 20, 10};"),
+      {.size = 8 * mm, .rim_size = 5 * mm});
   ASSERT_TRUE(step) << messages(step);
   EXPECT_EQ(step->solids, 3);
-  EXPECT_THAT(check_mesh(step->mesh, {rubber, rubber, rubber}).list(), ::testing::IsEmpty()) << "one piece from plate to plate";
+  EXPECT_THAT(check_mesh(step->mesh, {rubber, rubber, rubber}).list(), ::testing::IsEmpty())
+      << "one piece from plate to plate";
   for (Eigen::Index e = 0; e < step->mesh.elements.cols(); ++e) {
     double z = 0;
     for (int k = 0; k < 4; ++k) z += step->mesh.nodes(2, step->mesh.elements(k, e)) / 4;
@@ -132,7 +135,8 @@ TEST_F(StepMeshing, JoinsTouchingSolidsAndNumbersThemAsMaterials) {
 }
 
 TEST_F(StepMeshing, RefusesSolidsThatOverlap) {
-  EXPECT_THAT(messages(mesh_step(step("Box(1) = {0, 0, 0, 20, 20, 10}; Box(2) = {0, 0, 8, 20, 20, 10};"), coarse())), HasSubstr("overlap"));
+  EXPECT_THAT(messages(mesh_step(step("Box(1) = {0, 0, 0, 20, 20, 10}; Box(2) = {0, 0, 8, 20, 20, 10};"), coarse())),
+              HasSubstr("overlap"));
 }
 
 TEST_F(StepMeshing, BondsTheSleevesOfABush) {
@@ -140,11 +144,14 @@ TEST_F(StepMeshing, BondsTheSleevesOfABush) {
   options.plate_n = FacesOnCylinder{10 * mm};
   options.plate_k = FacesOnCylinder{20 * mm};
   const auto bush = mesh_step(step("Cylinder(1) = {0, 0, -15, 0, 0, 30, 20}; Cylinder(2) = {0, 0, -15, 0, 0, 30, 10};"
-                                   "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };"), options);
+                                   "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };"),
+                              options);
   ASSERT_TRUE(bush) << messages(bush);
   EXPECT_THAT(check_mesh(bush->mesh, {rubber}).list(), ::testing::IsEmpty());
-  for (const int node : bush->mesh.plate_n) EXPECT_NEAR(bush->mesh.nodes.col(node).head<2>().norm(), 10 * mm, on_the_face);
-  for (const int node : bush->mesh.plate_k) EXPECT_NEAR(bush->mesh.nodes.col(node).head<2>().norm(), 20 * mm, on_the_face);
+  for (const int node : bush->mesh.plate_n)
+    EXPECT_NEAR(bush->mesh.nodes.col(node).head<2>().norm(), 10 * mm, on_the_face);
+  for (const int node : bush->mesh.plate_k)
+    EXPECT_NEAR(bush->mesh.nodes.col(node).head<2>().norm(), 20 * mm, on_the_face);
   EXPECT_LE(bush->centre_n.norm(), on_the_face);
   ASSERT_THAT(bush->faces_k, SizeIs(1));
   EXPECT_THAT(bush->faces_k[0].area, test::RelativelyNear(2 * pi * 20 * 30 * mm * mm, 1e-9));
@@ -168,7 +175,8 @@ TEST_F(StepMeshing, APlateWithoutFaceIsRefusedWithAListOfTheFaces) {
   options.plate_n = FurthestFaces{{1, 0, 0}};
   options.plate_k = FacesByNumber{{2, 17}};
   EXPECT_THAT(messages(mesh_step(cylinder(), options)),
-              AllOf(HasSubstr("plate_n: no plane face normal to (1, 0, 0)"), HasSubstr("plate_k: no face 17"), HasSubstr("at (0, 0, 0.025) m with 0.001963 m²")));
+              AllOf(HasSubstr("plate_n: no plane face normal to (1, 0, 0)"), HasSubstr("plate_k: no face 17"),
+                    HasSubstr("at (0, 0, 0.025) m with 0.001963 m²")));
   options.plate_n = options.plate_k = FacesByNumber{{2}};
   EXPECT_THAT(messages(mesh_step(cylinder(), options)), HasSubstr("face 2 is bonded to plate N too"));
   options.plate_k = FacesOnCylinder{26 * mm};
@@ -177,9 +185,11 @@ TEST_F(StepMeshing, APlateWithoutFaceIsRefusedWithAListOfTheFaces) {
 
 TEST_F(StepMeshing, RefusesSizesThatCannotBe) {
   EXPECT_THAT(messages(mesh_step("none.step", {})), HasSubstr("size: not given"));
-  EXPECT_THAT(messages(mesh_step("none.step", {.size = -1, .rim_distance = -1, .scale = 0})), AllOf(HasSubstr("size: -1"), HasSubstr("rim_distance: -1"), HasSubstr("scale: 0")));
+  EXPECT_THAT(messages(mesh_step("none.step", {.size = -1, .rim_distance = -1, .scale = 0})),
+              AllOf(HasSubstr("size: -1"), HasSubstr("rim_distance: -1"), HasSubstr("scale: 0")));
   EXPECT_THAT(messages(mesh_step("none.step", {.size = 1 * mm, .rim_size = 2 * mm})), HasSubstr("between 0 and size"));
-  EXPECT_THAT(messages(mesh_step(cylinder(), {.size = 1e-3 * mm})), AllOf(HasSubstr("size"), HasSubstr("take a size above")));
+  EXPECT_THAT(messages(mesh_step(cylinder(), {.size = 1e-3 * mm})),
+              AllOf(HasSubstr("size"), HasSubstr("take a size above")));
   EXPECT_THAT(messages(mesh_step("none.step", coarse())), HasSubstr("none.step: cannot be read"));
   EXPECT_THROW((void)step_faces("none.step", -1), foundation::InvalidInput);
 }
@@ -192,8 +202,10 @@ TEST_F(StepMeshing, EndsAtItsTimeLimitWithAMessage) {
 
 TEST(MshFile, ThatIsNoneIsRefused) {
   const foundation::TemporaryFolder folder;
-  for (const char* text : {"", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n",
-                           "$MeshFormat\n2.2 0 8\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 9 2 0 1 1 2 3 4 5 6\n$EndElements\n", "$MeshFormat\n2.2 0 8\n$Nodes\n99999999999\n"}) {
+  for (const char* text :
+       {"", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n",
+        "$MeshFormat\n2.2 0 8\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 9 2 0 1 1 2 3 4 5 6\n$EndElements\n",
+        "$MeshFormat\n2.2 0 8\n$Nodes\n99999999999\n"}) {
     test::write_file(folder.path() / "mesh.msh", text);
     EXPECT_FALSE(read_msh(folder.path() / "mesh.msh")) << text;
   }

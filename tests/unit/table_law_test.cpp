@@ -14,9 +14,13 @@ namespace {
 using namespace trivet;
 using namespace trivet::elements;
 
-StiffnessTable over_frequencies(std::vector<double> frequencies, const std::vector<double>& storage, Interpolation interpolation) {
-  StiffnessTable table{
-      .angular_frequencies = std::move(frequencies), .amplitudes = {}, .storage = {}, .loss = {}, .interpolation = interpolation};
+StiffnessTable over_frequencies(std::vector<double> frequencies, const std::vector<double>& storage,
+                                Interpolation interpolation) {
+  StiffnessTable table{.angular_frequencies = std::move(frequencies),
+                       .amplitudes = {},
+                       .storage = {},
+                       .loss = {},
+                       .interpolation = interpolation};
   table.storage = Eigen::Map<const Eigen::VectorXd>(storage.data(), static_cast<Eigen::Index>(storage.size()));
   table.loss = 0.1 * table.storage;
   return table;
@@ -36,7 +40,8 @@ TEST(StiffnessTable, GivesItsKnotsBack) {
 TEST(StiffnessTable, FollowsAStraightLineExactly) {
   for (const Interpolation way : {Interpolation::linear, Interpolation::monotone_cubic}) {
     const StiffnessTable table = over_frequencies({1, 2, 5, 7, 20}, {3, 5, 11, 15, 41}, way);
-    for (double w = 1; w <= 20; w += 0.37) EXPECT_THAT(dynamic_stiffness(table, w, 0).real(), test::RelativelyNear(2 * w + 1, 1e-14));
+    for (double w = 1; w <= 20; w += 0.37)
+      EXPECT_THAT(dynamic_stiffness(table, w, 0).real(), test::RelativelyNear(2 * w + 1, 1e-14));
   }
 }
 
@@ -45,12 +50,15 @@ TEST(StiffnessTable, TheMonotoneCubicNeverOvershoots) {
   std::uniform_real_distribution<> random(0.1, 1);
   for (int round = 0; round < 200; ++round) {
     std::vector<double> frequencies{0}, storage{random(engine)};
-    for (int i = 0; i < 5; ++i) frequencies.push_back(frequencies.back() + random(engine)), storage.push_back(random(engine));
+    for (int i = 0; i < 5; ++i)
+      frequencies.push_back(frequencies.back() + random(engine)), storage.push_back(random(engine));
     const StiffnessTable table = over_frequencies(frequencies, storage, Interpolation::monotone_cubic);
     for (std::size_t i = 0; i < 5; ++i)
       for (int j = 0; j <= 20; ++j) {
         const double value =
-            dynamic_stiffness(table, std::min(frequencies[i] + j / 20.0 * (frequencies[i + 1] - frequencies[i]), frequencies.back()), 0)
+            dynamic_stiffness(
+                table, std::min(frequencies[i] + j / 20.0 * (frequencies[i + 1] - frequencies[i]), frequencies.back()),
+                0)
                 .real();
         EXPECT_GE(value, std::min(storage[i], storage[i + 1]) - 1e-14);
         EXPECT_LE(value, std::max(storage[i], storage[i + 1]) + 1e-14);
@@ -61,10 +69,12 @@ TEST(StiffnessTable, TheMonotoneCubicNeverOvershoots) {
 TEST(StiffnessTable, TheMonotoneCubicConvergesFasterThanTheChord) {
   const auto error = [](int count, Interpolation way) {
     std::vector<double> frequencies, storage;
-    for (int i = 0; i <= count; ++i) frequencies.push_back(1 + 9.0 * i / count), storage.push_back(std::log(frequencies.back()) + 1);
+    for (int i = 0; i <= count; ++i)
+      frequencies.push_back(1 + 9.0 * i / count), storage.push_back(std::log(frequencies.back()) + 1);
     const StiffnessTable table = over_frequencies(frequencies, storage, way);
     double worst = 0;
-    for (double w = 1; w <= 10; w += 0.013) worst = std::max(worst, std::abs(dynamic_stiffness(table, w, 0).real() - std::log(w) - 1));
+    for (double w = 1; w <= 10; w += 0.013)
+      worst = std::max(worst, std::abs(dynamic_stiffness(table, w, 0).real() - std::log(w) - 1));
     return worst;
   };
   EXPECT_LT(error(40, Interpolation::monotone_cubic), error(40, Interpolation::linear) / 5);
@@ -72,8 +82,10 @@ TEST(StiffnessTable, TheMonotoneCubicConvergesFasterThanTheChord) {
 }
 
 TEST(StiffnessTable, InterpolatesOverAmplitudeAndNeedsNoFrequencies) {
-  StiffnessTable rope{
-      .angular_frequencies = {}, .amplitudes = {1e-4, 1e-3}, .storage = Eigen::MatrixXd(1, 2), .loss = Eigen::MatrixXd(1, 2)};
+  StiffnessTable rope{.angular_frequencies = {},
+                      .amplitudes = {1e-4, 1e-3},
+                      .storage = Eigen::MatrixXd(1, 2),
+                      .loss = Eigen::MatrixXd(1, 2)};
   rope.storage << 8e4, 3e4;
   rope.loss << 1e4, 1.5e4;
   EXPECT_TRUE(check(rope, "z").list().empty());
@@ -93,7 +105,8 @@ TEST(StiffnessTable, RefusesToExtrapolate) {
 TEST(TableLaw, ResistsNoRigidMotion) {
   TableLaw law;
   for (std::size_t i = 0; i < 6; ++i)
-    law.directions[i] = over_frequencies({0, 10, 100}, {1e5 * (1.0 + static_cast<double>(i)), 2e5, 3e5}, Interpolation::monotone_cubic);
+    law.directions[i] =
+        over_frequencies({0, 10, 100}, {1e5 * (1.0 + static_cast<double>(i)), 2e5, 3e5}, Interpolation::monotone_cubic);
   law.directions[4] = {};
   law.centre = 0.3;
   const Eigen::Vector3d arm(0.1, -0.2, 0.4);

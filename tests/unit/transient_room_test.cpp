@@ -11,10 +11,12 @@ namespace {
 using namespace trivet;
 
 TEST(Transient, RefusesMorePointsTimesAnswersThanMemoryShouldHold) {
-  const auto project = test::project(test::chain(std::vector<double>(30, 2.0), std::vector<double>(31, 800.0), std::vector<double>(31, 1.0)));
+  const auto project = test::project(
+      test::chain(std::vector<double>(30, 2.0), std::vector<double>(31, 800.0), std::vector<double>(31, 1.0)));
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  const response::TimeInput push = test::force_on(assembled, 0, excitation::half_sine(1, 0.1, 0), spatial::Vector6::Unit(0));
+  const response::TimeInput push =
+      test::force_on(assembled, 0, excitation::half_sine(1, 0.1, 0), spatial::Vector6::Unit(0));
   response::TransientOptions options;
   options.to = 100;
   options.step = 1e-5;  // 10 million points, alone no reason to refuse

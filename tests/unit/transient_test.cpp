@@ -31,11 +31,15 @@ struct Machine {
   project::Project project;
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
-  response::TimeInput push(const excitation::Signal& signal) const { return test::force_on(assembled, 0, signal, along(0)); }
+  response::TimeInput push(const excitation::Signal& signal) const {
+    return test::force_on(assembled, 0, signal, along(0));
+  }
 };
 
 /// 2 kg on 800 N/m: 20 rad/s, 3.18 Hz.
-Machine one_mass(const std::vector<double>& dashpots = {}) { return {test::project(test::chain({2}, {800, 0}, dashpots))}; }
+Machine one_mass(const std::vector<double>& dashpots = {}) {
+  return {test::project(test::chain({2}, {800, 0}, dashpots))};
+}
 
 response::TransientOptions until(double to, double step) {
   response::TransientOptions options;
@@ -70,9 +74,9 @@ TEST(ExponentialStep, IntegratesTheInputAndItsIntegrals) {
   response::InputMatrix G = response::InputMatrix::Zero(1, 5);
   G(0, response::of_value) = 1;
   const auto gamma = exponential.input(G, kappa)[0];
-  EXPECT_NEAR(gamma(0, 2), h, round_off);                                                   // of u
-  EXPECT_NEAR(gamma(0, 3), (1 - std::cos(kappa * h)) / (kappa * kappa), round_off);         // of u̇
-  EXPECT_NEAR(gamma(0, 4), (h - std::sin(kappa * h) / kappa) / (kappa * kappa), round_off); // of ü
+  EXPECT_NEAR(gamma(0, 2), h, round_off);                                                    // of u
+  EXPECT_NEAR(gamma(0, 3), (1 - std::cos(kappa * h)) / (kappa * kappa), round_off);          // of u̇
+  EXPECT_NEAR(gamma(0, 4), (h - std::sin(kappa * h) / kappa) / (kappa * kappa), round_off);  // of ü
   G.setZero();
   G(0, 0) = 1;
   const auto twice = exponential.input(G, 0)[0];
@@ -96,7 +100,8 @@ TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   walk.take_corners(state);
   walk.advance(state, 0.37);
   // The force arrives at the mass as k1/(k1 + k2) of it, on the springs in series; the node stands between.
-  const double series = k1 * k2 / (k1 + k2), omega = std::sqrt(series / mass), q = k1 / (k1 + k2) / series * (1 - std::cos(omega * 0.37));
+  const double series = k1 * k2 / (k1 + k2), omega = std::sqrt(series / mass),
+               q = k1 / (k1 + k2) / series * (1 - std::cos(omega * 0.37));
   Eigen::VectorXd inputs(response::input_derivatives);
   walk.inputs(state, inputs);
   const Eigen::VectorXd both = space.displacements().on_state * state.x + space.displacements().on_input * inputs;
@@ -122,8 +127,10 @@ TEST(Transient, OffersAZenerLawOfTheSameLossAndStiffness) {
 }
 
 TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSystemIsAsked) {
-  const Machine m{test::project("trivet = 1\n[bodies.b]\nmass = 2\nfree = [\"x\"]\n[elements.s]\ntype = \"three_springs\"\non = \"b\"\nat = [0, 0, 0]\n"
-                                "translation = [800, 0, 0]\ndamping = {fractional_zener = {ratio = 0.5, time = 0.01, order = 0.5}}\n")};
+  const Machine m{test::project(
+      "trivet = 1\n[bodies.b]\nmass = 2\nfree = [\"x\"]\n[elements.s]\ntype = \"three_springs\"\non = \"b\"\nat = [0, "
+      "0, 0]\n"
+      "translation = [800, 0, 0]\ndamping = {fractional_zener = {ratio = 0.5, time = 0.01, order = 0.5}}\n")};
   const auto base = test::base_motion(m.assembled, excitation::step(0.01), along(0));
   try {
     static_cast<void>(test::transient(m.system, m.assembled, {"b.x", "s"}, {base}, until(60, 0.01)));
@@ -137,22 +144,27 @@ TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSyste
   const auto r = test::transient(m.system, m.assembled, {"b.x", "s"}, {base}, options);
   EXPECT_THAT(warnings(r), HasSubstr("nearest linear system"));
   const Eigen::Index last = r.time.size() - 1;
-  EXPECT_NEAR(test::curve(r, "b.x").values(last), 0.01, 1e-6);    // it comes to rest on the moved ground …
-  EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, 1e-3); // … and the element is free of force
+  EXPECT_NEAR(test::curve(r, "b.x").values(last), 0.01, 1e-6);     // it comes to rest on the moved ground …
+  EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, 1e-3);  // … and the element is free of force
 }
 
 TEST(Transient, RefusesPhasesAndForeignLoads) {
   const Machine m = one_mass(), other{test::project(test::chain({1, 1}, {1, 1, 0}, {}))};
   response::TimeInput input = m.push(excitation::step(1));
   input.loading = assembly::Loading(Eigen::VectorXcd::Constant(1, {0, 1}).eval());
-  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {input}, until(1, 0.1))), foundation::InvalidInput);
-  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {other.push(excitation::step(1))}, until(1, 0.1))), foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {input}, until(1, 0.1))),
+               foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(
+                   test::transient(m.system, m.assembled, {"m1.x"}, {other.push(excitation::step(1))}, until(1, 0.1))),
+               foundation::InvalidInput);
 }
 
 TEST(Transient, RefusesTimesOutOfRangeAndNothingToDo) {
   const Machine m = one_mass();
   const std::vector inputs = {m.push(excitation::step(1))};
-  const auto run = [&](const response::TransientOptions& options) { static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, inputs, options)); };
+  const auto run = [&](const response::TransientOptions& options) {
+    static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, inputs, options));
+  };
   EXPECT_THROW(run(until(0, 0.1)), foundation::InvalidInput);
   EXPECT_THROW(run(until(std::numeric_limits<double>::quiet_NaN(), 0.1)), foundation::InvalidInput);
   EXPECT_THROW(run(until(1, 0)), foundation::InvalidInput);
@@ -161,7 +173,8 @@ TEST(Transient, RefusesTimesOutOfRangeAndNothingToDo) {
   response::TransientOptions wrong = until(1, 0.1);
   wrong.initial = response::InitialState{Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(3)};
   EXPECT_THROW(run(wrong), foundation::InvalidInput);
-  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {}, until(1, 0.1))), foundation::InvalidInput);
+  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {}, until(1, 0.1))),
+               foundation::InvalidInput);
 }
 
 TEST(Transient, ChoosesItsOwnTimes) {
@@ -177,7 +190,8 @@ TEST(Transient, ChoosesItsOwnTimes) {
 TEST(Transient, WarnsOfAStepTooCoarseToShowTheMotion) {
   const Machine m = one_mass();
   const std::vector inputs = {m.push(excitation::step(1))};
-  EXPECT_THAT(warnings(test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(2, 0.05))), HasSubstr("6.28 points in a period of the mode at 3.183 Hz"));
+  EXPECT_THAT(warnings(test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(2, 0.05))),
+              HasSubstr("6.28 points in a period of the mode at 3.183 Hz"));
   EXPECT_EQ(warnings(test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(2, 0.03))), "");
   response::TransientOptions few;
   few.to = 100;
@@ -190,7 +204,8 @@ TEST(Transient, WarnsOfSamplesTooFarApartForTheFastestMode) {
   const auto sampled = [&](double step) {
     excitation::Samples samples;
     for (int i = 0; i < 40; ++i) samples.times.push_back(step * i), samples.values.push_back(std::sin(0.8 * i));
-    return warnings(test::transient(m.system, m.assembled, {"m1.x"}, {m.push(excitation::from_samples(samples))}, until(2, 0.01)));
+    return warnings(
+        test::transient(m.system, m.assembled, {"m1.x"}, {m.push(excitation::from_samples(samples))}, until(2, 0.01)));
   };
   EXPECT_THAT(sampled(0.25), HasSubstr("Nyquist frequency 2 Hz"));
   EXPECT_THAT(sampled(0.25), HasSubstr("say nothing of motions above"));
@@ -203,12 +218,14 @@ TEST(Transient, ComputesAnUnstableSystemAndWarnsUntilNumbersEnd) {
   Machine m = one_mass();
   m.assembled.matrices.K(0, 0) = -200;
   response::TransientOptions options = until(3, 0.01);
-  options.initial = response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 1e-3), Eigen::VectorXd::Constant(1, 0));
+  options.initial =
+      response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 1e-3), Eigen::VectorXd::Constant(1, 0));
   const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {}, options);
   EXPECT_THAT(r.curves[0].values(300), RelativelyNear(1e-3 * std::cosh(30), 1e-11));
   EXPECT_THAT(warnings(r), HasSubstr("doubles every 0.06931 s"));
   options.to = 100;
-  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {}, options)), foundation::NotComputable);
+  EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {}, options)),
+               foundation::NotComputable);
 }
 
 TEST(Transient, ReportsProgressAndStopsWhenAsked) {
@@ -218,27 +235,36 @@ TEST(Transient, ReportsProgressAndStopsWhenAsked) {
     EXPECT_LE(fraction, 1);
     if (++calls == 3) throw foundation::Interrupted();
   };
-  EXPECT_THROW(static_cast<void>(response::transient_response(m.system, m.assembled, assembly::channels(m.system, m.assembled, {"m1.x"}, assembly::Quantity::displacement),
-                                                              {m.push(excitation::step(1))}, until(100, 0.01), progress)),
-               foundation::Interrupted);
+  EXPECT_THROW(
+      static_cast<void>(response::transient_response(
+          m.system, m.assembled, assembly::channels(m.system, m.assembled, {"m1.x"}, assembly::Quantity::displacement),
+          {m.push(excitation::step(1))}, until(100, 0.01), progress)),
+      foundation::Interrupted);
 }
 
 TEST(Transient, RmsOfAWholeNumberOfPeriodsIsThatOfASine) {
   const Machine m = one_mass();
   response::TransientOptions options = until(2 * pi, 2 * pi / 4000);
-  options.initial = response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.004), Eigen::VectorXd::Constant(1, 0));
-  EXPECT_THAT(test::transient(m.system, m.assembled, {"m1.x"}, {}, options).curves[0].rms, RelativelyNear(0.004 / std::sqrt(2.0), 1e-9));
+  options.initial =
+      response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.004), Eigen::VectorXd::Constant(1, 0));
+  EXPECT_THAT(test::transient(m.system, m.assembled, {"m1.x"}, {}, options).curves[0].rms,
+              RelativelyNear(0.004 / std::sqrt(2.0), 1e-9));
 }
 
 TEST(Transient, CountsAnInitialStateFromJustBeforeItsStart) {
-  // A base that stood at 0.01 m long before, and the body with it: nothing moves. A force that jumps at the start does act.
+  // A base that stood at 0.01 m long before, and the body with it: nothing moves. A force that jumps at the start does
+  // act.
   const Machine m = one_mass({30});
   response::TransientOptions options = until(3, 0.01);
   options.from = 2;
   options.initial = response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.01), Eigen::VectorXd::Zero(1));
   const auto base = test::base_motion(m.assembled, excitation::step(0.01, 0.5), along(0));
-  EXPECT_LE((test::transient(m.system, m.assembled, {"m1.x"}, {base}, options).curves[0].values.array() - 0.01).abs().maxCoeff(), 1e-14);
-  const auto pushed = test::transient(m.system, m.assembled, {"m1.x"}, {base, m.push(excitation::step(8, 2))}, options, assembly::Quantity::acceleration);
+  EXPECT_LE((test::transient(m.system, m.assembled, {"m1.x"}, {base}, options).curves[0].values.array() - 0.01)
+                .abs()
+                .maxCoeff(),
+            1e-14);
+  const auto pushed = test::transient(m.system, m.assembled, {"m1.x"}, {base, m.push(excitation::step(8, 2))}, options,
+                                      assembly::Quantity::acceleration);
   EXPECT_THAT(pushed.curves[0].values(0), RelativelyNear(4.0, 1e-12));
 }
 

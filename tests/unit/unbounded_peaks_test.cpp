@@ -18,11 +18,13 @@ study::DesignMap mapped(const std::string& text) {
 }
 
 void expect_refusal(const std::string& text, const std::string& words) {
-  EXPECT_THAT([&] { static_cast<void>(mapped(text)); }, testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr(words)));
+  EXPECT_THAT([&] { static_cast<void>(mapped(text)); },
+              testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr(words)));
 }
 
 TEST(UnboundedPeaks, OfATiltThatTheForceMovesNeitherAtRestNorAboveAreRefused) {
-  std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}", "{parameter = \"bodies.block.mass\", from = 5, to = 20, points = 3}");
+  std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}",
+                                        "{parameter = \"bodies.block.mass\", from = 5, to = 20, points = 3}");
   EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // the force has an arm about the spring
   text.replace(text.find("at = [0, 0, 0.1]"), 16, "at = [0, 0, 0.0]");
   text.insert(text.find("inertia"), "center_of_mass = [0, 0, 0.1]\n");
@@ -32,15 +34,19 @@ TEST(UnboundedPeaks, OfATiltThatTheForceMovesNeitherAtRestNorAboveAreRefused) {
 TEST(UnboundedPeaks, OfVelocitiesUnderAForceAreRefusedAndUnderAnUnbalanceJudged) {
   std::string text = mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\", quantity = \"velocity\"}\n");
   expect_refusal(text, "velocity of machine.z");
-  text.replace(text.find("type = \"harmonic\""), 17, "type = \"unbalance\"\naxis = \"x\"\nmass_eccentricity = \"1 kg mm\"");
+  text.replace(text.find("type = \"harmonic\""), 17,
+               "type = \"unbalance\"\naxis = \"x\"\nmass_eccentricity = \"1 kg mm\"");
   text.erase(text.find("force = ["), 19);
   EXPECT_GT(mapped(text).kept, 0u);
 }
 
 TEST(UnboundedPeaks, OfABaseModelAloneAreNoReason) {
-  std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}", "{parameter = \"excitations.second.phase\", from = 1, to = 2, points = 3}");
+  std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}",
+                                        "{parameter = \"excitations.second.phase\", from = 1, to = 2, points = 3}");
   text.insert(text.find("inertia"), "center_of_mass = [0, 0, 0.1]\n");
-  text.insert(text.find("[analyses"), "[excitations.second]\ntype = \"harmonic\"\non = \"block\"\nat = [0, 0, -0.1]\nforce = [1, 0, 0]\nphase = 0\n");
+  text.insert(
+      text.find("[analyses"),
+      "[excitations.second]\ntype = \"harmonic\"\non = \"block\"\nat = [0, 0, -0.1]\nforce = [1, 0, 0]\nphase = 0\n");
   EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // in phase both forces have no moment about the spring
   text.replace(text.find("from = 1, to = 2"), 16, "from = -1e-17, to = 1e-17");
   expect_refusal(text, "block.ry");

@@ -15,7 +15,8 @@ using namespace trivet;
 using namespace trivet::elements;
 using Complex = std::complex<double>;
 
-const std::vector<Viscoelastic> laws = {KelvinVoigt{3e-3}, Zener{0.7, 0.02}, GeneralizedMaxwell{{0.4, 0.25, 0.15}, {1e-3, 0.01, 0.1}},
+const std::vector<Viscoelastic> laws = {KelvinVoigt{3e-3}, Zener{0.7, 0.02},
+                                        GeneralizedMaxwell{{0.4, 0.25, 0.15}, {1e-3, 0.01, 0.1}},
                                         FractionalZener{1.5, 2e-3, 0.4}};
 
 TEST(RelativeModulus, IsOneAtRest) {
@@ -38,14 +39,16 @@ TEST(RelativeModulus, IsAnalyticInTheRightHalfOfTheComplexFrequencies) {
     for (const Complex w : {Complex(30, 4), Complex(2, 900), Complex(500, -200), Complex(1, -40)}) {
       const double h = step * std::abs(w);
       const Complex along = (relative_modulus(law, w + h) - relative_modulus(law, w - h)) / (2 * h);
-      const Complex across = (relative_modulus(law, w + Complex(0, h)) - relative_modulus(law, w - Complex(0, h))) / Complex(0, 2 * h);
+      const Complex across =
+          (relative_modulus(law, w + Complex(0, h)) - relative_modulus(law, w - Complex(0, h))) / Complex(0, 2 * h);
       EXPECT_LE(std::abs(along - across), truncation * std::abs(along)) << words(law) << " at " << w;
     }
 }
 
 TEST(RelativeModulus, AFractionalLawOfOrderOneIsZeners) {
   for (double w = 0.01; w < 1e5; w *= 7)
-    EXPECT_THAT(relative_modulus(FractionalZener{0.8, 0.01, 1}, w), test::RelativelyNear(relative_modulus(Zener{0.8, 0.01}, w), 1e-15));
+    EXPECT_THAT(relative_modulus(FractionalZener{0.8, 0.01, 1}, w),
+                test::RelativelyNear(relative_modulus(Zener{0.8, 0.01}, w), 1e-15));
 }
 
 TEST(RelativeModulus, StaysFiniteAtExtremeFrequencies) {
@@ -73,7 +76,8 @@ TEST(RationalForm, FitsAFractionalLawPassivelyToTheAccuracyAsked) {
         EXPECT_GE(form.viscous_time, 0);
         for (std::size_t i = 0; i < form.ratios.size(); ++i) EXPECT_TRUE(form.ratios[i] > 0 && form.times[i] > 0);
         for (double w = 0.6; w < 6e4; w *= 1.0137)  // another grid than the fit's
-          EXPECT_THAT(relative_modulus(form, w), test::RelativelyNear(relative_modulus(law, w), 1.1 * form.worst_error));
+          EXPECT_THAT(relative_modulus(form, w),
+                      test::RelativelyNear(relative_modulus(law, w), 1.1 * form.worst_error));
       }
 }
 

@@ -22,8 +22,10 @@ TEST(Section, HasTheTextbookConstants) {
   const Metal metal{"", 2.6e11, 1e11, 7850, ""};                                                 // ν = 0.3
   EXPECT_THAT(round_section(0.02, metal).shear_factor_1, RelativelyNear(6 * 1.3 / 8.8, 1e-12));  // Cowper
   EXPECT_THAT(rectangular_section(0.1, 0.02, metal).shear_factor_2, RelativelyNear(13 / 15.3, 1e-12));
-  EXPECT_THAT(tube_section(0.02, 0.0199999, metal).shear_factor_1, RelativelyNear(2 * 1.3 / (4 + 3 * 0.3), 1e-4));  // thin tube
-  EXPECT_THAT(rectangular_section(1, 1, metal).torsion_constant, RelativelyNear(0.140577, 1e-5));  // Timoshenko and Goodier
+  EXPECT_THAT(tube_section(0.02, 0.0199999, metal).shear_factor_1,
+              RelativelyNear(2 * 1.3 / (4 + 3 * 0.3), 1e-4));  // thin tube
+  EXPECT_THAT(rectangular_section(1, 1, metal).torsion_constant,
+              RelativelyNear(0.140577, 1e-5));  // Timoshenko and Goodier
   EXPECT_THAT(rectangular_section(1, 2, metal).torsion_constant, RelativelyNear(2 * 0.228682, 1e-5));
   EXPECT_THAT(rectangular_section(10, 1, metal).torsion_constant, RelativelyNear(10 * 0.312, 2e-3));
 }
@@ -51,8 +53,10 @@ TEST(Beam, ACantileverBendsByMomentAndShear) {
   const Section s = rectangular_section(0.03, 0.08, metal);
   const double L = 0.3, E = metal.young_modulus, G = metal.shear_modulus;
   const Matrix6 flexibility = beam_stiffness({metal, s, L}).bottomRightCorner<6, 6>().llt().solve(Matrix6::Identity());
-  EXPECT_THAT(flexibility(0, 0), RelativelyNear(L * L * L / (3 * E * s.moment_2) + L / (s.shear_factor_1 * G * s.area), 1e-11));
-  EXPECT_THAT(flexibility(1, 1), RelativelyNear(L * L * L / (3 * E * s.moment_1) + L / (s.shear_factor_2 * G * s.area), 1e-11));
+  EXPECT_THAT(flexibility(0, 0),
+              RelativelyNear(L * L * L / (3 * E * s.moment_2) + L / (s.shear_factor_1 * G * s.area), 1e-11));
+  EXPECT_THAT(flexibility(1, 1),
+              RelativelyNear(L * L * L / (3 * E * s.moment_1) + L / (s.shear_factor_2 * G * s.area), 1e-11));
   EXPECT_THAT(flexibility(0, 4), RelativelyNear(L * L / (2 * E * s.moment_2), 1e-11));
   EXPECT_THAT(flexibility(1, 3), RelativelyNear(-L * L / (2 * E * s.moment_1), 1e-11));
   EXPECT_THAT(flexibility(4, 4), RelativelyNear(L / (E * s.moment_2), 1e-11));
@@ -60,7 +64,8 @@ TEST(Beam, ACantileverBendsByMomentAndShear) {
 
 using Coordinates = std::vector<int>;
 
-/// Natural angular frequencies of `count` equal beams end to end, some coordinates held at both outer ends and some at every node.
+/// Natural angular frequencies of `count` equal beams end to end, some coordinates held at both outer ends and some at
+/// every node.
 Eigen::VectorXd frequencies(const Beam& whole, int count, const Coordinates& at_ends, const Coordinates& everywhere) {
   Beam part = whole;
   part.length = whole.length / count;
@@ -72,21 +77,26 @@ Eigen::VectorXd frequencies(const Beam& whole, int count, const Coordinates& at_
   }
   std::vector<int> free;
   for (int i = 0; i < size; ++i)
-    if (const auto names = [i](const Coordinates& list) { return std::find(list.begin(), list.end(), i % 6) != list.end(); };
+    if (const auto names =
+            [i](const Coordinates& list) { return std::find(list.begin(), list.end(), i % 6) != list.end(); };
         !names(everywhere) && !((i < 6 || i >= size - 6) && names(at_ends)))
       free.push_back(i);
   const Eigen::MatrixXd kf = k(free, free), mf = m(free, free);
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(kf, mf, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0).cwiseSqrt();
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(kf, mf, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .cwiseMax(0)
+      .cwiseSqrt();
 }
 
 TEST(Beam, APinnedStubbyBeamTendsToTheExactTimoshenkoFrequencies) {
   const Metal metal{"", 210e9, 80e9, 7850, ""};
   const Beam beam{metal, rectangular_section(0.1, 0.04, metal), 0.5};  // stubby
-  const double a = beam.section.area, i = beam.section.moment_2, shear = beam.section.shear_factor_1 * metal.shear_modulus * a,
-               rho = metal.density;
+  const double a = beam.section.area, i = beam.section.moment_2,
+               shear = beam.section.shear_factor_1 * metal.shear_modulus * a, rho = metal.density;
   const auto exact = [&](int mode) {  // lower root of ρ²IA/(κGA) ω⁴ − (ρA + ρI k² + EIρA k²/(κGA)) ω² + EI k⁴ = 0
     const double k2 = std::pow(mode * pi / beam.length, 2), bending = metal.young_modulus * i;
-    const double p = rho * rho * i * a / shear, q = rho * a + rho * i * k2 + bending * rho * a * k2 / shear, r = bending * k2 * k2;
+    const double p = rho * rho * i * a / shear, q = rho * a + rho * i * k2 + bending * rho * a * k2 / shear,
+                 r = bending * k2 * k2;
     return std::sqrt(2 * r / (q + std::sqrt(q * q - 4 * p * r)));
   };
   const Coordinates in_other_planes{1, 2, 3, 5}, pinned{0};
@@ -101,7 +111,8 @@ TEST(Beam, AClampedSlenderBeamHasTheEulerFrequencies) {
   const Metal metal{"", 210e9, 80e9, 7850, ""};
   const Beam beam{metal, rectangular_section(0.001, 0.002, metal), 1};
   const double scale = std::sqrt(metal.young_modulus * beam.section.moment_2 / (metal.density * beam.section.area));
-  const Eigen::VectorXd found = frequencies(beam, 20, {0, 1, 2, 3, 4, 5}, {});  // both planes, the second twice as stiff
+  const Eigen::VectorXd found =
+      frequencies(beam, 20, {0, 1, 2, 3, 4, 5}, {});  // both planes, the second twice as stiff
   const double roots[] = {4.730040744862704, 7.853204624095838, 10.995607838001671};
   for (const double root : {roots[0], roots[1], roots[2]})
     for (const double plane : {1.0, 2.0}) {

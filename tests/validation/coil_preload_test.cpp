@@ -23,11 +23,13 @@ CoilSpring spring_of_length(double length) {
   return spring;
 }
 
-/// Lateral stiffness between parallel seats of Haringx' elastic column with bending and shear stiffness of the coils; force P > 0.
+/// Lateral stiffness between parallel seats of Haringx' elastic column with bending and shear stiffness of the coils;
+/// force P > 0.
 double haringx_lateral_stiffness(const CoilSpring& s, double compression, double force) {
   const double D = s.mean_diameter, I = wire_section(s).second_moments(0), E = s.youngs_modulus, G = s.shear_modulus;
   const double L = s.active_length - compression, coils = s.active_coils;
-  const double bending = L / (coils * pi * D / 2 * (1 / (E * I) + 1 / (2 * G * I))), shear = 8 * E * I * L / (coils * pi * D * D * D);
+  const double bending = L / (coils * pi * D / 2 * (1 / (E * I) + 1 / (2 * G * I))),
+               shear = 8 * E * I * L / (coils * pi * D * D * D);
   const double q = std::sqrt(force * (1 + force / shear) / bending);
   return force / ((1 + force / shear) * 2 / q * std::tan(q * L / 2) - L);
 }
@@ -39,7 +41,8 @@ double standard_buckling(const CoilSpring& s, double seating) {
 }
 
 TEST(CompressedCoil, LateralStiffnessFallsAsHaringxSays) {
-  // The column smears the coils out; the two lateral stiffnesses of the real spring lie on one side by less than 3 % of the unloaded value.
+  // The column smears the coils out; the two lateral stiffnesses of the real spring lie on one side by less than 3 % of
+  // the unloaded value.
   constexpr double of_the_unloaded = 0.03;
   const CoilSpring spring = literature_spring();
   const double unloaded = stiffness(spring)(6, 6);
@@ -58,7 +61,8 @@ TEST(CompressedCoil, BucklesWhereTheStandardSays) {
   constexpr double smeared_coils = 0.011;
   for (const double length : {0.06, 0.08, 0.1, 0.12}) {
     const CoilSpring spring = spring_of_length(length);
-    const auto held = buckling(spring, elements::SeatsHeld::both), sliding = buckling(spring, elements::SeatsHeld::lateral_slide);
+    const auto held = buckling(spring, elements::SeatsHeld::both),
+               sliding = buckling(spring, elements::SeatsHeld::lateral_slide);
     ASSERT_TRUE(held && sliding) << length;
     EXPECT_THAT(held->compression, RelativelyNear(standard_buckling(spring, 0.5), smeared_coils)) << length;
     EXPECT_THAT(sliding->compression, RelativelyNear(standard_buckling(spring, 1), smeared_coils)) << length;
@@ -72,17 +76,20 @@ TEST(CompressedCoil, TheFormulaOfTheStandardIsGivenBesideAndIsEarlyForASmallInde
   thick.mean_diameter = 5e-3;
   thick.active_coils = 8;
   thick.active_length = 30e-3;
-  const double early = buckling(thick, elements::SeatsHeld::both)->compression / elements::standard_buckling(thick).value() - 1;
+  const double early =
+      buckling(thick, elements::SeatsHeld::both)->compression / elements::standard_buckling(thick).value() - 1;
   EXPECT_GT(early, 0.03);
   EXPECT_LT(early, 0.051);
   EXPECT_FALSE(elements::standard_buckling(literature_spring()));
 }
 
-TEST(CompressedCoil, AStubbySpringDoesNotBuckle) { EXPECT_FALSE(buckling(literature_spring(), elements::SeatsHeld::both)); }
+TEST(CompressedCoil, AStubbySpringDoesNotBuckle) {
+  EXPECT_FALSE(buckling(literature_spring(), elements::SeatsHeld::both));
+}
 
 TEST(CompressedCoil, ForceOfTheStandardsExample) {
-  // EN 13906-1 worked example: 280 N at s1 = 17.3 mm, 620 N at s2 = 38.3 mm, L1 = 88.5 and L2 = 67.5 mm; the standard neglects
-  // that the seats do not turn, that the coils widen, and the shear of the wire.
+  // EN 13906-1 worked example: 280 N at s1 = 17.3 mm, 620 N at s2 = 38.3 mm, L1 = 88.5 and L2 = 67.5 mm; the standard
+  // neglects that the seats do not turn, that the coils widen, and the shear of the wire.
   constexpr double of_the_standard = 0.025;
   const elements::CoilSpring spring = test::standards_spring();
   EXPECT_THAT(compressed_with(spring, 280).compression, RelativelyNear(17.3e-3, of_the_standard));
@@ -102,7 +109,8 @@ TEST(CoilStress, RectangularWireTwistsAsInTheTables) {
   for (const auto& [ratio, factor] : {std::pair{1.0, 0.208}, {2.0, 0.246}}) {
     spring.wire = elements::RectangularWire{1e-3, ratio * 1e-3};
     spring.active_length = 0.05;
-    EXPECT_THAT(nominal_shear_stress(spring, 10), RelativelyNear(10 * 5e-3 / (factor * ratio * 1e-9), printed)) << ratio;
+    EXPECT_THAT(nominal_shear_stress(spring, 10), RelativelyNear(10 * 5e-3 / (factor * ratio * 1e-9), printed))
+        << ratio;
   }
 }
 

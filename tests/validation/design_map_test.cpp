@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One mass on a spring: boundaries of maps in closed form. With ζ = δω₀/2 the amplitude is largest at ω₀√(1 − 2ζ²) for ζ < 1/√2, F/(k·2ζ√(1 − ζ²)),
-// and F/k at rest otherwise, where there is no peak. [Den Hartog, Mechanical Vibrations, section 2.9]
+// One mass on a spring: boundaries of maps in closed form. With ζ = δω₀/2 the amplitude is largest at ω₀√(1 − 2ζ²) for
+// ζ < 1/√2, F/(k·2ζ√(1 − ζ²)), and F/k at rest otherwise, where there is no peak. [Den Hartog, Mechanical Vibrations,
+// section 2.9]
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -39,7 +40,8 @@ y = {parameter = "elements.spring.damping.proportional", from = "5 ms", to = "40
 
 struct OneMass {
   double k, zeta;
-  OneMass(double scale, double milliseconds) : k(scale * stiffness), zeta(0.5 * milliseconds * 1e-3 * std::sqrt(scale * stiffness / mass)) {}
+  OneMass(double scale, double milliseconds)
+      : k(scale * stiffness), zeta(0.5 * milliseconds * 1e-3 * std::sqrt(scale * stiffness / mass)) {}
   [[nodiscard]] double rise() const { return zeta < std::sqrt(0.5) ? 1 / (2 * zeta * std::sqrt(1 - zeta * zeta)) : 1; }
   [[nodiscard]] double amplitude() const { return force / k * rise(); }
 };
@@ -49,7 +51,8 @@ study::DesignMap map_of(const std::string& rules) {
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
-/// The boundary is stated to 1e-6 of each axis; over it the amplitude changes by no more than a factor e per 0.29 of an axis.
+/// The boundary is stated to 1e-6 of each axis; over it the amplitude changes by no more than a factor e per 0.29 of an
+/// axis.
 constexpr double along_the_axis = 5e-6;
 
 TEST(DesignMap, HasTheBoundaryOfTheAmplitudeOfOneMassInClosedForm) {
@@ -71,7 +74,9 @@ TEST(DesignMap, HasTheBoundaryOfThePeakOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("no_peak = \"mass.z\"\npeak_tolerance = 0.05\n");
   ASSERT_FALSE(map.feasible.lines.empty());
   for (const design::MapLine& line : map.feasible.lines)
-    for (const design::MapPlace& p : line) EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).rise(), 1.05, 30 * along_the_axis) << p.x << " " << p.y;
+    for (const design::MapPlace& p : line)
+      EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).rise(), 1.05, 30 * along_the_axis)
+          << p.x << " " << p.y;
 }
 
 TEST(DesignMap, WithoutToleranceAsksForADampingRatioOfHalfTheRootOfTwo) {
@@ -79,7 +84,8 @@ TEST(DesignMap, WithoutToleranceAsksForADampingRatioOfHalfTheRootOfTwo) {
   ASSERT_FALSE(map.feasible.lines.empty());
   constexpr double flat = 1e-3;  // peaks below 1e-6 of the curve are none: (1 − 2ζ²)²/2 of it
   for (const design::MapLine& line : map.feasible.lines)
-    for (const design::MapPlace& p : line) EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).zeta, std::sqrt(0.5), flat);
+    for (const design::MapPlace& p : line)
+      EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).zeta, std::sqrt(0.5), flat);
 }
 
 TEST(DesignMap, GivesMarginsOfOneMassInClosedForm) {

@@ -16,7 +16,8 @@ using numerics::DesignStatus;
 /// One mass of 2 kg on 200 N/m, ω0 = 10 rad/s, under 3 N, at these damping ratios.
 numerics::Designs single_masses(const std::vector<double>& zeta) {
   const auto count = static_cast<Eigen::Index>(zeta.size());
-  numerics::Designs designs{Eigen::ArrayXXd::Constant(count, 1, 2), Eigen::ArrayXXd(count, 1), Eigen::ArrayXXd::Constant(count, 1, 200), Eigen::ArrayXXd::Constant(1, 1, 3)};
+  numerics::Designs designs{Eigen::ArrayXXd::Constant(count, 1, 2), Eigen::ArrayXXd(count, 1),
+                            Eigen::ArrayXXd::Constant(count, 1, 200), Eigen::ArrayXXd::Constant(1, 1, 3)};
   for (Eigen::Index i = 0; i < count; ++i) designs.B(i, 0) = 2 * zeta[static_cast<std::size_t>(i)] * 20;
   return designs;
 }
@@ -60,7 +61,8 @@ TEST(DesignPeaks, WithoutDampingAreInfiniteAlsoOnTheEdgeOfTheBand) {
 }
 
 TEST(DesignPeaks, OfAMachineThatMovesInOneDirectionOnlyAreProvenInAll) {
-  numerics::Designs designs{Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 6)};
+  numerics::Designs designs{Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21),
+                            Eigen::ArrayXXd::Zero(1, 6)};
   for (int i = 0; i < 6; ++i) {
     const int diagonal = i * (i + 1) / 2 + i;
     designs.A(0, diagonal) = 2;
@@ -100,9 +102,11 @@ TEST(DesignPeaks, OfAccelerationRiseToTheForceOverTheMassWhereDampingIsHeavy) {
   EXPECT_EQ(peaks.peaks(1, 0), 0);
 }
 
-TEST(DesignPeaks, OfTheForceOnTheGroundHaveSpringAndDamper) {  // [Ewins2000]: |T|² = (1 + (2ζr)²) / ((1 − r²)² + (2ζr)²)
+TEST(DesignPeaks,
+     OfTheForceOnTheGroundHaveSpringAndDamper) {  // [Ewins2000]: |T|² = (1 + (2ζr)²) / ((1 − r²)² + (2ζr)²)
   const double zeta = 0.3, r = std::sqrt((std::sqrt(1 + 8 * zeta * zeta) - 1) / (4 * zeta * zeta));
-  const double damping = 2 * zeta * r, expected = 3 * std::sqrt((1 + damping * damping) / (std::pow(1 - r * r, 2) + damping * damping));
+  const double damping = 2 * zeta * r,
+               expected = 3 * std::sqrt((1 + damping * damping) / (std::pow(1 - r * r, 2) + damping * damping));
   numerics::DesignPeakOptions options;
   options.rows = Eigen::ArrayXXd::Constant(1, 1, 200);
   options.rows_on_velocity = Eigen::ArrayXXd::Constant(1, 1, 2 * zeta * 20);
@@ -118,7 +122,9 @@ TEST(DesignPeaks, OfACurveThatGrowsWithoutEndAreCountedBelowIt) {  // y = s²(1 
   options.rows = Eigen::ArrayXXd::Constant(1, 1, 1);
   options.rows_on_velocity = Eigen::ArrayXXd::Constant(1, 1, rate);
   options.derivative = {2};
-  const auto y = [&](double omega) { return omega * omega * std::hypot(1, rate * omega) * 3 / std::hypot(200 - 2 * omega * omega, 2 * zeta * 20 * omega); };
+  const auto y = [&](double omega) {
+    return omega * omega * std::hypot(1, rate * omega) * 3 / std::hypot(200 - 2 * omega * omega, 2 * zeta * 20 * omega);
+  };
   double top = 0, base = std::numeric_limits<double>::infinity();
   for (double omega = 9; omega < 11; omega += 1e-5) top = std::max(top, y(omega));
   for (double omega = 20; omega < 2000; omega += 0.01) base = std::min(base, y(omega));

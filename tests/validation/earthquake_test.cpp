@@ -30,16 +30,21 @@ TEST(Earthquake, OfTwoEqualStoreysIsTheClosedForm) {
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   const excitation::ResponseSpectrum flat{{0.1, 1000}, {2, 2}, 0};
-  const auto channels = assembly::channels(system, assembled, {"m2.x", "ground.force.x"}, assembly::Quantity::displacement);
+  const auto channels =
+      assembly::channels(system, assembled, {"m2.x", "ground.force.x"}, assembly::Quantity::displacement);
   const auto r = response::earthquake_response(assembled, channels, flat, along(0));
   double squares = 0, mass = 0;
   for (int i = 0; i < 2; ++i) {
     const double sign = i == 0 ? 1 : -1, root = std::sqrt(5.0);
-    const double squared = (3 - sign * root) / 2 * k / m, top = (1 + sign * root) / 2, modal_mass = m * (1 + top * top), gamma = m * (1 + top) / modal_mass;
+    const double squared = (3 - sign * root) / 2 * k / m, top = (1 + sign * root) / 2, modal_mass = m * (1 + top * top),
+                 gamma = m * (1 + top) / modal_mass;
     EXPECT_THAT(r.modes[static_cast<std::size_t>(i)].angular_frequency, RelativelyNear(std::sqrt(squared), round_off));
-    EXPECT_THAT(r.modes[static_cast<std::size_t>(i)].effective_mass, RelativelyNear(gamma * gamma * modal_mass, round_off));
+    EXPECT_THAT(r.modes[static_cast<std::size_t>(i)].effective_mass,
+                RelativelyNear(gamma * gamma * modal_mass, round_off));
     EXPECT_THAT(std::abs(r.answers[0].modal_maxima(i)), RelativelyNear(std::abs(gamma * top * 2 / squared), round_off));
-    EXPECT_THAT(std::abs(r.answers[1].modal_maxima(i)), RelativelyNear(2 * gamma * gamma * modal_mass, round_off));  // the base feels S_a times the effective mass
+    EXPECT_THAT(
+        std::abs(r.answers[1].modal_maxima(i)),
+        RelativelyNear(2 * gamma * gamma * modal_mass, round_off));  // the base feels S_a times the effective mass
     squares += std::pow(gamma * top * 2 / squared, 2);
     mass += r.modes[static_cast<std::size_t>(i)].effective_mass;
   }
@@ -69,7 +74,8 @@ TEST(Earthquake, OfOneModeIsTheLargestValueOfItsTimeHistory) {
   response::TransientOptions options;
   options.to = 12;
   options.step = 0.01;
-  const auto history = test::transient(system, assembled, {"m1.relative.x"}, {test::base_motion(assembled, shaking, along(0), 2)}, options);
+  const auto history = test::transient(system, assembled, {"m1.relative.x"},
+                                       {test::base_motion(assembled, shaking, along(0), 2)}, options);
   const double largest = std::max(history.curves[0].largest.value, -history.curves[0].smallest.value);
   EXPECT_THAT(r.answers[0].complete_quadratic, RelativelyNear(largest, 1e-9));
   EXPECT_TRUE(r.warnings.list().empty());
@@ -85,7 +91,8 @@ TEST(Earthquake, ShakesTheMassOfSkewBodiesAlongEveryDirection) {
   for (const auto& body : system.bodies()) mass += body.mass.mass;
   for (int axis = 0; axis < 3; ++axis) {
     double sum = 0;
-    for (const auto& mode : response::earthquake_response(assembled, {}, flat, along(axis)).modes) sum += mode.effective_mass;
+    for (const auto& mode : response::earthquake_response(assembled, {}, flat, along(axis)).modes)
+      sum += mode.effective_mass;
     EXPECT_THAT(sum, RelativelyNear(mass, 1e-8));
   }
 }
@@ -98,8 +105,10 @@ TEST(Earthquake, WarnsOfModesAndDampingBeyondItsSpectrum) {
   ASSERT_EQ(r.warnings.list().size(), 2u);
   EXPECT_THAT(message(r.warnings.list()[0]), testing::HasSubstr("5 % of the mass"));
   EXPECT_THAT(message(r.warnings.list()[1]), testing::HasSubstr("spectrum for 0.05"));
-  const auto channels = assembly::channels(project.base().system, assembled, {"base.x"}, assembly::Quantity::displacement);
-  EXPECT_THROW(static_cast<void>(response::earthquake_response(assembled, channels, narrow, along(0))), foundation::NotComputable);
+  const auto channels =
+      assembly::channels(project.base().system, assembled, {"base.x"}, assembly::Quantity::displacement);
+  EXPECT_THROW(static_cast<void>(response::earthquake_response(assembled, channels, narrow, along(0))),
+               foundation::NotComputable);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Piston engines against the textbook series (Taylor; Den Hartog, chapter 5), forces of five engines computed from the exact kinematics by
-// discrete Fourier transform, and whole-engine simulation in time.
+// Piston engines against the textbook series (Taylor; Den Hartog, chapter 5), forces of five engines computed from the
+// exact kinematics by discrete Fourier transform, and whole-engine simulation in time.
 #include "trivet/excitation/engine_orders.h"
 
 #include <gmock/gmock.h>
@@ -56,8 +56,8 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
     for (const double phi : {0.0, 0.4, 1.3, 2.9, 4.4}) {
       const double sine = std::sin(phi), cosine = std::cos(phi), root = std::sqrt(1 - l * l * sine * sine);
       const double first = -sine - l * sine * cosine / root;  // s′/r, s″/r
-      const double second =
-          -cosine - l * (cosine * cosine - sine * sine) / root - l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
+      const double second = -cosine - l * (cosine * cosine - sine * sine) / root -
+          l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
       double inertia = 0, product = 0;
       for (int n = 0; n <= count; ++n) inertia += all[static_cast<std::size_t>(n)] * std::cos(n * phi);
       for (int n = 0; n <= 2 * count; ++n) product += torque[static_cast<std::size_t>(n)] * std::sin(n * phi);
@@ -87,9 +87,11 @@ ComplexVector6 inertia(const Engine& engine, int order) {
   return ComplexVector6::Zero();
 }
 
-/// Reference values: amplitudes of the vertical and transverse force, and moments Σ position · force; the transverse direction is −y here.
+/// Reference values: amplitudes of the vertical and transverse force, and moments Σ position · force; the transverse
+/// direction is −y here.
 void expect_order(const Engine& engine, int order, Complex vertical, Complex transverse, Complex pitch, Complex yaw) {
-  constexpr double digits = 3e-6;  // the references cut the series of λ after λ⁷: 3e-6 of the second, 1e-2 of the sixth order
+  constexpr double digits =
+      3e-6;  // the references cut the series of λ after λ⁷: 3e-6 of the second, 1e-2 of the sixth order
   constexpr double absolute = 2e-5;
   const double series = order == 6 ? 1e-2 : order == 4 ? 3e-4 : digits;
   const ComplexVector6 w = inertia(engine, order);
@@ -112,7 +114,8 @@ TEST(EngineOrders, OfAnInlineFourAreItsSecondOrder) {
   expect_order(four, 6, 1.8753963617404699, 0, 0, 0);
   // In closed form with the exact coefficient: 4 m r Ω² a₂.
   EXPECT_THAT(inertia(four, 2)(2).real(), RelativelyNear(4 * 0.55 * 0.045 * omega * omega * 0.3070506590621658, 1e-10));
-  // What cancels is exactly zero, and an order with nothing left is not listed: the torque of order 1 and 3 cancels too.
+  // What cancels is exactly zero, and an order with nothing left is not listed: the torque of order 1 and 3 cancels
+  // too.
   for (const Order& entry : inertia_orders(four, 6)) EXPECT_EQ(std::fmod(entry.order, 2), 0);
 }
 
@@ -127,7 +130,8 @@ TEST(EngineOrders, OfAnInlineThreeAreCouples) {
 
 TEST(EngineOrders, OfAnInlineSixVanishBelowTheSixth) {
   const double a = 120 * degree, b = 240 * degree;
-  const Engine six = engine_of({{0, 0, 0.225}, {a, 0, 0.135}, {b, 0, 0.045}, {b, 0, -0.045}, {a, 0, -0.135}, {0, 0, -0.225}});
+  const Engine six =
+      engine_of({{0, 0, 0.225}, {a, 0, 0.135}, {b, 0, 0.045}, {b, 0, -0.045}, {a, 0, -0.135}, {0, 0, -0.225}});
   for (const int order : {1, 2, 4}) expect_order(six, order, 0, 0, 0, 0);
   expect_order(six, 6, 2.8130945426107052, 0, 0, 0);
 }
@@ -162,27 +166,32 @@ TEST(EngineOrders, OfACrossPlaneVeeEightAreItsPrimaryCouple) {
   expect_order(vee, 6, 0, 0, 0, 0);
 }
 
-/// The wrench of all cylinders at crank angle θ from the exact kinematics, one cylinder after another in vectors: pistons accelerate along
-/// their axes, throws circle, and the side force of each rod pushes its wall at the height of the piston.
+/// The wrench of all cylinders at crank angle θ from the exact kinematics, one cylinder after another in vectors:
+/// pistons accelerate along their axes, throws circle, and the side force of each rod pushes its wall at the height of
+/// the piston.
 Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double speed) {
   const double r = e.crank_radius, rod = r / e.rod_ratio;
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
   for (const Cylinder& c : e.cylinders) {
-    const Eigen::Vector3d axis(0, -std::sin(c.bank_angle), std::cos(c.bank_angle)), across = Eigen::Vector3d::UnitX().cross(axis);
+    const Eigen::Vector3d axis(0, -std::sin(c.bank_angle), std::cos(c.bank_angle)),
+        across = Eigen::Vector3d::UnitX().cross(axis);
     const auto height = [&](double t) {
       const double phi = t + c.crank_angle - c.bank_angle;
       return r * std::cos(phi) + std::sqrt(rod * rod - std::pow(r * std::sin(phi), 2));
     };
-    const double h = 1e-4, acceleration = (height(theta + h) - 2 * height(theta) + height(theta - h)) / (h * h) * speed * speed;
+    const double h = 1e-4,
+                 acceleration = (height(theta + h) - 2 * height(theta) + height(theta - h)) / (h * h) * speed * speed;
     const double phi = theta + c.crank_angle - c.bank_angle, s = height(theta);
-    const double pin_across = r * std::sin(phi);                            // of the crank pin; the rod leans from the piston to it
-    const double along_rod = e.oscillating_mass * acceleration;             // axial force of the rod on the piston, no gas
-    const double side = -along_rod * pin_across / (s - r * std::cos(phi));  // of the rod on the piston, and so of the piston on the wall
+    const double pin_across = r * std::sin(phi);  // of the crank pin; the rod leans from the piston to it
+    const double along_rod = e.oscillating_mass * acceleration;  // axial force of the rod on the piston, no gas
+    const double side = -along_rod * pin_across /
+        (s - r * std::cos(phi));  // of the rod on the piston, and so of the piston on the wall
     const Eigen::Vector3d throw_direction(0, -std::sin(theta + c.crank_angle), std::cos(theta + c.crank_angle));
     const Eigen::Vector3d at(c.position, 0, 0);
     // On the frame: the wall, and the main bearings with what the pin and the throw bring.
-    const Eigen::Vector3d wall = side * across, bearing = -along_rod * axis - side * across +
-                                                          (e.rotating_mass * r - e.counterweight) * speed * speed * throw_direction;
+    const Eigen::Vector3d wall = side * across,
+                          bearing = -along_rod * axis - side * across +
+        (e.rotating_mass * r - e.counterweight) * speed * speed * throw_direction;
     force += wall + bearing;
     moment += (at + s * axis).cross(wall) + at.cross(bearing);
   }
@@ -192,7 +201,8 @@ Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double s
 }
 
 TEST(EngineOrders, SumUpToTheForcesOfTheWholeEngineInTime) {
-  Engine engine{.crank_radius = 0.05, .rod_ratio = 0.28, .oscillating_mass = 0.6, .rotating_mass = 0.8, .counterweight = 0.01};
+  Engine engine{
+      .crank_radius = 0.05, .rod_ratio = 0.28, .oscillating_mass = 0.6, .rotating_mass = 0.8, .counterweight = 0.01};
   engine.cylinders = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee,
                                               .cylinders = 4,
                                               .bank_angle = 70 * degree,
@@ -202,7 +212,8 @@ TEST(EngineOrders, SumUpToTheForcesOfTheWholeEngineInTime) {
   const std::vector<Order> orders = inertia_orders(engine, 24);
   for (const double theta : {0.0, 0.7, 2.1, 3.9, 5.5}) {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
-    for (const Order& entry : orders) sum += omega * omega * (entry.per_speed_squared * std::polar(1.0, entry.order * theta)).real();
+    for (const Order& entry : orders)
+      sum += omega * omega * (entry.per_speed_squared * std::polar(1.0, entry.order * theta)).real();
     const auto exact = exact_wrench(engine, theta, omega);
     constexpr double second_difference = 1e-7;  // h²/12 of the fourth derivative, ε/h² of round-off
     for (Eigen::Index i = 0; i < 6; ++i) EXPECT_NEAR(sum(i), exact(i), second_difference * (i < 3 ? 20000 : 2000)) << i;
@@ -221,13 +232,14 @@ TEST(EngineOrders, CounterweightsOnTheThrowsBalanceTheRotatingMasses) {
   EXPECT_LE(std::abs(w(1) - Complex(0, 1) * w(2)), 1e-9);
 }
 
-/// A made pressure: polytropic compression and expansion with combustion, over 720°, start of the cycle at firing top dead centre.
+/// A made pressure: polytropic compression and expansion with combustion, over 720°, start of the cycle at firing top
+/// dead centre.
 PressureTrace made_trace(const Engine& engine, int points) {
   PressureTrace trace;
   for (int i = 0; i < points; ++i) {
     const double phi = 4 * pi * i / points, sine = std::sin(phi);
-    const double stroke =
-        1 - std::cos(phi) + (1 - std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2))) / engine.rod_ratio;  // of r, from the top
+    const double stroke = 1 - std::cos(phi) +
+        (1 - std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2))) / engine.rod_ratio;  // of r, from the top
     const double volume = 1 + 4.5 * stroke, closed = phi < 0.9 * pi || phi > 3.1 * pi ? 1 : 0;
     const double burnt = phi < 0.9 * pi ? 1 - std::exp(-3 * phi) : 0;
     trace.angles.push_back(phi);
@@ -250,9 +262,11 @@ TEST(GasTorque, HarmonicsAreTheFourierIntegralsOfPressureTimesLever) {
       const double a = trace.angles[i], b = a + 4 * pi / 90, p = trace.pressures[i], q = trace.pressures[(i + 1) % 90];
       for (int k = 0; k <= per_line; ++k) {
         const double share = static_cast<double>(k) / per_line, phi = a + share * (b - a), sine = std::sin(phi);
-        const double lever = sine + engine.rod_ratio * sine * std::cos(phi) / std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2));
+        const double lever =
+            sine + engine.rod_ratio * sine * std::cos(phi) / std::sqrt(1 - std::pow(engine.rod_ratio * sine, 2));
         const double weight = (k == 0 || k == per_line ? 1 : k % 2 ? 4 : 2) / 3.0 * (b - a) / per_line;
-        sum += weight * area * (p + share * (q - p)) * engine.crank_radius * lever * std::polar(1.0, -harmonic.order * phi);
+        sum += weight * area * (p + share * (q - p)) * engine.crank_radius * lever *
+            std::polar(1.0, -harmonic.order * phi);
       }
     }
     sum /= harmonic.order == 0 ? 4 * pi : 2 * pi;
@@ -262,18 +276,21 @@ TEST(GasTorque, HarmonicsAreTheFourierIntegralsOfPressureTimesLever) {
 }
 
 TEST(GasTorque, MeanIsTheWorkOfTheCycle) {
-  // Mean torque · 4π = ∮ p dV, the volume of the swept cylinder being A(s(0) − s(φ)): indicator work by its own trapezoids.
+  // Mean torque · 4π = ∮ p dV, the volume of the swept cylinder being A(s(0) − s(φ)): indicator work by its own
+  // trapezoids.
   const Engine engine = engine_of({{0, 0, 0}});
   const PressureTrace trace = made_trace(engine, 7200);
   const double area = pi * 0.08 * 0.08 / 4;
   const auto volume = [&](double phi) {
-    return -area * engine.crank_radius * (std::cos(phi) + std::sqrt(1 - std::pow(engine.rod_ratio * std::sin(phi), 2)) / engine.rod_ratio);
+    return -area * engine.crank_radius *
+        (std::cos(phi) + std::sqrt(1 - std::pow(engine.rod_ratio * std::sin(phi), 2)) / engine.rod_ratio);
   };
   double work = 0;
   for (std::size_t i = 0; i < 7200; ++i)
     work += 0.5 * (trace.pressures[i] + trace.pressures[(i + 1) % 7200]) *
-            (volume(4 * pi * static_cast<double>(i + 1) / 7200) - volume(trace.angles[i]));
-  EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(), RelativelyNear(work, 1e-5));  // trapezoids of 0.1°
+        (volume(4 * pi * static_cast<double>(i + 1) / 7200) - volume(trace.angles[i]));
+  EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(),
+              RelativelyNear(work, 1e-5));  // trapezoids of 0.1°
 }
 
 TEST(GasTorque, OfEvenlyFiringCylindersAddsUpInMultiplesOfTheFiringOrder) {
@@ -313,18 +330,24 @@ TEST(EngineOrders, JoinAddsEqualOrders) {
 TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   const auto throws = [](const EngineLayout& layout) {
     std::vector<double> degrees;
-    for (const Cylinder& c : evenly_firing_cylinders(layout)) degrees.push_back(std::remainder(c.crank_angle / degree, 360));
+    for (const Cylinder& c : evenly_firing_cylinders(layout))
+      degrees.push_back(std::remainder(c.crank_angle / degree, 360));
     return degrees;
   };
   using ::testing::ElementsAre;
-  const auto near = [](double d) { return ::testing::Truly([d](double x) { return std::abs(std::remainder(x - d, 360)) < 1e-9; }); };
+  const auto near = [](double d) {
+    return ::testing::Truly([d](double x) { return std::abs(std::remainder(x - d, 360)) < 1e-9; });
+  };
   EXPECT_THAT(throws({.cylinders = 4}), ElementsAre(near(0), near(180), near(180), near(0)));
   EXPECT_THAT(throws({.cylinders = 6}), ElementsAre(near(0), near(240), near(120), near(120), near(240), near(0)));
   EXPECT_THAT(throws({.cylinders = 2}), ElementsAre(near(0), near(0)));
-  // A flat four, numbered 1 2 on one bank and 3 4 on the other, fires 1 4 3 2: opposite pistons have opposite throws, so primary forces
-  // cancel.
-  const EngineLayout flat{
-      .kind = EngineLayout::Kind::boxer, .cylinders = 4, .spacing = 0.1, .bank_offset = 0.02, .firing_order = {1, 4, 3, 2}};
+  // A flat four, numbered 1 2 on one bank and 3 4 on the other, fires 1 4 3 2: opposite pistons have opposite throws,
+  // so primary forces cancel.
+  const EngineLayout flat{.kind = EngineLayout::Kind::boxer,
+                          .cylinders = 4,
+                          .spacing = 0.1,
+                          .bank_offset = 0.02,
+                          .firing_order = {1, 4, 3, 2}};
   EXPECT_THAT(throws(flat), ElementsAre(near(90), near(270), near(270), near(90)));
   Engine boxer{.crank_radius = 0.04, .rod_ratio = 0.3, .oscillating_mass = 1};
   boxer.cylinders = evenly_firing_cylinders(flat);
@@ -380,9 +403,11 @@ TEST(Engine, FindingsSayWhatIsWrong) {
 TEST(EngineLayout, RefusesWhatDoesNotExist) {
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 0}), foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 7}), foundation::InvalidInput);
-  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::vee, .cylinders = 6}), foundation::InvalidInput);
-  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::boxer, .cylinders = 3, .firing_order = {1, 2, 3}}),
+  EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::vee, .cylinders = 6}),
                foundation::InvalidInput);
+  EXPECT_THROW(
+      (void)evenly_firing_cylinders({.kind = EngineLayout::Kind::boxer, .cylinders = 3, .firing_order = {1, 2, 3}}),
+      foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 4, .firing_order = {1, 3, 3, 2}}), foundation::InvalidInput);
 }
 
@@ -395,7 +420,8 @@ TEST(GasTorque, FindingsSayWhatIsWrong) {
   EXPECT_THAT(first({{0, 1, 4 * pi}, {1, 1, 2}}), HasSubstr("here it jumps"));
   EXPECT_THAT(first({{0, 1}, {1, 1}}), HasSubstr("2 points"));
   EXPECT_THAT(first({{0, 1, 2}, {1, 1}}), HasSubstr("3 angles and 2 pressures"));
-  EXPECT_THROW((void)gas_harmonics(made_trace(engine_of({{0, 0, 0}}), 90), engine_of({{0, 0, 0}}), 0, 4), foundation::InvalidInput);
+  EXPECT_THROW((void)gas_harmonics(made_trace(engine_of({{0, 0, 0}}), 90), engine_of({{0, 0, 0}}), 0, 4),
+               foundation::InvalidInput);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ constexpr double two_pi = 2 * pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Road, AClassHasTheVelocitySpectrumOfIso8608) {
-  // ISO 8608: class C, G_d(0.1 1/m) = 256e-6 m³, at 20 m/s. Velocity density and rms over 0.5 … 50 Hz computed from the definition.
+  // ISO 8608: class C, G_d(0.1 1/m) = 256e-6 m³, at 20 m/s. Velocity density and rms over 0.5 … 50 Hz computed from the
+  // definition.
   constexpr double digits = 1e-12;
   const Spectrum velocity = differentiated(road_spectrum(road_class('C'), 20), 1);
   EXPECT_THAT(two_pi * density(velocity, two_pi * 5), RelativelyNear(0.0020212949813431004, digits));
@@ -38,7 +39,8 @@ TEST(Road, AClassHasTheVelocitySpectrumOfIso8608) {
   EXPECT_THAT(velocity.from(), RelativelyNear(two_pi * 0.011 * 20, digits));
   EXPECT_THAT(velocity.to(), RelativelyNear(two_pi * 2.83 * 20, digits));
   const double means[] = {1.6e-05, 6.4e-05, 0.000256, 0.001024, 0.004096, 0.016384, 0.065536, 0.262144};
-  for (int k = 0; k < 8; ++k) EXPECT_THAT(road_class(static_cast<char>('A' + k)).roughness, RelativelyNear(means[k], digits));
+  for (int k = 0; k < 8; ++k)
+    EXPECT_THAT(road_class(static_cast<char>('A' + k)).roughness, RelativelyNear(means[k], digits));
 }
 
 TEST(Road, ItsHeightDependsOnTheWavesNotOnTheSpeed) {
@@ -58,14 +60,15 @@ TEST(Balance, G63At3000PerMinuteIsTwentyMicrometres) {
 }
 
 TEST(ShockSpectrum, OfAHalfSineMeetsTwoOtherPrograms) {
-  // Half sine 50 g, 11 ms, Q = 10: an adaptive Runge–Kutta solution, and the ramp-invariant filter of ISO 18431-4 at 100 kHz, agree to 2e-3
-  // at worst.
+  // Half sine 50 g, 11 ms, Q = 10: an adaptive Runge–Kutta solution, and the ramp-invariant filter of ISO 18431-4 at
+  // 100 kHz, agree to 2e-3 at worst.
   constexpr double between_the_programs = 2e-3, of_the_positive = 2e-5;
-  const double rows[][3] = {{10, 20.258752278258953, -17.31045360996183}, {20, 39.155563266296085, -33.45717124881133},
-                            {40, 68.0773720328689, -58.16992848916654},   {60, 80.68026629838644, -68.18823947596796},
-                            {80, 82.41373492241142, -62.17705634489961},  {100, 79.5697848911771, -43.66864380620587},
-                            {200, 56.9803002853663, -14.209417108553954}, {500, 52.350937775511724, -3.4949429634871376},
-                            {1000, 50.37821459733108, -2.176514990107289}};
+  const double rows[][3] = {
+      {10, 20.258752278258953, -17.31045360996183}, {20, 39.155563266296085, -33.45717124881133},
+      {40, 68.0773720328689, -58.16992848916654},   {60, 80.68026629838644, -68.18823947596796},
+      {80, 82.41373492241142, -62.17705634489961},  {100, 79.5697848911771, -43.66864380620587},
+      {200, 56.9803002853663, -14.209417108553954}, {500, 52.350937775511724, -3.4949429634871376},
+      {1000, 50.37821459733108, -2.176514990107289}};
   for (const auto& [hertz, positive, negative] : rows) {
     const ShockResponse response = shock_spectrum(half_sine(50, 0.011), {two_pi * hertz}, 0.05).at(0);
     EXPECT_THAT(response.largest(), RelativelyNear(positive, of_the_positive));
@@ -75,11 +78,12 @@ TEST(ShockSpectrum, OfAHalfSineMeetsTwoOtherPrograms) {
 
 TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
   constexpr double digits = 1e-11;
-  // Half sine, residual: 2β |cos(π/2β)|/(|β² − 1|) with β = f_pulse/f = 1/(2fT). Rectangle, residual: 2 |sin(πfT)|. [Harris, chapter on
-  // shock]
+  // Half sine, residual: 2β |cos(π/2β)|/(|β² − 1|) with β = f_pulse/f = 1/(2fT). Rectangle, residual: 2 |sin(πfT)|.
+  // [Harris, chapter on shock]
   for (const double fT : {0.1, 0.33, 0.81, 1.27, 2.6, 7.9}) {
     const double omega = two_pi * fT, beta = 1 / (2 * fT);  // T = 1
-    const ShockResponse sine = shock_spectrum(half_sine(1, 1), {omega}, 0).at(0), box = shock_spectrum(rectangular(1, 1), {omega}, 0).at(0);
+    const ShockResponse sine = shock_spectrum(half_sine(1, 1), {omega}, 0).at(0),
+                        box = shock_spectrum(rectangular(1, 1), {omega}, 0).at(0);
     const double residual = 2 * beta * std::abs(std::cos(pi / (2 * beta))) / std::abs(beta * beta - 1);
     EXPECT_NEAR(sine.residual(), residual, digits);
     EXPECT_NEAR(box.residual(), 2 * std::abs(std::sin(pi * fT)), digits);
@@ -89,24 +93,27 @@ TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
     EXPECT_THAT(sine.pseudo_velocity() * omega,
                 RelativelyNear(sine.maximax(), digits));  // without damping ω²z is the absolute acceleration
   }
-  EXPECT_THAT(shock_spectrum(half_sine(1, 1), {two_pi * 0.81}, 0).at(0).maximax(), RelativelyNear(1.768, 5e-4));  // the well known peak
+  EXPECT_THAT(shock_spectrum(half_sine(1, 1), {two_pi * 0.81}, 0).at(0).maximax(),
+              RelativelyNear(1.768, 5e-4));  // the well known peak
   // Exactly on resonance the half sine leaves π/2 behind.
   EXPECT_THAT(shock_spectrum(half_sine(1, 1), {pi}, 0).at(0).residual(), RelativelyNear(pi / 2, digits));
   // A step doubles and a slow ramp hardly does: 1 + |sin(ωt_r/2)|/(ωt_r/2).
   EXPECT_THAT(shock_spectrum(step(1), {5}, 0).at(0).maximax(), RelativelyNear(2, digits));
-  EXPECT_THAT(shock_spectrum(ramp(1, 1), {5}, 0).at(0).maximax(), RelativelyNear(1 + std::abs(std::sin(2.5)) / 2.5, digits));
+  EXPECT_THAT(shock_spectrum(ramp(1, 1), {5}, 0).at(0).maximax(),
+              RelativelyNear(1 + std::abs(std::sin(2.5)) / 2.5, digits));
   // A damped step: overshoot of the relative displacement e^{−πζ/√(1−ζ²)}.
   EXPECT_THAT(shock_spectrum(step(1), {5}, 0.2).at(0).relative_displacement * 25,
               RelativelyNear(1 + std::exp(-pi * 0.2 / std::sqrt(0.96)), digits));
 }
 
 TEST(ShockSpectrum, AnImpulseLeavesItsClosedFormBehind) {
-  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse while the absolute acceleration 2ζωV was largest
-  // in it.
+  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse while the absolute
+  // acceleration 2ζωV was largest in it.
   const double duration = 1e-6;
   for (const double zeta : {0.6, 0.8, 0.9}) {
     const ShockResponse response = shock_spectrum(rectangular(1 / duration, duration), {1}, zeta).at(0);
-    EXPECT_THAT(response.pseudo_velocity(), RelativelyNear(std::exp(-zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta)), 10 * duration));
+    EXPECT_THAT(response.pseudo_velocity(),
+                RelativelyNear(std::exp(-zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta)), 10 * duration));
     EXPECT_THAT(response.maximax(), RelativelyNear(2 * zeta, 10 * duration));
   }
 }
@@ -122,8 +129,8 @@ TEST(ShockSpectrum, RefusesWhatHasNoLargestValue) {
 }
 
 TEST(ModalCombination, CorrelationIsThatOfTwoOscillatorsInWhiteNoise) {
-  // Exact correlation of displacements under white noise, Re ∫H_i* H_j dω / √(∫|H_i|² ∫|H_j|²), by quadrature. The published coefficient is
-  // exact.
+  // Exact correlation of displacements under white noise, Re ∫H_i* H_j dω / √(∫|H_i|² ∫|H_j|²), by quadrature. The
+  // published coefficient is exact.
   const auto h = [](double omega_n, double zeta, double w) {
     return 1.0 / std::complex<double>(omega_n * omega_n - w * w, 2 * zeta * omega_n * w);
   };

@@ -26,7 +26,8 @@ Matrix12 true_stiffness() {
   return elements::from_moved_end(k, arm);
 }
 
-/// A rig that moves both ends (or only K) at random, about 1 mm and 10 mrad, with noise relative to the rms of each channel.
+/// A rig that moves both ends (or only K) at random, about 1 mm and 10 mrad, with noise relative to the rms of each
+/// channel.
 class SyntheticRig {
  public:
   explicit SyntheticRig(unsigned seed) : random_(seed) {}
@@ -89,23 +90,30 @@ double coverage(Unknowns unknowns, bool both_ends, int cases, double noise, int 
     SyntheticRig synthetic(static_cast<unsigned>(1e5 * noise) + static_cast<unsigned>(rig));
     const auto fit = identified_stiffness(synthetic.cases(cases, truth, both_ends, noise), arm, options).value();
     for (int i = first; i < 12; ++i)
-      for (int j = first; j <= i; ++j, ++all) held += std::abs(fit.stiffness(i, j) - truth(i, j)) <= fit.half_width(i, j);
+      for (int j = first; j <= i; ++j, ++all)
+        held += std::abs(fit.stiffness(i, j) - truth(i, j)) <= fit.half_width(i, j);
   }
   return static_cast<double>(held) / all;
 }
 
-constexpr double least = 0.93, most = 0.97;  // the goal for 95 % intervals; 2000 to 4000 intervals each: the simulation scatters by 0.005
+constexpr double
+    least = 0.93,
+    most = 0.97;  // the goal for 95 % intervals; 2000 to 4000 intervals each: the simulation scatters by 0.005
 
 TEST(IdentifiedStiffness, IntervalsHoldTheTruthAsOftenAsTheySay) {
   for (const double noise : {0.01, 0.05}) {
     EXPECT_THAT(coverage(Unknowns::self_balanced, false, 24, noise, 200),
-                testing::AllOf(testing::Ge(least), testing::Le(most))) << "moved end, noise " << noise;
+                testing::AllOf(testing::Ge(least), testing::Le(most)))
+        << "moved end, noise " << noise;
     EXPECT_THAT(coverage(Unknowns::self_balanced, false, 10, noise, 150),
-                testing::AllOf(testing::Ge(least), testing::Le(most))) << "few cases, noise " << noise;
+                testing::AllOf(testing::Ge(least), testing::Le(most)))
+        << "few cases, noise " << noise;
     EXPECT_THAT(coverage(Unknowns::self_balanced, true, 30, noise, 60),
-                testing::AllOf(testing::Ge(least), testing::Le(most))) << "both ends, noise " << noise;
+                testing::AllOf(testing::Ge(least), testing::Le(most)))
+        << "both ends, noise " << noise;
     EXPECT_THAT(coverage(Unknowns::full_symmetric, true, 40, noise, 20),
-                testing::AllOf(testing::Ge(least), testing::Le(most))) << "78 constants, noise " << noise;
+                testing::AllOf(testing::Ge(least), testing::Le(most)))
+        << "78 constants, noise " << noise;
   }
 }
 

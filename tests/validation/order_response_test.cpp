@@ -28,7 +28,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A system with what every answer needs.
 struct Solved {
   explicit Solved(const model::Description& description)
-      : system(test::checked(description)), assembled(assembly::assemble(system)), modes(modal::modes(system, assembled)),
+      : system(test::checked(description)),
+        assembled(assembly::assemble(system)),
+        modes(modal::modes(system, assembled)),
         roots(modal::roots(system, assembled, modes)) {}
 
   std::vector<assembly::Channel> channels(const std::vector<std::string>& of,
@@ -36,7 +38,8 @@ struct Solved {
     return assembly::channels(system, assembled, of, quantity);
   }
   response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 101) const {
-    return response::run_up(assembled, channels(of), response::order_loadings(system, assembled), modes, roots, {speed, 1e-6, points});
+    return response::run_up(assembled, channels(of), response::order_loadings(system, assembled), modes, roots,
+                            {speed, 1e-6, points});
   }
   response::Peaks peaks(const std::vector<assembly::Channel>& of, const assembly::Loading& loading) const {
     return response::peaks(assembled, of, loading, modes, roots);
@@ -66,11 +69,14 @@ TEST(UnbalanceRunUp, PeaksAboveTheNaturalFrequency) {
     ASSERT_EQ(found.critical.size(), 1u) << ratio;
     const response::CriticalSpeed& critical = found.critical[0];
     EXPECT_THAT(critical.speed, RelativelyNear(natural / std::sqrt(1 - 2 * ratio * ratio), frequency_digits)) << ratio;
-    EXPECT_THAT(critical.amplitude, RelativelyNear(unbalance / mass / (2 * ratio * std::sqrt(1 - ratio * ratio)), digits)) << ratio;
+    EXPECT_THAT(critical.amplitude,
+                RelativelyNear(unbalance / mass / (2 * ratio * std::sqrt(1 - ratio * ratio)), digits))
+        << ratio;
     EXPECT_EQ(critical.order, 1);
     EXPECT_EQ(critical.nearest_mode, 1);
     EXPECT_EQ(critical.relative_height, 1);
-    EXPECT_THAT(amplitude_at(found, 0, 0, critical.speed), RelativelyNear(critical.amplitude, digits)) << "the peak is on the grid";
+    EXPECT_THAT(amplitude_at(found, 0, 0, critical.speed), RelativelyNear(critical.amplitude, digits))
+        << "the peak is on the grid";
     EXPECT_THAT(found.overall[0].highest_rms, RelativelyNear(critical.amplitude / std::numbers::sqrt2, digits));
     EXPECT_THAT(found.overall[0].highest_rms_at, RelativelyNear(critical.speed, frequency_digits));
   }
@@ -104,7 +110,8 @@ excitation::Engine four_in_line() {
   engine.crank_radius = 0.043;
   engine.rod_ratio = 0.3;
   engine.oscillating_mass = 0.6;
-  engine.cylinders = excitation::evenly_firing_cylinders({excitation::EngineLayout::Kind::in_line, 4, 0, 0.09, 0, {}, 4});
+  engine.cylinders =
+      excitation::evenly_firing_cylinders({excitation::EngineLayout::Kind::in_line, 4, 0, 0.09, 0, {}, 4});
   return engine;
 }
 
@@ -121,9 +128,12 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
   ASSERT_EQ(found.orders.size(), 1u);
   EXPECT_EQ(found.orders[0].order, 2);
   for (std::size_t i = 0; i < found.speed.size(); ++i) {
-    const double omega = 2 * found.speed[i], force = 4 * 0.6 * 0.043 * found.speed[i] * found.speed[i] * a2, r = omega / natural;
-    const double transmitted = std::sqrt((1 + 4 * ratio * ratio * r * r) / (std::pow(1 - r * r, 2) + 4 * ratio * ratio * r * r));
-    EXPECT_THAT(std::abs(found.orders[0].curves[0].value(static_cast<Eigen::Index>(i))), RelativelyNear(force * transmitted, series_end))
+    const double omega = 2 * found.speed[i], force = 4 * 0.6 * 0.043 * found.speed[i] * found.speed[i] * a2,
+                 r = omega / natural;
+    const double transmitted =
+        std::sqrt((1 + 4 * ratio * ratio * r * r) / (std::pow(1 - r * r, 2) + 4 * ratio * ratio * r * r));
+    EXPECT_THAT(std::abs(found.orders[0].curves[0].value(static_cast<Eigen::Index>(i))),
+                RelativelyNear(force * transmitted, series_end))
         << omega;
   }
   ASSERT_EQ(found.critical.size(), 1u);
@@ -152,7 +162,8 @@ TEST(RunUp, TellsTallPeaksFromSmallOnes) {
     EXPECT_EQ(found.critical[i].order, order);
     EXPECT_THAT(found.critical[i].speed, RelativelyNear(peak / order, frequency_digits));
     EXPECT_THAT(found.critical[i].relative_height, RelativelyNear(height, digits));
-    const bool on_grid = std::find(found.speed.begin(), found.speed.end(), found.critical[i].speed) != found.speed.end();
+    const bool on_grid =
+        std::find(found.speed.begin(), found.speed.end(), found.critical[i].speed) != found.speed.end();
     EXPECT_EQ(on_grid, order < 3) << "from 1 % of the highest";
   }
   EXPECT_THROW(solved.run_up({"machine"}, {10, 10}), foundation::InvalidInput);
@@ -162,7 +173,8 @@ TEST(RunUp, TellsTallPeaksFromSmallOnes) {
   const Solved still(test::guided_mass(2, natural, ratio));
   EXPECT_THROW(still.run_up({"machine"}, {10, 70}), foundation::InvalidInput) << "nothing goes with a shaft";
   const model::System resting = test::checked(d);
-  EXPECT_THROW((void)response::order_loadings(resting, assembly::assemble(resting)), foundation::InvalidInput) << "order 0";
+  EXPECT_THROW((void)response::order_loadings(resting, assembly::assemble(resting)), foundation::InvalidInput)
+      << "order 0";
 }
 
 TEST(Waterfall, HasALineForEveryOrderOfEverySpectrum) {
@@ -179,7 +191,8 @@ TEST(Waterfall, HasALineForEveryOrderOfEverySpectrum) {
   ASSERT_EQ(lines.size(), 15u);
   EXPECT_EQ(lines[3].speed, 20);
   EXPECT_EQ(lines[3].order, 0.5);
-  EXPECT_THAT(lines[3].amplitude, RelativelyNear(3 / std::abs(std::complex<double>(2 * (900 - 100), 2 * 0.1 * 2 * 30 * 10)), digits));
+  EXPECT_THAT(lines[3].amplitude,
+              RelativelyNear(3 / std::abs(std::complex<double>(2 * (900 - 100), 2 * 0.1 * 2 * 30 * 10)), digits));
   EXPECT_EQ(lines[14].angular_frequency, 100);
   const auto uneven = response::waterfall(found, 0, 4);  // 10, 23.3, 36.7 and 50 rad/s
   ASSERT_EQ(uneven.size(), 12u);
@@ -199,7 +212,8 @@ model::Description two_masses(double natural, double ratio) {
   model::Description d;
   d.bodies = {test::guided_body("left", 1), test::guided_body("right", 1)};
   const double k = natural * natural, c = 2 * ratio * natural;
-  d.elements = {test::vertical_spring("a", {}, 0, k, c), test::vertical_spring("b", 0, 1, k, c), test::vertical_spring("c", {}, 1, k, c)};
+  d.elements = {test::vertical_spring("a", {}, 0, k, c), test::vertical_spring("b", 0, 1, k, c),
+                test::vertical_spring("c", {}, 1, k, c)};
   return d;
 }
 
@@ -213,8 +227,10 @@ TEST(CampbellDiagram, HasOrdersMeetDampedNaturalFrequencies) {
   three.fixed(2) = 5;
   d.excitations = {{"shaft", left, model::Orders{{one, three}}}};
   const Solved solved(d);
-  const response::Campbell found = response::campbell(response::order_loadings(solved.system, solved.assembled), solved.modes, solved.roots, {10, 60});
-  const double first = natural * std::sqrt(1 - ratio * ratio), second = std::sqrt(3.0) * natural * std::sqrt(1 - 3 * ratio * ratio);
+  const response::Campbell found = response::campbell(response::order_loadings(solved.system, solved.assembled),
+                                                      solved.modes, solved.roots, {10, 60});
+  const double first = natural * std::sqrt(1 - ratio * ratio),
+               second = std::sqrt(3.0) * natural * std::sqrt(1 - 3 * ratio * ratio);
   ASSERT_EQ(found.natural.size(), 2u);
   EXPECT_THAT(found.natural[0].angular_frequency, RelativelyNear(first, digits));
   EXPECT_THAT(found.natural[1].angular_frequency, RelativelyNear(second, digits));
@@ -277,8 +293,9 @@ TEST(Transmissibility, OfOneMassIsTheTextbooks) {
         EXPECT_EQ(crossover.proven_to, infinity);
       }
     }
-    EXPECT_THAT(force.channels, testing::ElementsAre(testing::Field(&assembly::Channel::name, "ground"),
-                                                     testing::Field(&assembly::Channel::name, "mount")));
+    EXPECT_THAT(force.channels,
+                testing::ElementsAre(testing::Field(&assembly::Channel::name, "ground"),
+                                     testing::Field(&assembly::Channel::name, "mount")));
   }
 }
 
@@ -311,13 +328,20 @@ TEST(Transmissibility, OfRelativeMotionNeverFallsBelowOneForGood) {
 TEST(Transmissibility, RefusesToCompareUnlikeUnits) {
   const Solved solved(test::guided_mass(4, 10, 0.05));
   const response::Direction up, turn{Eigen::Vector3d::UnitX(), true};
-  EXPECT_THAT([&] { (void)response::force_transmission(solved.system, solved.assembled, {0, {}, up}, turn); },
-              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a moment over a force has the unit m")));
-  EXPECT_THAT([&] { (void)response::displacement_transmission(solved.system, solved.assembled, {"machine"}, turn, up); },
-              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a translation over a rotation has the unit m")));
-  EXPECT_THAT([&] { (void)response::force_transmission(solved.system, solved.assembled, {0, {}, {Eigen::Vector3d::Zero(), false}}); },
-              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("length > 0")));
-  EXPECT_THROW((void)response::displacement_transmission(solved.system, solved.assembled, {"mount"}, up), foundation::InvalidInput);
+  EXPECT_THAT(
+      [&] { (void)response::force_transmission(solved.system, solved.assembled, {0, {}, up}, turn); },
+      testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a moment over a force has the unit m")));
+  EXPECT_THAT(
+      [&] { (void)response::displacement_transmission(solved.system, solved.assembled, {"machine"}, turn, up); },
+      testing::ThrowsMessage<foundation::InvalidInput>(
+          testing::HasSubstr("a translation over a rotation has the unit m")));
+  EXPECT_THAT(
+      [&] {
+        (void)response::force_transmission(solved.system, solved.assembled, {0, {}, {Eigen::Vector3d::Zero(), false}});
+      },
+      testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("length > 0")));
+  EXPECT_THROW((void)response::displacement_transmission(solved.system, solved.assembled, {"mount"}, up),
+               foundation::InvalidInput);
 }
 
 TEST(Transmissibility, TakesItsDirectionFromAForceOfTheModel) {
@@ -339,31 +363,38 @@ TEST(Transmissibility, TakesItsDirectionFromAForceOfTheModel) {
   EXPECT_THROW((void)response::applied_force(system, "none"), foundation::InvalidInput);
 }
 
-response::LimitComparison velocity_of_mass(const response::LimitLine& line, const response::Band& band, double ratio = 0.05) {
+response::LimitComparison velocity_of_mass(const response::LimitLine& line, const response::Band& band,
+                                           double ratio = 0.05) {
   model::Description d = test::guided_mass(2, 30, ratio);
   d.excitations = {test::vertical_force("push", 0, 5)};
   const Solved solved(d);
   const auto channels = solved.channels({"machine"}, assembly::Quantity::velocity);
   const auto loading = assembly::harmonic_loading(solved.system, solved.assembled);
-  return response::compared_with_limit(solved.assembled, channels[0], loading, solved.roots.poles, solved.peaks(channels, loading), line,
-                                       band);
+  return response::compared_with_limit(solved.assembled, channels[0], loading, solved.roots.poles,
+                                       solved.peaks(channels, loading), line, band);
 }
 
 TEST(LimitLine, IsExceededBetweenTheRootsOfTheClosedForm) {
   // |v| = F ω/|k − mω² + iωc| = L where k − mω² = ±ω√(F²/L² − c²).
   constexpr double mass = 2, natural = 30, force = 5, limit = 0.2, dashpot = 2 * 0.05 * mass * natural,
-      stiffness = mass * natural * natural;
-  const double s = std::sqrt(force * force / (limit * limit) - dashpot * dashpot), root = std::sqrt(s * s + 4 * stiffness * mass);
+                   stiffness = mass * natural * natural;
+  const double s = std::sqrt(force * force / (limit * limit) - dashpot * dashpot),
+               root = std::sqrt(s * s + 4 * stiffness * mass);
   for (const bool rms : {false, true}) {
-    const response::LimitLine line{"flat", "m/s", rms, {1, 1000},
-                                   {rms ? limit / std::numbers::sqrt2 : limit, rms ? limit / std::numbers::sqrt2 : limit}};
+    const response::LimitLine line{
+        "flat",
+        "m/s",
+        rms,
+        {1, 1000},
+        {rms ? limit / std::numbers::sqrt2 : limit, rms ? limit / std::numbers::sqrt2 : limit}};
     const auto found = velocity_of_mass(line, {2, 200});
     ASSERT_EQ(found.exceeded.size(), 1u);
     EXPECT_FALSE(found.kept());
     EXPECT_THAT(found.exceeded[0].from, RelativelyNear((root - s) / (2 * mass), digits));
     EXPECT_THAT(found.exceeded[0].to, RelativelyNear((root + s) / (2 * mass), digits));
     EXPECT_THAT(found.least_margin, RelativelyNear(limit * dashpot / force, digits));
-    EXPECT_THAT(found.least_margin_at, RelativelyNear(natural, 1e-7)) << "a maximum found by golden section: root of round-off";
+    EXPECT_THAT(found.least_margin_at, RelativelyNear(natural, 1e-7))
+        << "a maximum found by golden section: root of round-off";
     EXPECT_THAT(found.compared.from, 2);
     EXPECT_THAT(found.compared.to, 200);
   }

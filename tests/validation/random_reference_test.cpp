@@ -28,18 +28,19 @@ model::Body mass(const std::string& name, double kilograms, double height = 0) {
 }
 
 /// A vertical spring and dashpot without length from the ground or a body to a body above.
-model::Element strut(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness, double damping,
-                     double height = 0) {
+model::Element strut(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness,
+                     double damping, double height = 0) {
   model::Element element;
   element.name = name;
   element.type = "matrix";
   element.n.body = from;
   element.n.at.z() = from ? 0 : height;
   element.k.body = on;
-  element.law.nominal_stiffness = elements::constant_along_line(stiffness, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0);
+  element.law.nominal_stiffness =
+      elements::constant_along_line(stiffness, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0);
   if (damping > 0)
-    element.law.damping =
-        elements::DampingMatrix{elements::constant_along_line(damping, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0)};
+    element.law.damping = elements::DampingMatrix{
+        elements::constant_along_line(damping, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0)};
   return element;
 }
 
@@ -94,7 +95,9 @@ TEST(MilesEquation, TheFormulaAndItsExactNeighboursAreMet) {
 TEST(RandomBaseAcceleration, DensitiesAreThoseOfCodeAster) {
   // code_aster test sdld101a: 100 kg on 1e6 N/m, 5 % of critical, unit density per hertz of the ground's acceleration.
   constexpr double published = 1e-3, own = 1e-10;
-  struct Row { double f, absolute_published, absolute, relative_published, relative; };
+  struct Row {
+    double f, absolute_published, absolute, relative_published, relative;
+  };
   constexpr Row rows[] = {{5, 1.2307, 1.2307179681278728, 0.011976, 0.011976491536097618},
                           {10, 2.7116, 2.7116573463372973, 0.42096, 0.42096223140711075},
                           {15, 47.2154, 47.21577894978052, 36.9225, 36.92589392202976},
@@ -103,7 +106,8 @@ TEST(RandomBaseAcceleration, DensitiesAreThoseOfCodeAster) {
   const Case c = oscillator(100, 100, 0.05);
   auto channels = assembly::channels(c.system, c.assembled, {"m.z", "m.relative.z"}, assembly::Quantity::acceleration);
   for (const Row& row : rows) {
-    const auto curves = response::random_curves(c.assembled, channels, {{{"ground", c.base(2), flat_hz(1, 1, 100)}}, {}}, {2 * pi * row.f});
+    const auto curves = response::random_curves(c.assembled, channels,
+                                                {{{"ground", c.base(2), flat_hz(1, 1, 100)}}, {}}, {2 * pi * row.f});
     const double absolute = 2 * pi * curves.density[0][0], relative = 2 * pi * curves.density[1][0];
     EXPECT_NEAR(absolute / row.absolute, 1, own);
     EXPECT_NEAR(absolute / row.absolute_published, 1, published);
@@ -130,7 +134,8 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
   const QuarterCar car;
   model::Description description;
   description.bodies = {mass("wheel", car.unsprung), mass("car", car.sprung)};
-  description.elements = {strut("tyre", std::nullopt, 0, car.tyre, 0), strut("suspension", 0, 1, car.suspension, car.damper)};
+  description.elements = {strut("tyre", std::nullopt, 0, car.tyre, 0),
+                          strut("suspension", 0, 1, car.suspension, car.damper)};
   const Case c{test::checked(description)};
   const excitation::Spectrum road = excitation::road_spectrum(excitation::road_class('C'), 20);
   // Independent of the floor `excitation`: S(ω) = G(n₀) (n₀ v)² 2π / (v ω²) … with n = ω/(2πv), S(ω) dω = G(n) dn.
@@ -140,7 +145,11 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
   const double from = std::log(2 * pi * 20 * 0.011), to = std::log(2 * pi * 20 * 2.83);
   for (int i = 0; i <= steps; ++i) {
     const double omega = std::exp(from + (to - from) * i / steps);
-    const double weight = (to - from) / steps / 3 * (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * omega * density(omega);
+    const double weight = (to - from) / steps / 3 *
+        (i == 0 || i == steps ? 1
+             : i % 2 == 1     ? 4
+                              : 2) *
+        omega * density(omega);
     const auto [body, wheel] = car.heights(omega);
     acceleration += weight * std::pow(omega, 4) * std::norm(body);
     travel += weight * std::norm(body - wheel);
@@ -152,11 +161,13 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
   const response::RandomAnswer rattle = c.answer("suspension.deflection.z", assembly::Quantity::displacement, input);
   EXPECT_NEAR(*rattle.rms / std::sqrt(travel), 1, truncation);
   EXPECT_NEAR(*rattle.zero_crossings / (std::sqrt(travel_rate / travel) / (2 * pi)), 1, truncation);
-  EXPECT_NEAR(*c.answer("tyre.force.z", assembly::Quantity::displacement, input).rms / std::sqrt(tyre_force), 1, truncation);
+  EXPECT_NEAR(*c.answer("tyre.force.z", assembly::Quantity::displacement, input).rms / std::sqrt(tyre_force), 1,
+              truncation);
 }
 
 TEST(HumanWeighting, AVeryNarrowBandIsWeighedByThePublishedFactors) {
-  // ISO 2631-1 annex B / ISO 8041-1 at 15.915 Hz: Wk 0.7718, Wd 0.1261. A free mass under a force has its acceleration alone.
+  // ISO 2631-1 annex B / ISO 8041-1 at 15.915 Hz: Wk 0.7718, Wd 0.1261. A free mass under a force has its acceleration
+  // alone.
   constexpr double printed = 0.00005 / 0.1261;
   model::Description description;
   description.bodies = {mass("seat", 2)};
@@ -180,8 +191,12 @@ TEST(HumanWeighting, AWideBandAgreesWithTheSumOverItsCurve) {
   for (int i = 0; i <= steps; ++i) {
     const double omega = h * i;
     const std::complex<double> joint(w0 * w0, 2 * 0.2 * w0 * omega);
-    sum += h / 3 * (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * 0.01 / (2 * pi) * std::norm(joint / (joint - omega * omega)) *
-           std::norm(excitation::transfer(excitation::Weighting::Wk, omega));
+    sum += h / 3 *
+        (i == 0 || i == steps ? 1
+             : i % 2 == 1     ? 4
+                              : 2) *
+        0.01 / (2 * pi) * std::norm(joint / (joint - omega * omega)) *
+        std::norm(excitation::transfer(excitation::Weighting::Wk, omega));
   }
   const response::RandomAnswer answer =
       c.answer("m.z", assembly::Quantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
@@ -196,8 +211,8 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
   constexpr double settled = 1e-7;
   const Case c = oscillator(1, 10, 1);
   const auto channels = assembly::channels(c.system, c.assembled, {"m.z"}, assembly::Quantity::displacement);
-  const auto random =
-      response::random_response(c.assembled, channels, {{{"force", c.force(0, 1), excitation::flat_spectrum(1, 0, 1e5)}}, {}});
+  const auto random = response::random_response(c.assembled, channels,
+                                                {{{"force", c.force(0, 1), excitation::flat_spectrum(1, 0, 1e5)}}, {}});
   EXPECT_EQ(random.method, response::RandomMethod::quadrature);
   EXPECT_FALSE(random.remark.empty());
   EXPECT_NEAR(*random.answers[0].rms / std::sqrt(pi / 4e3), 1, settled);
@@ -205,14 +220,14 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
 
 TEST(InfiniteVariance, IsAMissingNumberWithItsReason) {
   const Case undamped = oscillator(1, 10, 0), damped = oscillator(1, 10, 0.1);
-  const response::RandomAnswer resonance =
-      undamped.answer("m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
+  const response::RandomAnswer resonance = undamped.answer(
+      "m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
   EXPECT_FALSE(resonance.rms || resonance.rms_of_derivative || resonance.zero_crossings || resonance.three_sigma);
   EXPECT_THAT(resonance.reason, testing::HasSubstr("undamped natural frequency"));
   // Below resonance an undamped oscillator is as good as any: ∫₁⁵ dω/(100 − ω²)².
   const auto primitive = [](double w) { return w / (200 * (100 - w * w)) + std::log((10 + w) / (10 - w)) / 4000; };
-  const response::RandomAnswer below =
-      undamped.answer("m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
+  const response::RandomAnswer below = undamped.answer(
+      "m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
   EXPECT_NEAR(*below.rms, std::sqrt(primitive(5) - primitive(1)), 1e-12);
   const response::RandomInput floor{"floor", damped.base(2), excitation::flat_spectrum(1, 0, 100)};
   EXPECT_FALSE(damped.answer("m.z", assembly::Quantity::displacement, floor).rms);

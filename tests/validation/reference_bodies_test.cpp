@@ -16,15 +16,22 @@ using namespace trivet;
 using test::RelativelyNear;
 
 TEST(FourMounts, SymmetricBlockOfTheHandbook) {
-  // Harris/Crede, Shock and Vibration Handbook ch. 3: two planes of symmetry, mounts below the centre of mass; biquadratics.
+  // Harris/Crede, Shock and Vibration Handbook ch. 3: two planes of symmetry, mounts below the centre of mass;
+  // biquadratics.
   constexpr double digits = 1e-10;
-  const double expected[] = {5.695217703488748, 5.887912913343855, 9.003163161571061, 9.724527652599994, 12.470146321689391, 13.26030984710917};
-  std::string text = "trivet = 1\n[bodies.block]\nmass = 1000\ninertia = {about = \"center_of_mass\", xx = 180, yy = 390, zz = 450}\n";
+  const double expected[] = {5.695217703488748, 5.887912913343855,  9.003163161571061,
+                             9.724527652599994, 12.470146321689391, 13.26030984710917};
+  std::string text =
+      "trivet = 1\n[bodies.block]\nmass = 1000\ninertia = {about = \"center_of_mass\", xx = 180, yy = 390, zz = 450}\n";
   for (const int x : {-1, 1})
     for (const int y : {-1, 1})
-      text += fmt::format("[elements.\"{} {}\"]\ntype = \"three_springs\"\non = \"block\"\nat = [{}, {}, -0.4]\ntranslation = [4e5, 5e5, 8e5]\n", x, y, 0.8 * x, 0.5 * y);
+      text += fmt::format(
+          "[elements.\"{} {}\"]\ntype = \"three_springs\"\non = \"block\"\nat = [{}, {}, -0.4]\ntranslation = [4e5, "
+          "5e5, 8e5]\n",
+          x, y, 0.8 * x, 0.5 * y);
   const modal::Modes modes = modal::modes(test::project(text).base().system);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_THAT(*modes.list[i].angular_frequency / (2 * std::numbers::pi), RelativelyNear(expected[i], digits));
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_THAT(*modes.list[i].angular_frequency / (2 * std::numbers::pi), RelativelyNear(expected[i], digits));
 }
 
 TEST(Static, ThreeMountsCarryWhatEquilibriumGivesThem) {
@@ -57,7 +64,9 @@ static = {}
   const auto project = test::project(text);
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   const auto found = [&](const std::string& name) {
-    return std::find_if(answers.statics->values.begin(), answers.statics->values.end(), [&](const auto& v) { return v.name == name; })->value;
+    return std::find_if(answers.statics->values.begin(), answers.statics->values.end(),
+                        [&](const auto& v) { return v.name == name; })
+        ->value;
   };
   EXPECT_THAT(found("plate.z"), RelativelyNear(-0.0026897977325498093, digits));
   EXPECT_THAT(found("plate.rx"), RelativelyNear(0.0017407425956452326, digits));
@@ -79,9 +88,10 @@ struct Inertia {
 TEST(Inertia, ImpossibleOnesAreRefusedAndTheCorrectedOneAccepted) {
   // Central principal moments computed outside this project; Jz = 132.853 leaves one at −0.0085 kg m².
   constexpr double digits = 1e-9;
-  for (const Inertia& given : {Inertia{"printed", 66.194, 32.853, {-98.74761912698347, 0.30447956327340475, 5.077435051710137}, false},
-                               Inertia{"Jz = 132.853", 66.194, 132.853, {-0.008504177212864299, 1.5402070104394974, 5.102592654773437}, false},
-                               Inertia{"corrected", 65.194, 135.853, {0.8669833105936766, 4.189478850480125, 4.57783332692627}, true}}) {
+  for (const Inertia& given :
+       {Inertia{"printed", 66.194, 32.853, {-98.74761912698347, 0.30447956327340475, 5.077435051710137}, false},
+        Inertia{"Jz = 132.853", 66.194, 132.853, {-0.008504177212864299, 1.5402070104394974, 5.102592654773437}, false},
+        Inertia{"corrected", 65.194, 135.853, {0.8669833105936766, 4.189478850480125, 4.57783332692627}, true}}) {
     const std::string text = fmt::format(
         "trivet = 1\n[bodies.b]\nmass = 205.176\ncenter_of_mass = [-0.624, -0.502, -0.226]\n"
         "inertia = {{about = \"pole\", xx = 66.289, yy = 91.643, zz = {}, xy = {}, xz = 28.935, yz = 23.973}}\n",
@@ -92,10 +102,13 @@ TEST(Inertia, ImpossibleOnesAreRefusedAndTheCorrectedOneAccepted) {
     ASSERT_TRUE(allowed.has_value());
     EXPECT_EQ(allowed->base().warnings.list().empty(), given.physical) << given.name;
     const Eigen::Vector3d moments = spatial::principal_inertia(allowed->base().system.bodies()[0].mass).moments;
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(moments(i), given.central[static_cast<std::size_t>(i)], digits * 100) << given.name;
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(moments(i), given.central[static_cast<std::size_t>(i)], digits * 100) << given.name;
     if (!given.physical) {
       const auto& list = refused_or_not.error().list();
-      EXPECT_TRUE(std::any_of(list.begin(), list.end(), [](const auto& p) { return p.rule.find("5 positive and 1 negative") != std::string::npos; })) << given.name;
+      EXPECT_TRUE(std::any_of(list.begin(), list.end(), [](const auto& p) {
+        return p.rule.find("5 positive and 1 negative") != std::string::npos;
+      })) << given.name;
     }
   }
 }

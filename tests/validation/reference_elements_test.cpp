@@ -24,7 +24,8 @@ double scaled_difference(const Matrix12& a, const Matrix12& b) {
 }
 
 TEST(Cbush, AFiniteLengthBushingHasTheMomentArmsOfNastran) {
-  // Nastran CBUSH semantics, spring at half of the length; matrix as published with MYSTRAN issue 7, load case of issue 12.
+  // Nastran CBUSH semantics, spring at half of the length; matrix as published with MYSTRAN issue 7, load case of
+  // issue 12.
   constexpr double digits = 1e-10;
   const double L = 10, k[] = {1e5, 2e5, 3e5, 4e4, 5e4, 6e4};
   Matrix12 expected = Matrix12::Zero();
@@ -38,7 +39,8 @@ TEST(Cbush, AFiniteLengthBushingHasTheMomentArmsOfNastran) {
   constants << k[0], k[1], k[2], k[3], k[4], k[5];
   EXPECT_LE(scaled_difference(elements::constants_at_point(constants, {L, 0, 0}, 0.5), expected), digits);
 
-  const Eigen::Matrix<double, 6, 6> moved_end = elements::constants_at_point(constants, {L, 0, 0}, 0.5).bottomRightCorner<6, 6>();
+  const Eigen::Matrix<double, 6, 6> moved_end =
+      elements::constants_at_point(constants, {L, 0, 0}, 0.5).bottomRightCorner<6, 6>();
   elements::Vector6 load = elements::Vector6::Zero(), displacement;
   load(2) = 1000;
   displacement << 0, 0, 0.5033333333333333, 0, -0.1, 0;
@@ -50,7 +52,8 @@ Matrix12 textbook_beam(double E, double G, double d, double L) {
   const double A = std::numbers::pi * d * d / 4, I = std::numbers::pi * std::pow(d, 4) / 64, J = 2 * I;
   Matrix12 k = Matrix12::Zero();
   const auto set = [&](int i, int j, double value) { k(i, j) = k(j, i) = value; };
-  const double a = E * A / L, t = G * J / L, s = 12 * E * I / std::pow(L, 3), c = 6 * E * I / (L * L), b = 4 * E * I / L;
+  const double a = E * A / L, t = G * J / L, s = 12 * E * I / std::pow(L, 3), c = 6 * E * I / (L * L),
+               b = 4 * E * I / L;
   set(0, 0, a), set(6, 6, a), set(0, 6, -a), set(3, 3, t), set(9, 9, t), set(3, 9, -t);
   for (const auto& [u, r, sign] : {std::array{1, 5, 1}, {2, 4, -1}}) {
     set(u, u, s), set(u + 6, u + 6, s), set(u, u + 6, -s), set(r, r, b), set(r + 6, r + 6, b), set(r, r + 6, b / 2);
@@ -61,7 +64,8 @@ Matrix12 textbook_beam(double E, double G, double d, double L) {
 
 TEST(BodyOnBeam, FrequenciesOfABodyOnAFull12x12) {
   constexpr double digits = 1e-9;
-  const double expected[] = {21.239713236103995, 21.266698737544388, 103.1875984282794, 195.8593730759356, 235.487103553267, 1067.1378022032654};
+  const double expected[] = {21.239713236103995, 21.266698737544388, 103.1875984282794,
+                             195.8593730759356,  235.487103553267,   1067.1378022032654};
   model::Description d;
   model::Body body;
   body.name = "body";
@@ -85,12 +89,14 @@ TEST(BodyOnBeam, FrequenciesOfABodyOnAFull12x12) {
 
 TEST(ThreeEqualElements, TogetherAreTheStiffnessOfThePaper) {
   // One realisation of the paper's K by three identical 12×12 elements, found by a separate linear solve.
-  const auto three = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
+  const auto three =
+      project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
   const auto one = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   const Eigen::MatrixXd expected = assembly::assemble(one.base().system).matrices.K;
   const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt();
   EXPECT_THAT(assembly::assemble(three.base().system).matrices.K, test::NearInUnits(expected, scale, 1e-12));
-  EXPECT_THAT(assembly::assemble(three.base().system).matrices.B, test::NearInUnits((0.05 * expected).eval(), scale, 1e-13));
+  EXPECT_THAT(assembly::assemble(three.base().system).matrices.B,
+              test::NearInUnits((0.05 * expected).eval(), scale, 1e-13));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One mass on a spring and a dashpot over a ground given by its acceleration a: z = −a / (ω₀² − ω² + 2iζω₀ω) against the ground, in closed form.
+// One mass on a spring and a dashpot over a ground given by its acceleration a: z = −a / (ω₀² − ω² + 2iζω₀ω) against
+// the ground, in closed form.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +28,11 @@ struct Oscillator {
   model::System system;
   assembly::Assembled assembled;
 
-  Oscillator(double omega, double damping_ratio) : natural(omega), ratio(damping_ratio), system(made(omega, damping_ratio)), assembled(assembly::assemble(system)) {}
+  Oscillator(double omega, double damping_ratio)
+      : natural(omega),
+        ratio(damping_ratio),
+        system(made(omega, damping_ratio)),
+        assembled(assembly::assemble(system)) {}
 
   static model::System made(double omega, double damping_ratio) {
     constexpr double mass = 7.3;
@@ -44,14 +49,17 @@ struct Oscillator {
     strut.type = "matrix";
     strut.n.at = body.pose.position;
     strut.k.body = 0;
-    const auto along = [](double value) { return elements::constant_along_line(value, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0); };
+    const auto along = [](double value) {
+      return elements::constant_along_line(value, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(), 0);
+    };
     strut.law.nominal_stiffness = along(mass * omega * omega);
     strut.law.damping = elements::DampingMatrix{along(2 * damping_ratio * mass * omega)};
     d.elements = {strut};
     return test::checked(d);
   }
 
-  [[nodiscard]] std::vector<assembly::Channel> channels(const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
+  [[nodiscard]] std::vector<assembly::Channel> channels(
+      const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
   /// The ground moves along z with this derivative of its displacement given.
@@ -61,7 +69,9 @@ struct Oscillator {
     action.derivative = derivative;
     return assembly::loading(assembled, action);
   }
-  [[nodiscard]] Complex denominator(double omega) const { return {natural * natural - omega * omega, 2 * ratio * natural * omega}; }
+  [[nodiscard]] Complex denominator(double omega) const {
+    return {natural * natural - omega * omega, 2 * ratio * natural * omega};
+  }
 };
 
 const std::vector<double> times_natural = {0, 1e-12, 1e-9, 1e-6, 1e-3, 0.5, 0.999, 3, 1e3, 1e6, 1e9};
@@ -77,14 +87,19 @@ TEST(RelativeMotion, OfAMassOverAShakenGroundIsTheClosedFormFromRestToHighFreque
     for (std::size_t i = 0; i < omega.size(); ++i) {
       const Complex z = -2.0 / o.denominator(omega[i]), force = -(stiffness + Complex(0, omega[i]) * damping) * z;
       const auto at = static_cast<Eigen::Index>(i);
-      for (const std::size_t c : {0, 1}) EXPECT_LE(std::abs(found.curves[c].value(at) - z), round_off * std::abs(z)) << omega[i] << " rad/s, ratio " << ratio;
-      EXPECT_LE(std::abs(std::abs(found.curves[2].value(at)) - std::abs(force)), round_off * std::abs(force)) << omega[i] << " rad/s, ratio " << ratio;
+      for (const std::size_t c : {0, 1})
+        EXPECT_LE(std::abs(found.curves[c].value(at) - z), round_off * std::abs(z))
+            << omega[i] << " rad/s, ratio " << ratio;
+      EXPECT_LE(std::abs(std::abs(found.curves[2].value(at)) - std::abs(force)), round_off * std::abs(force))
+          << omega[i] << " rad/s, ratio " << ratio;
       if (omega[i] == 0) {
         EXPECT_FALSE(std::isfinite(std::abs(found.curves[3].value(at))));  // in space it drifts off with the ground
         continue;
       }
-      const Complex in_space = -2 / (omega[i] * omega[i]) * Complex(o.natural * o.natural, 2 * ratio * o.natural * omega[i]) / o.denominator(omega[i]);
-      EXPECT_LE(std::abs(found.curves[3].value(at) - in_space), round_off * std::abs(in_space)) << omega[i] << " rad/s, ratio " << ratio;
+      const Complex in_space = -2 / (omega[i] * omega[i]) *
+          Complex(o.natural * o.natural, 2 * ratio * o.natural * omega[i]) / o.denominator(omega[i]);
+      EXPECT_LE(std::abs(found.curves[3].value(at) - in_space), round_off * std::abs(in_space))
+          << omega[i] << " rad/s, ratio " << ratio;
     }
   }
 }
@@ -92,7 +107,8 @@ TEST(RelativeMotion, OfAMassOverAShakenGroundIsTheClosedFormFromRestToHighFreque
 TEST(RelativeMotion, HasTheStaticAmplitudeOfTheForceOfInertia) {
   const Oscillator o(23, 4);
   const modal::Modes modes = modal::modes(o.system, o.assembled);
-  const response::Peaks peaks = response::peaks(o.assembled, o.channels({"m.relative.z"}), o.base(2), modes, modal::roots(o.system, o.assembled, modes));
+  const response::Peaks peaks = response::peaks(o.assembled, o.channels({"m.relative.z"}), o.base(2), modes,
+                                                modal::roots(o.system, o.assembled, modes));
   EXPECT_TRUE(peaks.list.empty());
   ASSERT_TRUE(peaks.curves[0].static_amplitude.has_value());
   EXPECT_NEAR(*peaks.curves[0].static_amplitude, 2 / (23.0 * 23), 1e-10 * 2 / (23.0 * 23));
@@ -117,13 +133,18 @@ TEST(RandomRelativeMotion, HasRmsAndZeroCrossingsOfTheClosedFormFarBelowResonanc
   for (const double ratio : {0.02, 5.0}) {
     const Oscillator o(40, ratio);
     for (const auto& [from, to] : {std::pair{1e-3, 1e3}, {1e-6, 1e-2}, {1e-8, 1e-5}}) {
-      const response::RandomInput input{"base", o.base(1), excitation::flat_spectrum(density, from * o.natural, to * o.natural)};
-      const response::RandomResponse found = response::random_response(o.assembled, o.channels({"m.relative.z", "strut.deflection.z"}), {{input}, {}});
-      const double displacement = std::sqrt(density * integral(o, from * o.natural, to * o.natural, 0)), velocity = std::sqrt(density * integral(o, from * o.natural, to * o.natural, 1));
+      const response::RandomInput input{"base", o.base(1),
+                                        excitation::flat_spectrum(density, from * o.natural, to * o.natural)};
+      const response::RandomResponse found =
+          response::random_response(o.assembled, o.channels({"m.relative.z", "strut.deflection.z"}), {{input}, {}});
+      const double displacement = std::sqrt(density * integral(o, from * o.natural, to * o.natural, 0)),
+                   velocity = std::sqrt(density * integral(o, from * o.natural, to * o.natural, 1));
       for (const response::RandomAnswer& answer : found.answers) {
         ASSERT_TRUE(answer.rms && answer.zero_crossings) << answer.reason;
         EXPECT_NEAR(*answer.rms, displacement, accuracy * displacement) << from << " … " << to << ", ratio " << ratio;
-        EXPECT_NEAR(*answer.zero_crossings, velocity / displacement / (2 * pi), accuracy * velocity / displacement / (2 * pi)) << from << " … " << to << ", ratio " << ratio;
+        EXPECT_NEAR(*answer.zero_crossings, velocity / displacement / (2 * pi),
+                    accuracy * velocity / displacement / (2 * pi))
+            << from << " … " << to << ", ratio " << ratio;
       }
     }
   }
@@ -133,10 +154,12 @@ TEST(RandomRelativeMotion, MeetsMilesFromZeroOn) {
   const Oscillator o(40, 0.02);
   const double density = 0.3, miles = std::sqrt(pi * density / (4 * o.ratio * std::pow(o.natural, 3)));
   const response::RandomInput input{"base", o.base(1), excitation::flat_spectrum(density, 0, 1e3 * o.natural)};
-  const response::RandomAnswer answer = response::random_response(o.assembled, o.channels({"m.relative.z"}), {{input}, {}}).answers.at(0);
+  const response::RandomAnswer answer =
+      response::random_response(o.assembled, o.channels({"m.relative.z"}), {{input}, {}}).answers.at(0);
   ASSERT_TRUE(answer.rms && answer.zero_crossings) << answer.reason;
   EXPECT_NEAR(*answer.rms, miles, 1e-10 * miles);  // above the band: 4ζ/(3π) (ω₀/1e3 ω₀)³
-  EXPECT_NEAR(*answer.zero_crossings, o.natural / (2 * pi), 2e-5 * o.natural / (2 * pi));  // above the band: 4ζ/π · 1e-3, of the square
+  EXPECT_NEAR(*answer.zero_crossings, o.natural / (2 * pi),
+              2e-5 * o.natural / (2 * pi));  // above the band: 4ζ/π · 1e-3, of the square
 }
 
 TEST(TransientRelativeMotion, KeepsItsDigitsHoweverFarTheGroundDrifts) {
@@ -147,10 +170,13 @@ TEST(TransientRelativeMotion, KeepsItsDigitsHoweverFarTheGroundDrifts) {
   options.from = 9'990;
   options.to = 10'000;
   options.step = 0.01;
-  const auto found = response::transient_response(o.system, o.assembled, o.channels({"m.relative.z", "strut.deflection.z"}), {{"drift", steady, o.base(1)}}, options);
+  const auto found =
+      response::transient_response(o.system, o.assembled, o.channels({"m.relative.z", "strut.deflection.z"}),
+                                   {{"drift", steady, o.base(1)}}, options);
   const double rest = -2 / (o.natural * o.natural);  // after e^(−3,300)
   for (const response::TimeCurve& curve : found.curves)
-    for (const double value : curve.values) ASSERT_NEAR(value, rest, 1e-11 * std::abs(rest)) << curve.name;  // 1e6 steps of an exponential near 1
+    for (const double value : curve.values)
+      ASSERT_NEAR(value, rest, 1e-11 * std::abs(rest)) << curve.name;  // 1e6 steps of an exponential near 1
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ using namespace trivet;
 using std::numbers::pi;
 using test::RelativelyNear;
 
-/// Cylinder 50 mm × 25 mm, E = 3 MPa, ν = 0.4995, bonded at both ends. Converged values of graded hexahedra, tetrahedra with either kind of
-/// pressure, and two other programs: 363.45 kN/m, 68.55 kN/m, 59.06 N m/rad about the top plate.
+/// Cylinder 50 mm × 25 mm, E = 3 MPa, ν = 0.4995, bonded at both ends. Converged values of graded hexahedra, tetrahedra
+/// with either kind of pressure, and two other programs: 363.45 kN/m, 68.55 kN/m, 59.06 N m/rad about the top plate.
 const fem::Disc cylinder{.diameter = 0.05, .layers = {{.thickness = 0.025}}};
 const fem::Material rubber = fem::linear_elastic(3e6, 0.4995);
 constexpr double axial = 363.45e3, shear = 68.55e3, tilt = 59.06;
@@ -52,7 +52,8 @@ TEST(BondedCylinder, TwistsLikeSaintVenantsBar) {
   // G J/H is exact for bonded ends; what is left is the circle of parabolic arcs, an error of fourth order and more.
   constexpr double circle = 1e-6;
   const double exact = fem::shear_modulus(rubber) * pi * std::pow(0.025, 4) / 2 / 0.025;
-  EXPECT_THAT(fem::condense(fem::mesh(cylinder, 2), {rubber}, fem::frame(cylinder)).stiffness(11, 11), RelativelyNear(exact, circle));
+  EXPECT_THAT(fem::condense(fem::mesh(cylinder, 2), {rubber}, fem::frame(cylinder)).stiffness(11, 11),
+              RelativelyNear(exact, circle));
 }
 
 TEST(BondedCylinder, DoesNotLockNearIncompressibility) {
@@ -60,7 +61,8 @@ TEST(BondedCylinder, DoesNotLockNearIncompressibility) {
   constexpr double change = 1e-3;
   double before = 0;
   for (const double nu : {0.4999, 0.49999}) {
-    const double now = fem::condense(fem::mesh(cylinder, 2), {fem::linear_elastic(3e6, nu)}, fem::frame(cylinder)).stiffness(8, 8);
+    const double now =
+        fem::condense(fem::mesh(cylinder, 2), {fem::linear_elastic(3e6, nu)}, fem::frame(cylinder)).stiffness(8, 8);
     if (before > 0) {
       EXPECT_THAT(now, RelativelyNear(before, change));
     }
@@ -88,8 +90,9 @@ PressureSolution pressure_solution(double shape_factor, double g, double bulk) {
 }
 
 TEST(BondedDisc, FollowsThePressureSolutionOverAllShapeFactors) {
-  // R = 50 mm, G = 0.7 MPa, κ = 2 GPa. The pressure solution leaves out the stress of free stretching; E0 = 3G is added for it. What then
-  // remains belongs to the free edge: measured 6 % at S = 0.25, and it fades like 1/S where the disc is thin.
+  // R = 50 mm, G = 0.7 MPa, κ = 2 GPa. The pressure solution leaves out the stress of free stretching; E0 = 3G is added
+  // for it. What then remains belongs to the free edge: measured 6 % at S = 0.25, and it fades like 1/S where the disc
+  // is thin.
   constexpr double radius = 0.05, g = 0.7e6, bulk = 2e9, edge = 0.08, mesh_error = 0.006;
   EXPECT_THAT(pressure_solution(1.25, g, bulk).compression, RelativelyNear(6533918.01350156, 1e-9));
   EXPECT_THAT(pressure_solution(1.25, g, bulk).bending, RelativelyNear(2183917.4021871523, 1e-9));
@@ -98,7 +101,8 @@ TEST(BondedDisc, FollowsThePressureSolutionOverAllShapeFactors) {
     const fem::Disc disc{.diameter = 2 * radius, .layers = {{.thickness = h}}};
     const auto c = fem::condense(fem::mesh(disc, 2), {fem::neo_hookean(g, bulk)}, fem::frame(disc)).stiffness;
     const double fading = edge / std::max(1.0, s) + mesh_error, area = pi * radius * radius;
-    EXPECT_THAT(c(8, 8) * h / area, RelativelyNear(pressure_solution(s, g, bulk).compression + 3 * g, fading)) << "S = " << s;
+    EXPECT_THAT(c(8, 8) * h / area, RelativelyNear(pressure_solution(s, g, bulk).compression + 3 * g, fading))
+        << "S = " << s;
     EXPECT_THAT(c(11, 11) * h, RelativelyNear(g * pi * std::pow(radius, 4) / 2, 1e-6)) << "S = " << s;
     if (s >= 2.5) {
       EXPECT_THAT(c(6, 6) * h, RelativelyNear(g * area, fading)) << "S = " << s;
@@ -111,8 +115,8 @@ TEST(BondedDisc, FollowsThePressureSolutionOverAllShapeFactors) {
 }
 
 TEST(Bush, TwistsExactlyAndShearsAlongItsAxisAsALongOne) {
-  // 24 mm × 60 mm, G = 0.7 MPa: 2π G L/ln(r_o/r_i) per length in the middle of a long bush, whose free ends are softer over about a wall;
-  // 4π G L/(1/r_i² − 1/r_o²) in torsion for any length. Payne and Scott.
+  // 24 mm × 60 mm, G = 0.7 MPa: 2π G L/ln(r_o/r_i) per length in the middle of a long bush, whose free ends are softer
+  // over about a wall; 4π G L/(1/r_i² − 1/r_o²) in torsion for any length. Payne and Scott.
   constexpr double g = 0.7e6, inner = 0.012, outer = 0.03, mesh_error = 5e-4;
   double short_axial = 0;
   for (const double length : {0.05, 0.2, 0.35}) {
@@ -133,7 +137,8 @@ TEST(Bush, TwistsExactlyAndShearsAlongItsAxisAsALongOne) {
 TEST(Sandwich, OfThreeLayersIsThreeLayersInSeries) {
   // Steel plates of 2 mm bend little: 0.1 % in compression.
   constexpr double plates_bend = 2e-3;
-  const fem::Disc three{.diameter = 0.1, .layers = fem::sandwich_layers(3, 0.01, 0.002)}, one{.diameter = 0.1, .layers = {{.thickness = 0.01}}};
+  const fem::Disc three{.diameter = 0.1, .layers = fem::sandwich_layers(3, 0.01, 0.002)},
+      one{.diameter = 0.1, .layers = {{.thickness = 0.01}}};
   const std::vector<fem::Material> materials{fem::neo_hookean(0.7e6, 2e9), fem::linear_elastic(2.1e11, 0.3)};
   const auto stack = fem::condense(fem::mesh(three, 1), materials, fem::frame(three)).stiffness;
   const auto layer = fem::condense(fem::mesh(one, 1), materials, fem::frame(one)).stiffness;
@@ -151,14 +156,16 @@ TEST(Preload, FifteenPercentCompressionSoftensShearAndStiffensTheRest) {
   const fem::PreloadedStiffness solid = fem::preloaded_stiffness(mesh, {rubber}, fem::frame(cylinder), load);
   ASSERT_TRUE(solid.converged) << solid.why_not;
   const std::array<std::pair<int, double>, 4> changes{{{6, -0.19}, {8, 0.36}, {9, 0.43}, {11, 0.17}}};
-  for (const auto& [i, change] : changes) EXPECT_NEAR(solid.stiffness(i, i) / before(i, i) - 1, change, two_units_of_the_percentage) << i;
+  for (const auto& [i, change] : changes)
+    EXPECT_NEAR(solid.stiffness(i, i) / before(i, i) - 1, change, two_units_of_the_percentage) << i;
   EXPECT_NEAR(solid.preload(2), 1598.58, 12) << "a finer mesh's preload";
   EXPECT_NEAR(solid.arm.z(), 0.85 * 0.025, 1e-15);
   EXPECT_EQ(solid.negative_eigenvalues, 0);
 }
 
 TEST(Preload, TurnsWithTheElementAsAPotentialDemands) {
-  // K G: nothing in a translation; a turn φ turns the forces (φ × F) and, for rotation vectors, half the moments (½ φ × M).
+  // K G: nothing in a translation; a turn φ turns the forces (φ × F) and, for rotation vectors, half the moments (½ φ ×
+  // M).
   constexpr double balance = 1e-7;  // of Newton's method, relative to preload 1e-9, amplified by the volume stiffness
   const fem::Mesh mesh = fem::mesh(cylinder, 1);
   fem::ElementFrame skew = fem::frame(cylinder);
@@ -170,7 +177,8 @@ TEST(Preload, TurnsWithTheElementAsAPotentialDemands) {
   ASSERT_TRUE(solid.converged) << solid.why_not;
   for (const int i : {0, 2, 4}) EXPECT_NEAR(solid.preload(6 + i), load.value(i), 1e-5) << "end K carries the load";
   EXPECT_NEAR(solid.motion(1), 0.0004, 1e-12);
-  const Eigen::Matrix<double, 12, 6> wrench = solid.stiffness * elements::rigid_motions(solid.arm, Eigen::Matrix3d::Identity());
+  const Eigen::Matrix<double, 12, 6> wrench =
+      solid.stiffness * elements::rigid_motions(solid.arm, Eigen::Matrix3d::Identity());
   Eigen::Matrix<double, 12, 6> expected = Eigen::Matrix<double, 12, 6>::Zero();
   for (const int end : {0, 6}) {
     expected.block<3, 3>(end, 3) = -spatial::cross_matrix(solid.preload.segment<3>(end));

@@ -25,19 +25,20 @@ modal::BodySuspension of_body(const model::System& system, std::size_t body = 0)
   return modal::body_suspension(system, assembly::assemble(system), body);
 }
 
-/// Harris, Shock and Vibration Handbook, ch. 3: a body with two planes of symmetry on four mounts below its centre of mass; the pole is
-/// placed at `pole` from the centre of mass.
+/// Harris, Shock and Vibration Handbook, ch. 3: a body with two planes of symmetry on four mounts below its centre of
+/// mass; the pole is placed at `pole` from the centre of mass.
 std::string four_mounts(const Eigen::Vector3d& pole = Eigen::Vector3d::Zero(), const std::string& more = "") {
   const auto from_pole = [&](double x, double y, double z) {
     return fmt::format("[{}, {}, {}]", x - pole.x(), y - pole.y(), z - pole.z());
   };
   std::string text = "trivet = 1\n[bodies.block]\nmass = 1000\ncenter_of_mass = " + from_pole(0, 0, 0) +
-                     "\ninertia = {about = \"center_of_mass\", xx = 180, yy = 390, zz = 450}\n" + more;
+      "\ninertia = {about = \"center_of_mass\", xx = 180, yy = 390, zz = 450}\n" + more;
   int number = 0;
   for (const double x : {0.8, -0.8})
     for (const double y : {0.5, -0.5})
-      text += fmt::format("[elements.m{}]\ntype = \"three_springs\"\non = \"block\"\nat = {}\ntranslation = [4e5, 5e5, 8e5]\n", ++number,
-                          from_pole(x, y, -0.4));
+      text += fmt::format(
+          "[elements.m{}]\ntype = \"three_springs\"\non = \"block\"\nat = {}\ntranslation = [4e5, 5e5, 8e5]\n",
+          ++number, from_pole(x, y, -0.4));
   return text;
 }
 
@@ -50,9 +51,11 @@ TEST(SuspensionOfABlockOnFourMounts, HasItsElasticCentreInTheMiddleOfTheMounts) 
     EXPECT_LE(suspension.elastic->coupling_at_centre, round_off);
     EXPECT_THAT(suspension.centre_distance, RelativelyNear(0.4, round_off));
     // Sums of k_i and of k_z y² …: all mounts lie in the plane of the elastic centre.
-    EXPECT_THAT(suspension.elastic->principal_stiffnesses, test::NearVector(Eigen::Vector3d(1.6e6, 2e6, 3.2e6), round_off));
-    EXPECT_THAT(suspension.elastic->principal_rotational_stiffnesses,
-                test::NearVector(Eigen::Vector3d(4 * 8e5 * 0.25, 4 * (4e5 * 0.25 + 5e5 * 0.64), 4 * 8e5 * 0.64), round_off));
+    EXPECT_THAT(suspension.elastic->principal_stiffnesses,
+                test::NearVector(Eigen::Vector3d(1.6e6, 2e6, 3.2e6), round_off));
+    EXPECT_THAT(
+        suspension.elastic->principal_rotational_stiffnesses,
+        test::NearVector(Eigen::Vector3d(4 * 8e5 * 0.25, 4 * (4e5 * 0.25 + 5e5 * 0.64), 4 * 8e5 * 0.64), round_off));
   }
 }
 
@@ -88,19 +91,23 @@ TEST(SuspensionOfABlockOnFourMounts, HasThePublishedFrequenciesAndTwoPureModes) 
   EXPECT_EQ(suspension.modes[3].purest, 5);
   EXPECT_THAT(suspension.modes[3].decoupling(), RelativelyNear(1.0, round_off));
   // Of the pair of y and roll: with λ = ω², (K_y − λm) y + K_yθ θ = 0, K_yθ = 0.4 K_y about the centre of mass.
-  const double lambda = std::pow(2 * std::numbers::pi * frequencies_hz[0], 2), y_over_theta = -0.4 * 2e6 / (2e6 - lambda * 1000);
+  const double lambda = std::pow(2 * std::numbers::pi * frequencies_hz[0], 2),
+               y_over_theta = -0.4 * 2e6 / (2e6 - lambda * 1000);
   EXPECT_THAT(suspension.modes[0].decoupling(),
               RelativelyNear(1000 * y_over_theta * y_over_theta / (1000 * y_over_theta * y_over_theta + 180), 1e-9));
 }
 
 TEST(TorqueRollAxis, IsThePublishedOneOfAPowertrain) {
-  // T. Jeong, R. Singh, Analytical methods of decoupling the automotive engine torque roll axis, J. Sound Vib. 234 (2000) 85-114, as quoted
-  // at eng-tips.com (thread 71-351229): moments in kg m² and direction to six digits. The quotation leaves the sign convention of the products open;
-  // of the four that a turn of axes allows, the one taken here gives the direction.
+  // T. Jeong, R. Singh, Analytical methods of decoupling the automotive engine torque roll axis, J. Sound Vib. 234
+  // (2000) 85-114, as quoted at eng-tips.com (thread 71-351229): moments in kg m² and direction to six digits. The
+  // quotation leaves the sign convention of the products open; of the four that a turn of axes allows, the one taken
+  // here gives the direction.
   auto project = test::project(
       "trivet = 1\n[bodies.engine]\nmass = 73.2\ncenter_of_mass = [0.1, 0.2, 0.3]\n"
-      "inertia = {about = \"center_of_mass\", xx = 2.519, yy = 4.458, zz = 4.409, xy = 0.1678, xz = 0.5385, yz = -0.0947}\n"
-      "[elements.all]\ntype = \"bushing\"\non = \"engine\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nrotation = [1e3, 1e3, 1e3]\n");
+      "inertia = {about = \"center_of_mass\", xx = 2.519, yy = 4.458, zz = 4.409, xy = 0.1678, xz = 0.5385, yz = "
+      "-0.0947}\n"
+      "[elements.all]\ntype = \"bushing\"\non = \"engine\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nrotation = "
+      "[1e3, 1e3, 1e3]\n");
   const modal::BodySuspension suspension = of_body(project.base().system);
   const Eigen::Vector3d printed(0.992113, 0.0347851, 0.120426);
   EXPECT_THAT(suspension.roll_axes[0].torque_roll_axis, test::NearVector(printed, 5e-6));
@@ -141,14 +148,16 @@ TEST(Suspension, SaysWhatItCannotTell) {
   EXPECT_THAT(of_body(guided.base().system).notes, testing::ElementsAre(testing::HasSubstr("guided")));
   const auto sliding = test::project(
       "trivet = 1\n[bodies.b]\nmass = 2\ninertia = {about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}\n"
-      "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 0]\nrotation = [1e3, 1e3, 1e3]\n");
+      "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 0]\nrotation = [1e3, "
+      "1e3, 1e3]\n");
   const modal::BodySuspension free = of_body(sliding.base().system);
   EXPECT_TRUE(free.elastic.has_value());
   EXPECT_TRUE(free.roll_axes.empty());
   EXPECT_THAT(free.notes, testing::ElementsAre(testing::HasSubstr("free")));
   const model::System& system = sliding.base().system;
-  EXPECT_THROW(static_cast<void>(modal::body_suspension(system, assembly::assemble(system), 0, {Eigen::Vector3d::Zero()})),
-               foundation::InvalidInput);
+  EXPECT_THROW(
+      static_cast<void>(modal::body_suspension(system, assembly::assemble(system), 0, {Eigen::Vector3d::Zero()})),
+      foundation::InvalidInput);
 }
 
 TEST(FrequencySeparation, IsTheRatioToTheNextModeAndToEveryExcitation) {

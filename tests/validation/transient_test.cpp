@@ -28,7 +28,8 @@ struct Machine {
   assembly::Assembled assembled = assembly::assemble(system);
 };
 
-Machine chain(const std::vector<double>& masses, const std::vector<double>& springs, const std::vector<double>& dashpots = {}) {
+Machine chain(const std::vector<double>& masses, const std::vector<double>& springs,
+              const std::vector<double>& dashpots = {}) {
   return {test::project(test::chain(masses, springs, dashpots))};
 }
 
@@ -47,8 +48,10 @@ TEST(Transient, OfASineFromRestMeetsThePublishedCase) {
   constexpr double own_digits = 1e-9;
   const Machine m = chain({1}, {36 * pi * pi, 0});
   const auto sine = excitation::sine_burst(1, 1.1 * 6 * pi, 100);
-  const auto u = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, sine, along(0))}, until(1, 0.1));
-  const auto a = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, sine, along(0))}, until(1, 0.1), assembly::Quantity::acceleration);
+  const auto u =
+      test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, sine, along(0))}, until(1, 0.1));
+  const auto a = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, sine, along(0))},
+                                 until(1, 0.1), assembly::Quantity::acceleration);
   const int at[] = {5, 7, 10};
   const double displacement[] = {0.010842666594819608, -0.00379569402569434, -0.012746319039918437};
   const double acceleration[] = {-4.66147887235089, 2.2784084304907837, 5.479897070081606};
@@ -59,26 +62,34 @@ TEST(Transient, OfASineFromRestMeetsThePublishedCase) {
 }
 
 TEST(Transient, OfAnAcceleratedBaseMeetsThePublishedCase) {
-  // SFM VPCS SDLD04: three masses of 1 kg on springs of 1000 N/m, base acceleration 2e5 t² m/s², last mass relative to the base.
+  // SFM VPCS SDLD04: three masses of 1 kg on springs of 1000 N/m, base acceleration 2e5 t² m/s², last mass relative to
+  // the base.
   constexpr double own_digits = 1e-9;
   const Machine m = chain({1, 1, 1}, {1000, 1000, 1000, 0});
   const excitation::Signal square{{{0, 0, 0, 4e5, 0}}};
-  const auto r = test::transient(m.system, m.assembled, {"m3.relative.x"}, {test::base_motion(m.assembled, square, along(0), 2)}, until(0.1, 0.01));
+  const auto r = test::transient(m.system, m.assembled, {"m3.relative.x"},
+                                 {test::base_motion(m.assembled, square, along(0), 2)}, until(0.1, 0.01));
   const int at[] = {2, 4, 5, 6, 8, 10};
-  const double relative[] = {-0.002666665554880359, -0.042665578592795364, -0.1041568701264996, -0.21594178847874992, -0.6817349917048732, -1.6590608015174797};
+  const double relative[] = {-0.002666665554880359, -0.042665578592795364, -0.1041568701264996,
+                             -0.21594178847874992,  -0.6817349917048732,   -1.6590608015174797};
   for (int i = 0; i < 6; ++i) EXPECT_THAT(r.curves[0].values(at[i]), RelativelyNear(relative[i], own_digits)) << at[i];
 }
 
 TEST(Transient, OfADampedMassUnderAStepIsTheClosedFormAndSoIsItsOvershoot) {
   const double dashpot = 8, zeta = dashpot / (2 * mass * omega), damped = omega * std::sqrt(1 - zeta * zeta), force = 5;
   const Machine m = chain({mass}, {stiffness, 0}, {dashpot});
-  const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, excitation::step(force, 0.013), along(0))}, until(2, 0.031));
+  const auto r =
+      test::transient(m.system, m.assembled, {"m1.x"},
+                      {test::force_on(m.assembled, 0, excitation::step(force, 0.013), along(0))}, until(2, 0.031));
   for (Eigen::Index i = 0; i < r.time.size(); ++i) {
     const double t = r.time(i) - 0.013;
-    const double x = t < 0 ? 0 : force / stiffness * (1 - std::exp(-zeta * omega * t) * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t)));
+    const double x = t < 0 ? 0
+                           : force / stiffness *
+            (1 - std::exp(-zeta * omega * t) * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t)));
     EXPECT_NEAR(r.curves[0].values(i), x, round_off * force / stiffness);
   }
-  EXPECT_THAT(r.curves[0].largest.value, RelativelyNear(force / stiffness * (1 + std::exp(-zeta * omega * pi / damped)), 1e-10));
+  EXPECT_THAT(r.curves[0].largest.value,
+              RelativelyNear(force / stiffness * (1 + std::exp(-zeta * omega * pi / damped)), 1e-10));
   EXPECT_NEAR(r.curves[0].largest.time, 0.013 + pi / damped, 1e-6);
   EXPECT_NEAR(r.curves[0].smallest.value, 0, round_off * force / stiffness);
 }
@@ -86,8 +97,12 @@ TEST(Transient, OfADampedMassUnderAStepIsTheClosedFormAndSoIsItsOvershoot) {
 TEST(Transient, OfAnUndampedMassUnderARampIsTheClosedForm) {
   const double rise = 0.37, force = 5;
   const Machine m = chain({mass}, {stiffness, 0});
-  const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, excitation::ramp(force, rise), along(0))}, until(3, 0.01));
-  const auto ramp = [&](double t) { return t < 0 ? 0 : force / (stiffness * rise) * (t - std::sin(omega * t) / omega); };
+  const auto r =
+      test::transient(m.system, m.assembled, {"m1.x"},
+                      {test::force_on(m.assembled, 0, excitation::ramp(force, rise), along(0))}, until(3, 0.01));
+  const auto ramp = [&](double t) {
+    return t < 0 ? 0 : force / (stiffness * rise) * (t - std::sin(omega * t) / omega);
+  };
   for (Eigen::Index i = 0; i < r.time.size(); ++i)
     EXPECT_NEAR(r.curves[0].values(i), ramp(r.time(i)) - ramp(r.time(i) - rise), 10 * round_off * force / stiffness);
 }
@@ -95,7 +110,9 @@ TEST(Transient, OfAnUndampedMassUnderARampIsTheClosedForm) {
 TEST(Transient, OfAnUndampedMassUnderAHalfSineIsTheClosedForm) {
   const double duration = 0.11, force = 5, w = pi / duration;
   const Machine m = chain({mass}, {stiffness, 0});
-  const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, excitation::half_sine(force, duration), along(0))}, until(1, 0.009));
+  const auto r = test::transient(m.system, m.assembled, {"m1.x"},
+                                 {test::force_on(m.assembled, 0, excitation::half_sine(force, duration), along(0))},
+                                 until(1, 0.009));
   const auto sine = [&](double t) {
     return t < 0 ? 0 : force / (mass * (omega * omega - w * w)) * (std::sin(w * t) - w / omega * std::sin(omega * t));
   };
@@ -105,14 +122,16 @@ TEST(Transient, OfAnUndampedMassUnderAHalfSineIsTheClosedForm) {
 
 TEST(Transient, OfABaseThatJumpsStartsWithTheImpulseOfItsDamper) {
   // x(t)/Δ = 1 − e^{−ζωt}(cos ω_d t − ζω/ω_d sin ω_d t): its velocity starts with cΔ/m.
-  const double dashpot = 16, zeta = dashpot / (2 * mass * omega), damped = omega * std::sqrt(1 - zeta * zeta), height = 0.01;
+  const double dashpot = 16, zeta = dashpot / (2 * mass * omega), damped = omega * std::sqrt(1 - zeta * zeta),
+               height = 0.01;
   const Machine m = chain({mass}, {stiffness, 0}, {dashpot});
   const auto inputs = std::vector{test::base_motion(m.assembled, excitation::step(height), along(0))};
   const auto r = test::transient(m.system, m.assembled, {"m1.x", "m1.relative.x"}, inputs, until(1, 0.01));
   const auto v = test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(1, 0.01), assembly::Quantity::velocity);
   for (Eigen::Index i = 0; i < r.time.size(); ++i) {
     const double t = r.time(i);
-    const double x = height * (1 - std::exp(-zeta * omega * t) * (std::cos(damped * t) - zeta * omega / damped * std::sin(damped * t)));
+    const double x = height *
+        (1 - std::exp(-zeta * omega * t) * (std::cos(damped * t) - zeta * omega / damped * std::sin(damped * t)));
     EXPECT_NEAR(test::curve(r, "m1.x").values(i), x, round_off * height);
     EXPECT_NEAR(test::curve(r, "m1.relative.x").values(i), x - height, round_off * height);
   }
@@ -131,7 +150,8 @@ TEST(Transient, WarnsThatForcesOfDampersOnAJumpingBaseAreImpulses) {
 TEST(Transient, OfAFreeBodyUnderAForceDriftsExactly) {
   const Machine m = chain({3, 5}, {0, 700, 0});
   const double force = 2, duration = 0.25;
-  const auto r = test::transient(m.system, m.assembled, {"m1.x", "m2.x"}, {test::force_on(m.assembled, 0, excitation::rectangular(force, duration), along(0))},
+  const auto r = test::transient(m.system, m.assembled, {"m1.x", "m2.x"},
+                                 {test::force_on(m.assembled, 0, excitation::rectangular(force, duration), along(0))},
                                  until(10000, 100));
   const Eigen::VectorXd centre = (3 * test::curve(r, "m1.x").values + 5 * test::curve(r, "m2.x").values) / 8;
   for (Eigen::Index i = 1; i < r.time.size(); ++i)
@@ -141,10 +161,12 @@ TEST(Transient, OfAFreeBodyUnderAForceDriftsExactly) {
 TEST(Transient, OfAnInitialStateIsTheFreeVibration) {
   const Machine m = chain({mass}, {stiffness, 0});
   response::TransientOptions options = until(40, 0.05);
-  options.initial = response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.003), Eigen::VectorXd::Constant(1, -0.1));
+  options.initial =
+      response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.003), Eigen::VectorXd::Constant(1, -0.1));
   const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {}, options);
   for (Eigen::Index i = 0; i < r.time.size(); ++i)
-    EXPECT_NEAR(r.curves[0].values(i), 0.003 * std::cos(omega * r.time(i)) - 0.1 / omega * std::sin(omega * r.time(i)), 1e-12 * 0.006);
+    EXPECT_NEAR(r.curves[0].values(i), 0.003 * std::cos(omega * r.time(i)) - 0.1 / omega * std::sin(omega * r.time(i)),
+                1e-12 * 0.006);
   EXPECT_THAT(r.curves[0].largest.value, RelativelyNear(std::hypot(0.003, 0.1 / omega), 1e-9));
 }
 
@@ -155,8 +177,9 @@ TEST(Transient, ExtremesOfTheAccelerationAreThoseOfTheShockResponseSpectrum) {
   for (const double frequency_hz : {15.0, 40.0, 120.0}) {
     const double w = 2 * pi * frequency_hz;
     const Machine m = chain({1}, {w * w, 0}, {2 * zeta * w});
-    const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {test::base_motion(m.assembled, shock, along(0), 2)}, until(0.011 + 2 / frequency_hz, 0.25 / frequency_hz),
-                                   assembly::Quantity::acceleration);
+    const auto r =
+        test::transient(m.system, m.assembled, {"m1.x"}, {test::base_motion(m.assembled, shock, along(0), 2)},
+                        until(0.011 + 2 / frequency_hz, 0.25 / frequency_hz), assembly::Quantity::acceleration);
     const auto spectrum = excitation::shock_spectrum(shock, {w}, zeta);
     EXPECT_THAT(r.curves[0].largest.value, RelativelyNear(spectrum[0].largest(), 1e-8)) << frequency_hz;
     EXPECT_THAT(r.curves[0].smallest.value, RelativelyNear(spectrum[0].smallest(), 1e-8)) << frequency_hz;
@@ -166,8 +189,10 @@ TEST(Transient, ExtremesOfTheAccelerationAreThoseOfTheShockResponseSpectrum) {
 TEST(Transient, SeesBothSidesOfAJumpBetweenItsPoints) {
   // A sawtooth of force ends between two points: the acceleration just before is its largest.
   const Machine m = chain({mass}, {1e-3, 0});
-  const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, excitation::terminal_peak_sawtooth(6, 0.015), along(0))}, until(0.1, 0.01),
-                                 assembly::Quantity::acceleration);
+  const auto r =
+      test::transient(m.system, m.assembled, {"m1.x"},
+                      {test::force_on(m.assembled, 0, excitation::terminal_peak_sawtooth(6, 0.015), along(0))},
+                      until(0.1, 0.01), assembly::Quantity::acceleration);
   EXPECT_THAT(r.curves[0].largest.value, RelativelyNear(6 / mass, 1e-6));
   EXPECT_NEAR(r.curves[0].largest.time, 0.015, 1e-12);
 }
@@ -176,12 +201,14 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
   constexpr double drift = 1e-11;  // 100,000 roundings of a rotation; 5e-13 is measured
   const Machine m = chain({1, 2, 0.5}, {4e4, 3e3, 9e4, 0});
   response::TransientOptions options = until(1000, 0.01);
-  options.initial = response::initial_state(m.assembled, Eigen::Vector3d(1e-3, -2e-3, 3e-3), Eigen::Vector3d(0.1, 0, -0.2));
+  options.initial =
+      response::initial_state(m.assembled, Eigen::Vector3d(1e-3, -2e-3, 3e-3), Eigen::Vector3d(0.1, 0, -0.2));
   const auto q = test::transient(m.system, m.assembled, {"coordinates"}, {}, options);
   const auto v = test::transient(m.system, m.assembled, {"coordinates"}, {}, options, assembly::Quantity::velocity);
   const auto energy = [&](Eigen::Index i) {
     Eigen::Vector3d x, dx;
-    for (int k = 0; k < 3; ++k) x(k) = q.curves[static_cast<std::size_t>(k)].values(i), dx(k) = v.curves[static_cast<std::size_t>(k)].values(i);
+    for (int k = 0; k < 3; ++k)
+      x(k) = q.curves[static_cast<std::size_t>(k)].values(i), dx(k) = v.curves[static_cast<std::size_t>(k)].values(i);
     return x.dot(m.assembled.matrices.K * x) + dx.dot(m.assembled.matrices.A * dx);
   };
   ASSERT_EQ(q.time.size(), 100001);
@@ -191,7 +218,8 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
 TEST(Transient, RefusesALossFactorWithItsEquivalents) {
   const Machine m{test::project(test::chain({mass}, {stiffness, 0}, {}, {0.1}))};
   try {
-    static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, excitation::step(1), along(0))}, until(1, 0.01)));
+    static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"},
+                                      {test::force_on(m.assembled, 0, excitation::step(1), along(0))}, until(1, 0.01)));
     FAIL() << "it was computed";
   } catch (const foundation::NotComputable& reason) {
     EXPECT_THAT(reason.what(), testing::HasSubstr("loss factor 0.1 of \"k1\""));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Viscoelastic laws against a tabulated generalised Maxwell model, the causality relation and the three-parameter isolator.
+// Viscoelastic laws against a tabulated generalised Maxwell model, the causality relation and the three-parameter
+// isolator.
 #include <gmock/gmock.h>
 
 #include <numbers>
@@ -14,7 +15,8 @@ using namespace trivet::elements;
 using Complex = std::complex<double>;
 
 TEST(GeneralizedMaxwell, MeetsTheTableOfItsFourierQuadrature) {
-  // k∞ = 1e6 N/m with branches 4e5, 2.5e5, 1.5e5 N/m of 1, 10, 100 ms; closed form confirmed by quadrature of the relaxation kernel.
+  // k∞ = 1e6 N/m with branches 4e5, 2.5e5, 1.5e5 N/m of 1, 10, 100 ms; closed form confirmed by quadrature of the
+  // relaxation kernel.
   constexpr double digits = 1e-12, stiffness = 1e6;
   const double table[][3] = {{0.1, 1000599.8747673123, 11209.778370342487},
                              {1, 1043455.3500931204, 85730.95597960457},
@@ -29,8 +31,8 @@ TEST(GeneralizedMaxwell, MeetsTheTableOfItsFourierQuadrature) {
   }
 }
 
-/// m'(w) − m'(0) = (2w²/π) ⨍ m''(x)/(x(w² − x²)) dx from the loss modulus alone; with x = w e^y the principal value at y = 0 is a
-/// symmetric midpoint sum of −(2/π) m''(w e^y)/(e^{2y} − 1).
+/// m'(w) − m'(0) = (2w²/π) ⨍ m''(x)/(x(w² − x²)) dx from the loss modulus alone; with x = w e^y the principal value at
+/// y = 0 is a symmetric midpoint sum of −(2/π) m''(w e^y)/(e^{2y} − 1).
 double storage_from_loss(const Viscoelastic& law, double w) {
   constexpr double step = 0.01, reach = 120;
   double sum = 0;
@@ -41,10 +43,12 @@ double storage_from_loss(const Viscoelastic& law, double w) {
 
 TEST(RelativeModulus, ObeysTheKramersKronigRelation) {
   constexpr double quadrature = 1e-6;
-  for (const Viscoelastic& law : {Viscoelastic(Zener{0.7, 0.02}), Viscoelastic(GeneralizedMaxwell{{0.4, 0.25}, {1e-3, 0.1}}),
-                                  Viscoelastic(FractionalZener{1.5, 2e-3, 0.4})})
+  for (const Viscoelastic& law :
+       {Viscoelastic(Zener{0.7, 0.02}), Viscoelastic(GeneralizedMaxwell{{0.4, 0.25}, {1e-3, 0.1}}),
+        Viscoelastic(FractionalZener{1.5, 2e-3, 0.4})})
     for (const double w : {1.0, 60.0, 4000.0})
-      EXPECT_NEAR(storage_from_loss(law, w), relative_modulus(law, w).real() - 1, quadrature) << words(law) << " at " << w;
+      EXPECT_NEAR(storage_from_loss(law, w), relative_modulus(law, w).real() - 1, quadrature)
+          << words(law) << " at " << w;
 }
 
 TEST(Zener, IsTheThreeParameterIsolatorOfRuzicka) {

@@ -16,13 +16,16 @@ bool holds(const Row& row, const Eigen::VectorXcd& motion, Eigen::Index first) {
 
 /// Nothing of the motions that are followed is in the answer, but for the inertia of elements.
 bool is_relative(const Ground& ground, const Channel& channel, const numerics::Load& followed) {
-  return channel.ground.empty() || std::none_of(followed.terms().begin(), followed.terms().end(), [&](const numerics::LoadTerm& term) {
-    return holds(channel.ground.on_displacement, term.value, ground.followed_row()) || holds(channel.ground.on_velocity, term.value, ground.followed_row());
-  });
+  return channel.ground.empty() ||
+      std::none_of(followed.terms().begin(), followed.terms().end(), [&](const numerics::LoadTerm& term) {
+           return holds(channel.ground.on_displacement, term.value, ground.followed_row()) ||
+               holds(channel.ground.on_velocity, term.value, ground.followed_row());
+         });
 }
 
 bool follows(const Ground& ground, const numerics::Load& motion) {
-  return std::any_of(motion.terms().begin(), motion.terms().end(), [&](const numerics::LoadTerm& term) { return !term.value.tail(ground.followed()).isZero(0); });
+  return std::any_of(motion.terms().begin(), motion.terms().end(),
+                     [&](const numerics::LoadTerm& term) { return !term.value.tail(ground.followed()).isZero(0); });
 }
 
 }  // namespace
@@ -34,7 +37,8 @@ Loading following(const Ground& ground, const Loading& loading) {
     for (std::size_t t = 0; t < ground.together.size(); ++t) {
       const std::vector<Eigen::Index>& rows = ground.together[t];
       const Eigen::Matrix<std::complex<double>, 6, 1> moved = value.segment<6>(rows.front());
-      if (!std::all_of(rows.begin(), rows.end(), [&](Eigen::Index row) { return value.segment<6>(row) == moved; })) continue;
+      if (!std::all_of(rows.begin(), rows.end(), [&](Eigen::Index row) { return value.segment<6>(row) == moved; }))
+        continue;
       value.segment<6>(ground.followed_row() + 6 * static_cast<Eigen::Index>(t)) += moved;
       for (const Eigen::Index row : rows) value.segment<6>(row).setZero();
     }
@@ -43,7 +47,8 @@ Loading following(const Ground& ground, const Loading& loading) {
   return result;
 }
 
-std::vector<AnsweredTogether> by_coordinates(const Ground& ground, const std::vector<Channel>& channels, const Loading& loading) {
+std::vector<AnsweredTogether> by_coordinates(const Ground& ground, const std::vector<Channel>& channels,
+                                             const Loading& loading) {
   AnsweredTogether in_space{{}, {}, loading}, relative{{}, {}, loading};
   bool drifts = !loading.motion.vanishes() && loading.motion.lowest_power() < 0;
   if (drifts) {
@@ -65,7 +70,8 @@ GivenCurves given_curves(const std::vector<Channel>& channels, const numerics::L
   for (const Channel& channel : channels)
     for (const numerics::LoadTerm& term : motion.terms()) {
       if (channel.ground.empty()) continue;
-      as_displacement = as_displacement || holds(channel.ground.on_displacement, term.value, 0) || holds(channel.ground.on_velocity, term.value, 0);
+      as_displacement = as_displacement || holds(channel.ground.on_displacement, term.value, 0) ||
+          holds(channel.ground.on_velocity, term.value, 0);
       as_acceleration = as_acceleration || holds(channel.ground.on_acceleration, term.value, 0);
     }
   if (as_displacement) return {motion, curves(channels)};

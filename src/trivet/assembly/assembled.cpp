@@ -21,7 +21,8 @@ namespace {
 using spatial::Matrix6;
 
 /// Adds how six rows from `first_row` of the element follow one coordinate; no coordinate has two columns.
-void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row, const spatial::Vector6& column) {
+void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row,
+                const spatial::Vector6& column) {
   const auto known = static_cast<std::size_t>(std::find(rows.begin(), rows.end(), row) - rows.begin());
   if (known == rows.size()) {
     rows.push_back(row);
@@ -33,8 +34,9 @@ void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int firs
 
 /// First ground coordinates of the ends that are on the ground, and of the places whose fixed directions follow it.
 struct GroundRows {
-  std::vector<std::array<Eigen::Index, 2>> of_ends;  ///< of end N and end K of each element; −1 if that end is not on the ground
-  std::vector<Eigen::Index> of_places;               ///< of each foundation: those under its impedance; −1 for modes
+  std::vector<std::array<Eigen::Index, 2>>
+      of_ends;                          ///< of end N and end K of each element; −1 if that end is not on the ground
+  std::vector<Eigen::Index> of_places;  ///< of each foundation: those under its impedance; −1 for modes
 };
 
 GroundRows ground_rows(const model::Description& description, Ground& ground) {
@@ -54,26 +56,32 @@ GroundRows ground_rows(const model::Description& description, Ground& ground) {
   return rows;
 }
 
-/// Adds how the end follows the rigid ground at its place, and the motion of that place for itself; `fixed`: the directions in which it does.
-void add_ground(const Matrix6& turn, const Matrix6& fixed, const Eigen::Vector3d& at, Eigen::Index own_row, int first_row, ElementMap& map) {
+/// Adds how the end follows the rigid ground at its place, and the motion of that place for itself; `fixed`: the
+/// directions in which it does.
+void add_ground(const Matrix6& turn, const Matrix6& fixed, const Eigen::Vector3d& at, Eigen::Index own_row,
+                int first_row, ElementMap& map) {
   const Matrix6 as_one = turn * fixed * spatial::rigid_motion(at), alone = turn * fixed;
   for (int j = 0; j < 6; ++j) add_column(map.ground_ends, map.ground_rows, first_row, j, as_one.col(j));
   for (int j = 0; j < 6; ++j) add_column(map.ground_ends, map.ground_rows, first_row, own_row + j, alone.col(j));
 }
 
-/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body, its foundation and the ground.
+/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body, its foundation
+/// and the ground.
 /// @param ground_row  first ground coordinate of this end, if it is on the ground
-void add_end(const Layout& layout, const model::End& end, Eigen::Index ground_row, const GroundRows& ground, int first_row, ElementMap& map) {
+void add_end(const Layout& layout, const model::End& end, Eigen::Index ground_row, const GroundRows& ground,
+             int first_row, ElementMap& map) {
   const Matrix6 turn = spatial::both_blocks(end.axes).transpose();
   if (end.body) {
     const Matrix6 motion = turn * spatial::rigid_motion(end.at);
     for (int j = 0; j < 6; ++j)
-      if (layout.row(*end.body, j) >= 0) add_column(map.ends, map.rows, first_row, layout.row(*end.body, j), motion.col(j));
+      if (layout.row(*end.body, j) >= 0)
+        add_column(map.ends, map.rows, first_row, layout.row(*end.body, j), motion.col(j));
   } else if (end.foundation) {
     const model::OnFoundation& on = *end.foundation;
     for (Eigen::Index j = 0; j < on.shape.cols(); ++j)
       add_column(map.ends, map.rows, first_row, layout.foundation_row(on.foundation) + j, turn * on.shape.col(j));
-    if (!on.fixed_directions.isZero(0)) add_ground(turn, on.fixed_directions, end.at, ground.of_places[on.foundation], first_row, map);
+    if (!on.fixed_directions.isZero(0))
+      add_ground(turn, on.fixed_directions, end.at, ground.of_places[on.foundation], first_row, map);
   } else {
     add_ground(turn, Matrix6::Identity(), end.at, ground_row, first_row, map);
   }
@@ -93,7 +101,8 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
   map.ends.bottomRightCorner(internal, internal).setIdentity();
   for (Eigen::Index i = 0; i < internal; ++i) map.rows.push_back(layout.internal_row(index) + i);
   if (elements::is_frequency_dependent(element.law))
-    map.dynamic_stiffness = [law = element.law, name = element.name](std::complex<double> omega, double near) -> elements::Matrix12c {
+    map.dynamic_stiffness = [law = element.law, name = element.name](std::complex<double> omega,
+                                                                     double near) -> elements::Matrix12c {
       try {
         return elements::dynamic_stiffness(law, omega, near);
       } catch (const foundation::NotComputable& reason) {
@@ -108,8 +117,8 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
   return map;
 }
 
-void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns, double factor,
-                   Eigen::MatrixXd& global) {
+void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>& rows,
+                   const std::vector<Eigen::Index>& columns, double factor, Eigen::MatrixXd& global) {
   for (Eigen::Index i = 0; i < local.rows(); ++i)
     for (Eigen::Index j = 0; j < local.cols(); ++j)
       global(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]) += factor * local(i, j);
@@ -138,8 +147,10 @@ void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Grou
   if (!lossy) ground.K_loss.resize(0, 0);
 }
 
-/// The damping of the system as a whole acts on the motion beyond that with which the massive coordinates follow the ground at rest.
-SystemDampingMatrices system_damping(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& ground_stiffness) {
+/// The damping of the system as a whole acts on the motion beyond that with which the massive coordinates follow the
+/// ground at rest.
+SystemDampingMatrices system_damping(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping,
+                                     const Eigen::MatrixXd& ground_stiffness) {
   const Eigen::VectorXd d = numerics::unit_scale(m);
   const Eigen::MatrixXd scaled = d.asDiagonal() * m.K * d.asDiagonal();
   const numerics::RankedSolution solution = numerics::ranked_solution(scaled, d.asDiagonal() * ground_stiffness);
@@ -151,10 +162,12 @@ void add_body(const Layout& layout, std::size_t index, const model::Body& body, 
   const Matrix6 a = spatial::mass_matrix(body.mass);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
-      if (layout.row(index, i) >= 0 && layout.row(index, j) >= 0) mass(layout.row(index, i), layout.row(index, j)) += a(i, j);
+      if (layout.row(index, i) >= 0 && layout.row(index, j) >= 0)
+        mass(layout.row(index, i), layout.row(index, j)) += a(i, j);
 }
 
-void add_foundation(const Layout& layout, std::size_t index, const model::Foundation& foundation, numerics::DynamicMatrices& m) {
+void add_foundation(const Layout& layout, std::size_t index, const model::Foundation& foundation,
+                    numerics::DynamicMatrices& m) {
   const Eigen::Index first = layout.foundation_row(index), count = foundation.mass.rows();
   m.A.block(first, first, count, count) += foundation.mass;
   m.B.block(first, first, count, count) += foundation.damping;
@@ -163,7 +176,8 @@ void add_foundation(const Layout& layout, std::size_t index, const model::Founda
 
 void make_exactly_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
 
-/// Rayleigh and modal damping act on the coordinates with mass, with the stiffness that those without mass leave them at rest.
+/// Rayleigh and modal damping act on the coordinates with mass, with the stiffness that those without mass leave them
+/// at rest.
 void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMatrices& m) {
   if (std::holds_alternative<std::monostate>(damping)) return;
   const numerics::MassiveSystem massive = numerics::massive_system(m);
@@ -184,12 +198,14 @@ void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMa
 
 /// Sums bodies and the elements that `wanted` admits.
 template <typename Wanted>
-numerics::DynamicMatrices summed(const model::System& system, const Assembled& assembled, Eigen::Index n, const Wanted& wanted) {
+numerics::DynamicMatrices summed(const model::System& system, const Assembled& assembled, Eigen::Index n,
+                                 const Wanted& wanted) {
   numerics::DynamicMatrices m;
   m.A = m.B = m.K = m.K_loss = Eigen::MatrixXd::Zero(n, n);
   bool lossy = false;
   for (std::size_t i = 0; i < system.bodies().size(); ++i) add_body(assembled.layout, i, system.bodies()[i], m.A);
-  for (std::size_t i = 0; i < system.description().foundations.size(); ++i) add_foundation(assembled.layout, i, system.description().foundations[i], m);
+  for (std::size_t i = 0; i < system.description().foundations.size(); ++i)
+    add_foundation(assembled.layout, i, system.description().foundations[i], m);
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const ElementMap& map = assembled.elements[e];
     m.symmetric = m.symmetric && system.elements()[e].symmetric;
@@ -221,7 +237,8 @@ Assembled assemble(const model::System& system) {
   Assembled result{Layout(system.description(), internal, last), {}, {}, {}, {}};
   const GroundRows rows = ground_rows(system.description(), result.ground);
   move_together(system, result.ground);
-  for (std::size_t e = 0; e < system.elements().size(); ++e) result.elements.push_back(map_of(result.layout, e, system.elements()[e], rows));
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    result.elements.push_back(map_of(result.layout, e, system.elements()[e], rows));
   numerics::DynamicMatrices& m = result.matrices;
   const auto every = [](const ElementMap&) { return true; };
   const auto constant = [](const ElementMap& map) { return !map.frequency_dependent(); };
@@ -252,7 +269,8 @@ void Assembled::add_frequency_dependent(std::complex<double> omega, double near,
     const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, map.end_columns);
     const Eigen::MatrixXcd local = ends.transpose() * map.dynamic_stiffness(omega, near) * ends;
     for (Eigen::Index i = 0; i < local.rows(); ++i)
-      for (Eigen::Index j = 0; j < local.cols(); ++j) z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
+      for (Eigen::Index j = 0; j < local.cols(); ++j)
+        z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
   }
 }
 

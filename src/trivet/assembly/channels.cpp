@@ -43,8 +43,7 @@ class Builder {
         if (of == body.name + "." + point.name + ".relative") append_motions(relative_motion(b, of, point.at));
       }
     }
-    for (std::size_t e = 0; e < system_.elements().size(); ++e)
-    {
+    for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const std::string& name = system_.elements()[e].name;
       if (of == name) append(forces(name, wrench_on_n(e)));
       if (of == name + ".deflection") append_motions(end_motion(e, of, true));
@@ -55,7 +54,8 @@ class Builder {
 
  private:
   std::string motion_unit(int j) const {
-    static constexpr std::array<const char*, 3> translation = {"m", "m/s", "m/s²"}, rotation = {"rad", "rad/s", "rad/s²"};
+    static constexpr std::array<const char*, 3> translation = {"m", "m/s", "m/s²"},
+                                                rotation = {"rad", "rad/s", "rad/s²"};
     return (j < 3 ? translation : rotation)[static_cast<std::size_t>(derivative_)];
   }
 
@@ -64,7 +64,8 @@ class Builder {
     for (int j = 0; j < 6; ++j) {
       const Eigen::Index row = assembled_.layout.row(b, j);
       if (row < 0) continue;
-      Channel channel = empty(system_.bodies()[b].name + "." + model::coordinate_names[static_cast<std::size_t>(j)], motion_unit(j), derivative_);
+      Channel channel = empty(system_.bodies()[b].name + "." + model::coordinate_names[static_cast<std::size_t>(j)],
+                              motion_unit(j), derivative_);
       channel.on_displacement(row) = 1;
       result.push_back(std::move(channel));
     }
@@ -75,8 +76,9 @@ class Builder {
     const Matrix6 x = spatial::rigid_motion(point.at);
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
-      Channel channel = empty(system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[static_cast<std::size_t>(j)],
-                              motion_unit(j), derivative_);
+      Channel channel = empty(
+          system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[static_cast<std::size_t>(j)],
+          motion_unit(j), derivative_);
       for (int i = 0; i < 6; ++i)
         if (assembled_.layout.row(b, i) >= 0) channel.on_displacement(assembled_.layout.row(b, i)) = x(j, i);
       result.push_back(std::move(channel));
@@ -98,14 +100,17 @@ class Builder {
   }
 
   void set_ground(Channel& channel, const Eigen::VectorXd& on_ground) const {
-    if (!on_ground.isZero(0)) channel.ground = {on_ground.cast<std::complex<double>>(), Eigen::VectorXd::Zero(on_ground.size()), Eigen::VectorXd::Zero(on_ground.size())};
+    if (!on_ground.isZero(0))
+      channel.ground = {on_ground.cast<std::complex<double>>(), Eigen::VectorXd::Zero(on_ground.size()),
+                        Eigen::VectorXd::Zero(on_ground.size())};
   }
 
   /// What is left of a motion on the ground coordinates that everything follows.
   void follow(Channel& channel) const {
     Eigen::VectorXd on_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
     if (!channel.ground.empty()) on_ground = channel.ground.on_displacement.real();
-    on_ground.tail(assembled_.ground.followed()) = followed_row(assembled_.ground, channel.on_displacement.real().transpose(), on_ground.transpose()).transpose();
+    on_ground.tail(assembled_.ground.followed()) =
+        followed_row(assembled_.ground, channel.on_displacement.real().transpose(), on_ground.transpose()).transpose();
     set_ground(channel, on_ground);
   }
 
@@ -122,7 +127,8 @@ class Builder {
   std::vector<Channel> relative_motion(std::size_t b, const std::string& name, const Eigen::Vector3d& at) const {
     const spatial::Pose& pose = system_.bodies()[b].pose;
     const Matrix6 x = spatial::rigid_motion(at);
-    const Matrix6 base = -(spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position + pose.rotation * at));
+    const Matrix6 base =
+        -(spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position + pose.rotation * at));
     return motions(name, [&](int j) {
       Channel channel = base_motion(base, j);
       for (int i = 0; i < 6; ++i)
@@ -131,7 +137,8 @@ class Builder {
     });
   }
 
-  /// Motion of the N end of an element in ground axes; or how far end K moves against it beyond a rigid motion of both, in the element's axes at N.
+  /// Motion of the N end of an element in ground axes; or how far end K moves against it beyond a rigid motion of both,
+  /// in the element's axes at N.
   std::vector<Channel> end_motion(std::size_t e, const std::string& name, bool deflection) const {
     const ElementMap& map = assembled_.elements[e];
     const model::Element& element = system_.elements()[e];
@@ -148,9 +155,11 @@ class Builder {
     const Eigen::MatrixXd on_free = pick * map.ends.topRows<12>(), on_ground = pick * map.ground_ends.topRows<12>();
     return motions(name, [&](int j) {
       Channel channel = empty({}, {}, derivative_);
-      for (Eigen::Index c = 0; c < on_free.cols(); ++c) channel.on_displacement(map.rows[static_cast<std::size_t>(c)]) += on_free(j, c);
+      for (Eigen::Index c = 0; c < on_free.cols(); ++c)
+        channel.on_displacement(map.rows[static_cast<std::size_t>(c)]) += on_free(j, c);
       Eigen::VectorXd of_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
-      for (Eigen::Index c = 0; c < on_ground.cols(); ++c) of_ground(map.ground_rows[static_cast<std::size_t>(c)]) += on_ground(j, c);
+      for (Eigen::Index c = 0; c < on_ground.cols(); ++c)
+        of_ground(map.ground_rows[static_cast<std::size_t>(c)]) += on_ground(j, c);
       set_ground(channel, of_ground);
       return channel;
     });
@@ -176,20 +185,30 @@ class Builder {
 
   WrenchRows no_wrench() const {
     const Eigen::Index n = assembled_.layout.size(), g = assembled_.ground.size();
-    return {Matrix6xc::Zero(6, n), Matrix6xc::Zero(6, g), Matrix6x::Zero(6, n), Matrix6x::Zero(6, n), Matrix6x::Zero(6, g), Matrix6x::Zero(6, g), {}, spatial::Vector6::Zero()};
+    return {Matrix6xc::Zero(6, n),
+            Matrix6xc::Zero(6, g),
+            Matrix6x::Zero(6, n),
+            Matrix6x::Zero(6, n),
+            Matrix6x::Zero(6, g),
+            Matrix6x::Zero(6, g),
+            {},
+            spatial::Vector6::Zero()};
   }
 
   /// Longest arm from which a moment of this element or on it is counted [m].
   double longest_lever(std::size_t e) const {
     const model::Element& element = system_.elements()[e];
-    return std::max({element.n.at.norm(), element.k.at.norm(), model::span(system_.bodies(), element.n, element.k).arm.norm()});
+    return std::max(
+        {element.n.at.norm(), element.k.at.norm(), model::span(system_.bodies(), element.n, element.k).arm.norm()});
   }
 
-  /// Products of rotation matrices leave 1e-17 where nothing is: a strut has no moment, a turned spring no force across.
+  /// Products of rotation matrices leave 1e-17 where nothing is: a strut has no moment, a turned spring no force
+  /// across.
   Matrix6x without_round_off(Matrix6x rows, const ElementMap& map, const Eigen::MatrixXd& matrix, double lever) const {
     constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
     double force = 0, moment = 0;
-    for (int i = 0; i < 12; ++i) (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
+    for (int i = 0; i < 12; ++i)
+      (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
     for (Eigen::Index j = 0; j < map.end_columns; ++j)
       for (int i = 0; i < 6; ++i) {
         const bool moment_row = i >= 3, rotation_column = is_rotation(map.rows[static_cast<std::size_t>(j)]);
@@ -215,7 +234,8 @@ class Builder {
     const auto on_n = [&](const Eigen::MatrixXd& matrix) -> Matrix6x {
       return without_round_off(-(turn * matrix.topRows<6>() * map.ends), map, matrix, lever);
     };
-    const Matrix6x stiffness = on_n(map.matrices.stiffness), damping = on_n(map.matrices.damping), mass = on_n(map.matrices.mass);
+    const Matrix6x stiffness = on_n(map.matrices.stiffness), damping = on_n(map.matrices.damping),
+                   mass = on_n(map.matrices.mass);
     WrenchRows rows = no_wrench();
     for (Eigen::Index j = 0; j < map.ends.cols() && !map.frequency_dependent(); ++j) {
       const Eigen::Index row = map.rows[static_cast<std::size_t>(j)];
@@ -223,9 +243,11 @@ class Builder {
       rows.on_velocity.col(row) += damping.col(j);
       rows.on_acceleration.col(row) += mass.col(j);
     }
-    const auto of_ground = [&](const Eigen::MatrixXd& matrix) -> Matrix6x { return -(turn * matrix.topRows<6>() * map.ground_ends); };
-    const Matrix6x ground_stiffness = of_ground(map.matrices.stiffness), ground_damping = of_ground(map.matrices.damping),
-                   ground_mass = of_ground(map.matrices.mass);
+    const auto of_ground = [&](const Eigen::MatrixXd& matrix) -> Matrix6x {
+      return -(turn * matrix.topRows<6>() * map.ground_ends);
+    };
+    const Matrix6x ground_stiffness = of_ground(map.matrices.stiffness),
+                   ground_damping = of_ground(map.matrices.damping), ground_mass = of_ground(map.matrices.mass);
     for (Eigen::Index j = 0; j < map.ground_ends.cols() && !map.frequency_dependent(); ++j) {
       const Eigen::Index row = map.ground_rows[static_cast<std::size_t>(j)];
       rows.ground_displacement.col(row) += ground_stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
@@ -234,7 +256,8 @@ class Builder {
     }
     if (!map.frequency_dependent()) {
       const FollowedForces followed = followed_forces(map, assembled_.ground);
-      rows.ground_displacement.rightCols(assembled_.ground.followed()) = -(turn * followed.stiffness.topRows<6>()) * std::complex<double>(1, map.matrices.loss_factor);
+      rows.ground_displacement.rightCols(assembled_.ground.followed()) =
+          -(turn * followed.stiffness.topRows<6>()) * std::complex<double>(1, map.matrices.loss_factor);
       rows.ground_velocity.rightCols(assembled_.ground.followed()) = -(turn * followed.damping.topRows<6>());
       rows.ground_acceleration.rightCols(assembled_.ground.followed()) = -(turn * followed.mass.topRows<6>());
     }
@@ -252,8 +275,10 @@ class Builder {
   spatial::Vector12 own_weight(std::size_t e) const {
     const model::Element& element = system_.elements()[e];
     spatial::Vector12 fall = spatial::Vector12::Zero();
-    fall.segment<3>(0) = model::end_in_ground(system_.bodies(), element.n).rotation.transpose() * *system_.description().gravity;
-    fall.segment<3>(6) = model::end_in_ground(system_.bodies(), element.k).rotation.transpose() * *system_.description().gravity;
+    fall.segment<3>(0) =
+        model::end_in_ground(system_.bodies(), element.n).rotation.transpose() * *system_.description().gravity;
+    fall.segment<3>(6) =
+        model::end_in_ground(system_.bodies(), element.k).rotation.transpose() * *system_.description().gravity;
     return assembled_.elements[e].matrices.mass.topLeftCorner<12, 12>() * fall;
   }
 
@@ -261,21 +286,25 @@ class Builder {
     WrenchRows total = no_wrench();
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const model::End& n = system_.elements()[e].n;
-      if (!n.body && !system_.elements()[e].is_foundation) total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(e));
+      if (!n.body && !system_.elements()[e].is_foundation)
+        total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(e));
     }
     return forces("ground", total);
   }
 
   std::vector<Channel> forces(const std::string& name, const WrenchRows& rows) const {
-    static constexpr std::array<const char*, 6> parts = {"force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z"};
+    static constexpr std::array<const char*, 6> parts = {"force.x",  "force.y",  "force.z",
+                                                         "moment.x", "moment.y", "moment.z"};
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
       Channel channel = empty(name + "." + parts[static_cast<std::size_t>(j)], j < 3 ? "N" : "N m", 0);
       channel.on_displacement = rows.on_displacement.row(j).transpose();
       channel.on_velocity = rows.on_velocity.row(j).transpose();
       channel.on_acceleration = rows.on_acceleration.row(j).transpose();
-      if (!rows.ground_displacement.row(j).isZero(0) || !rows.ground_velocity.row(j).isZero(0) || !rows.ground_acceleration.row(j).isZero(0))
-        channel.ground = {rows.ground_displacement.row(j).transpose(), rows.ground_velocity.row(j).transpose(), rows.ground_acceleration.row(j).transpose()};
+      if (!rows.ground_displacement.row(j).isZero(0) || !rows.ground_velocity.row(j).isZero(0) ||
+          !rows.ground_acceleration.row(j).isZero(0))
+        channel.ground = {rows.ground_displacement.row(j).transpose(), rows.ground_velocity.row(j).transpose(),
+                          rows.ground_acceleration.row(j).transpose()};
       for (const auto& [element, exact] : rows.dynamic) channel.dynamic_forces.push_back({element, exact.row(j)});
       channel.at_rest = rows.at_rest(j);
       result.push_back(std::move(channel));
@@ -285,7 +314,13 @@ class Builder {
 
   Channel empty(std::string name, std::string unit, int derivative) const {
     const Eigen::Index n = assembled_.layout.size();
-    return {{Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}, std::move(name), std::move(unit), derivative, {}, {}, 0};
+    return {{Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)},
+            std::move(name),
+            std::move(unit),
+            derivative,
+            {},
+            {},
+            0};
   }
 
   const model::System& system_;
@@ -314,8 +349,8 @@ std::vector<std::string> channel_words(const model::Description& description) {
   return words;
 }
 
-std::vector<Channel> channels(const model::System& system, const Assembled& assembled, const std::vector<std::string>& of,
-                              Quantity quantity) {
+std::vector<Channel> channels(const model::System& system, const Assembled& assembled,
+                              const std::vector<std::string>& of, Quantity quantity) {
   const Builder builder(system, assembled, quantity);
   std::vector<Channel> result;
   std::set<std::string> seen;
@@ -335,7 +370,8 @@ std::vector<Channel> channels(const model::System& system, const Assembled& asse
       for (const std::string& group : channel_words(system.description()))
         for (const Channel& channel : builder.word(group)) names.push_back(channel.name);
       const std::string guess = foundation::nearest_name(word, names);
-      throw foundation::InvalidInput("\"" + word + "\" names no result of this model" + (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+      throw foundation::InvalidInput("\"" + word + "\" names no result of this model" +
+                                     (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
     }
     append_new(found);
   }

@@ -18,16 +18,19 @@ using spatial::Matrix6;
 
 constexpr double of_geometry = 1e-12;  // products of rotations and levers
 
-/// Each entry as large as the largest of the three columns with it: translations of the ground, or its rotations. Components in turned axes that are zero
-/// but for rounding have terms that are rounding too; those along the other axes of the ground tell their size.
+/// Each entry as large as the largest of the three columns with it: translations of the ground, or its rotations.
+/// Components in turned axes that are zero but for rounding have terms that are rounding too; those along the other
+/// axes of the ground tell their size.
 Eigen::MatrixXd over_axes(Eigen::MatrixXd terms) {
-  for (Eigen::Index j = 0; j + 3 <= terms.cols(); j += 3) terms.middleCols(j, 3).colwise() = terms.middleCols(j, 3).rowwise().maxCoeff().eval();
+  for (Eigen::Index j = 0; j + 3 <= terms.cols(); j += 3)
+    terms.middleCols(j, 3).colwise() = terms.middleCols(j, 3).rowwise().maxCoeff().eval();
   return terms;
 }
 
 /// The same over the three components of each translation and rotation of the ends.
 Eigen::MatrixXd over_components(Eigen::MatrixXd terms) {
-  for (Eigen::Index i = 0; i + 3 <= 12; i += 3) terms.middleRows(i, 3).rowwise() = terms.middleRows(i, 3).colwise().maxCoeff().eval();
+  for (Eigen::Index i = 0; i + 3 <= 12; i += 3)
+    terms.middleRows(i, 3).rowwise() = terms.middleRows(i, 3).colwise().maxCoeff().eval();
   return terms;
 }
 
@@ -49,7 +52,9 @@ Eigen::MatrixXd element_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd&
 }
 
 /// How strict the rule of a stress-free element is.
-Eigen::ArrayXd stress_free(const Ground& ground) { return ground.rigid.select(Eigen::ArrayXd::Constant(ground.followed(), elements::silent_residual), ground.round_off); }
+Eigen::ArrayXd stress_free(const Ground& ground) {
+  return ground.rigid.select(Eigen::ArrayXd::Constant(ground.followed(), elements::silent_residual), ground.round_off);
+}
 
 void follow_with_bodies(const model::System& system, const Layout& layout, Eigen::MatrixXd& R) {
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
@@ -63,7 +68,8 @@ void follow_with_bodies(const model::System& system, const Layout& layout, Eigen
 /// Coordinates of a foundation so that its ends move rigidly with the ground, as far as they can.
 void follow_with_foundations(const model::System& system, const Assembled& assembled, Eigen::MatrixXd& R) {
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
-    const Eigen::Index first = assembled.layout.foundation_row(f), count = system.description().foundations[f].mass.rows();
+    const Eigen::Index first = assembled.layout.foundation_row(f),
+                       count = system.description().foundations[f].mass.rows();
     Eigen::MatrixXd shapes(0, count), wanted(0, 6);
     Eigen::Array<double, 6, 1> reach = Eigen::Array<double, 6, 1>::Zero();
     for (const model::Element& element : system.elements())
@@ -72,7 +78,8 @@ void follow_with_foundations(const model::System& system, const Assembled& assem
           shapes.conservativeResize(shapes.rows() + 6, Eigen::NoChange);
           wanted.conservativeResize(wanted.rows() + 6, Eigen::NoChange);
           shapes.bottomRows<6>() = end->foundation->shape;
-          wanted.bottomRows<6>() = (Matrix6::Identity() - end->foundation->fixed_directions) * spatial::rigid_motion(end->at);  // the rest moves with the ground by itself
+          wanted.bottomRows<6>() = (Matrix6::Identity() - end->foundation->fixed_directions) *
+              spatial::rigid_motion(end->at);  // the rest moves with the ground by itself
           reach = reach.max(spatial::rigid_motion(end->at).cwiseAbs().colwise().maxCoeff().transpose().array());
         }
     if (shapes.rows() == 0 || count == 0) continue;
@@ -90,7 +97,8 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
   for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j)
     for (std::size_t t = 0; t < ground.together.size(); ++t)
       for (const Eigen::Index first : ground.together[t])
-        if (const Eigen::Index part = map.ground_rows[static_cast<std::size_t>(j)] - first; part >= 0 && part < 6) ends.col(6 * static_cast<Eigen::Index>(t) + part) += map.ground_ends.col(j);
+        if (const Eigen::Index part = map.ground_rows[static_cast<std::size_t>(j)] - first; part >= 0 && part < 6)
+          ends.col(6 * static_cast<Eigen::Index>(t) + part) += map.ground_ends.col(j);
   Eigen::MatrixXd terms = ends.cwiseAbs();
   for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
     const Eigen::RowVectorXd follow = ground.R.row(map.rows[static_cast<std::size_t>(j)]);
@@ -104,7 +112,8 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
   return ends;
 }
 
-/// Internal coordinates as the ends leave them at rest; those that are strains of an element which moves rigidly are zero.
+/// Internal coordinates as the ends leave them at rest; those that are strains of an element which moves rigidly are
+/// zero.
 void follow_inside(Assembled& assembled) {
   Eigen::MatrixXd& R = assembled.ground.R;
   for (ElementMap& map : assembled.elements) {
@@ -113,8 +122,10 @@ void follow_inside(Assembled& assembled) {
     if (inner == 0) continue;
     const Eigen::MatrixXd& K = map.matrices.stiffness;
     const Eigen::MatrixXd own = K.bottomRightCorner(inner, inner);
-    map.followed_ends.bottomRows(inner) = -numerics::smallest_solution(own, product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
-    for (Eigen::Index i = 0; i < inner; ++i) R.row(map.rows[static_cast<std::size_t>(map.end_columns + i)]) = map.followed_ends.row(12 + i);
+    map.followed_ends.bottomRows(inner) = -numerics::smallest_solution(
+        own, product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
+    for (Eigen::Index i = 0; i < inner; ++i)
+      R.row(map.rows[static_cast<std::size_t>(map.end_columns + i)]) = map.followed_ends.row(12 + i);
   }
 }
 
@@ -122,7 +133,8 @@ struct Columns {
   Eigen::MatrixXd K, B, K_loss;
 };
 
-/// What the elements that `wanted` admits, the weights and the foundations bring into the free rows when R g is followed.
+/// What the elements that `wanted` admits, the weights and the foundations bring into the free rows when R g is
+/// followed.
 template <typename Wanted>
 Columns coupled(const model::System& system, const Assembled& assembled, const Wanted& wanted) {
   const Eigen::Index n = assembled.layout.size();
@@ -132,7 +144,8 @@ Columns coupled(const model::System& system, const Assembled& assembled, const W
     if (!wanted(map)) continue;
     const FollowedForces forces = followed_forces(map, assembled.ground);
     if (forces.stiffness.isZero(0) && forces.damping.isZero(0)) continue;
-    const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness, damping = map.ends.transpose() * forces.damping;
+    const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,
+                          damping = map.ends.transpose() * forces.damping;
     for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
       const Eigen::Index row = map.rows[static_cast<std::size_t>(i)];
       c.K.row(row) += stiffness.row(i);
@@ -155,9 +168,8 @@ Columns coupled(const model::System& system, const Assembled& assembled, const W
 bool gives_rates(const model::Action& action) { return !action.body && !action.wave && action.derivative > 0; }
 
 bool given_by_rates(const model::System& system) {
-  return std::any_of(system.description().excitations.begin(), system.description().excitations.end(), [](const model::Excitation& excitation) {
-    return gives_rates(excitation.action);
-  });
+  return std::any_of(system.description().excitations.begin(), system.description().excitations.end(),
+                     [](const model::Excitation& excitation) { return gives_rates(excitation.action); });
 }
 
 /// R = −K⁻¹K_g in the columns that something resists.
@@ -173,7 +185,8 @@ void follow_at_rest(const Columns& resisting, Assembled& assembled) {
     if (resisting.K.col(j).isZero(0)) continue;
     ground.rigid(j) = false;
     ground.round_off(j) = std::max(of_geometry, 64 * std::numeric_limits<double>::epsilon() / condition);
-    Eigen::VectorXd follow = ground.R.col(j).cwiseQuotient(scale) - stiffness.solve(Eigen::VectorXd(scale.asDiagonal() * resisting.K.col(j)));
+    Eigen::VectorXd follow = ground.R.col(j).cwiseQuotient(scale) -
+        stiffness.solve(Eigen::VectorXd(scale.asDiagonal() * resisting.K.col(j)));
     for (double& each : follow)
       if (std::abs(each) <= ground.round_off(j) * follow.cwiseAbs().maxCoeff()) each = 0;
     ground.R.col(j) = scale.asDiagonal() * follow;
@@ -191,17 +204,21 @@ bool resists(const ElementMap& map, const Ground& ground) {
   if (!map.knots.empty()) probed.push_back(map.knots[map.knots.size() / 2]);
   const Eigen::MatrixXd ends = map.followed_ends.topRows(12);
   const auto silent = [&](double omega) {
-    const elements::Matrix12c d = map.dynamic_stiffness(std::min(omega, map.defined_to), std::min(omega, map.defined_to));
-    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(), terms = over_axes(over_components(d.cwiseAbs() * ends.cwiseAbs()));
+    const elements::Matrix12c d =
+        map.dynamic_stiffness(std::min(omega, map.defined_to), std::min(omega, map.defined_to));
+    const Eigen::MatrixXd force = (d * ends.cast<std::complex<double>>()).cwiseAbs(),
+                          terms = over_axes(over_components(d.cwiseAbs() * ends.cwiseAbs()));
     return (force.array() <= elements::silent_residual * terms.array()).all();
   };
   return !std::all_of(probed.begin(), probed.end(), silent);
 }
 
 /// Of the system as a whole, on the motion beyond the one at rest; zero where R is that.
-Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& ground, const Eigen::MatrixXd& resisting) {
+Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& ground,
+                            const Eigen::MatrixXd& resisting) {
   constexpr double of_a_solution = 1e-9;  // of a singular K
-  const Eigen::MatrixXd direct = ground.gathered(damping.on_ground), terms = over_axes(damping.on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
+  const Eigen::MatrixXd direct = ground.gathered(damping.on_ground),
+                        terms = over_axes(damping.on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
   Eigen::MatrixXd beyond = damping.on_coordinates * ground.R + direct;
   for (Eigen::Index j = 0; j < beyond.cols(); ++j) {
     const bool at_rest = damping.regular && (!ground.rigid(j) || resisting.col(j).isZero(0));
@@ -215,15 +232,17 @@ Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& 
 
 FollowedForces followed_forces(const ElementMap& map, const Ground& ground) {
   const Eigen::ArrayXd share = stress_free(ground);
-  return {element_product(map.matrices.stiffness, map.followed_ends, share), element_product(map.matrices.damping, map.followed_ends, share),
-          map.matrices.mass * map.followed_ends};
+  return {element_product(map.matrices.stiffness, map.followed_ends, share),
+          element_product(map.matrices.damping, map.followed_ends, share), map.matrices.mass * map.followed_ends};
 }
 
-Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& on_coordinates, const Eigen::RowVectorXd& on_ground) {
+Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& on_coordinates,
+                                const Eigen::RowVectorXd& on_ground) {
   const Eigen::RowVectorXd direct = ground.gathered(on_ground);
   Eigen::RowVectorXd sum = on_coordinates * ground.R + direct;
   const Eigen::RowVectorXd terms = over_axes(on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
-  // One component may vanish along all axes of the ground: rounding of its largest coefficient times the longest lever is nothing either.
+  // One component may vanish along all axes of the ground: rounding of its largest coefficient times the longest lever
+  // is nothing either.
   double lever = 1;
   for (const GroundEnd& end : ground.ends) lever = std::max(lever, end.pose.position.norm());
   const double largest = lever * std::max(on_coordinates.cwiseAbs().maxCoeff(), on_ground.cwiseAbs().maxCoeff());
@@ -239,7 +258,8 @@ void move_together(const model::System& system, Ground& ground) {
     std::vector<Eigen::Index> rows;
     for (const GroundEnd& end : ground.ends)
       if (std::find(moved.begin(), moved.end(), end.element) != moved.end()) rows.push_back(end.first_row);
-    if (!rows.empty() && std::find(ground.together.begin(), ground.together.end(), rows) == ground.together.end()) ground.together.push_back(rows);
+    if (!rows.empty() && std::find(ground.together.begin(), ground.together.end(), rows) == ground.together.end())
+      ground.together.push_back(rows);
   }
 }
 
@@ -268,7 +288,8 @@ void follow_ground(const model::System& system, const SystemDampingMatrices& dam
     ground.K_loss.rightCols(followed) = own.K_loss;
   }
   const numerics::DynamicMatrices& m = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
-  ground.A.topRightCorner(m.size(), followed) = m.A * ground.R.topRows(m.size()) + ground.gathered(ground.A).topRows(m.size());
+  ground.A.topRightCorner(m.size(), followed) =
+      m.A * ground.R.topRows(m.size()) + ground.gathered(ground.A).topRows(m.size());
 }
 
 }  // namespace trivet::assembly

@@ -3,7 +3,8 @@
 
 namespace trivet::assembly {
 
-Layout::Layout(const model::Description& description, const std::vector<Eigen::Index>& internal, const std::vector<bool>& last)
+Layout::Layout(const model::Description& description, const std::vector<Eigen::Index>& internal,
+               const std::vector<bool>& last)
     : internal_(internal.size()) {
   const auto add_block = [this](Eigen::Index rows) {
     if (rows > 0) blocks_.push_back(size_);

@@ -12,8 +12,8 @@ namespace {
 
 /// Adds a wrench at a point of a body to the generalized forces: X(r)ᵀ w.
 template <typename Scalar>
-void add_wrench(const Layout& layout, std::size_t body, const Eigen::Vector3d& at, const Eigen::Matrix<Scalar, 6, 1>& wrench,
-                Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& load) {
+void add_wrench(const Layout& layout, std::size_t body, const Eigen::Vector3d& at,
+                const Eigen::Matrix<Scalar, 6, 1>& wrench, Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& load) {
   const Eigen::Matrix<Scalar, 6, 1> at_pole = spatial::rigid_motion(at).transpose().template cast<Scalar>() * wrench;
   for (int j = 0; j < 6; ++j)
     if (layout.row(body, j) >= 0) load(layout.row(body, j)) += at_pole(j);
@@ -26,7 +26,8 @@ spatial::Vector6 six(const spatial::Wrench& wrench) {
 }
 
 /// M times the acceleration of free fall of both ends.
-void add_element_weight(const model::System& system, std::size_t index, const Eigen::Vector3d& gravity, const ElementMap& map, Eigen::VectorXd& load) {
+void add_element_weight(const model::System& system, std::size_t index, const Eigen::Vector3d& gravity,
+                        const ElementMap& map, Eigen::VectorXd& load) {
   if (map.matrices.mass.isZero(0)) return;
   Eigen::VectorXd fall = Eigen::VectorXd::Zero(map.ends.rows());
   fall.segment<3>(0) = model::end_in_ground(system.bodies(), system.elements()[index].n).rotation.transpose() * gravity;
@@ -63,7 +64,8 @@ Loading loading(const Assembled& assembled, const model::Action& action) {
     return result;
   }
   for (const GroundEnd& end : assembled.ground.ends) {
-    const bool moves = action.elements.empty() || std::find(action.elements.begin(), action.elements.end(), end.element) != action.elements.end();
+    const bool moves = action.elements.empty() ||
+        std::find(action.elements.begin(), action.elements.end(), end.element) != action.elements.end();
     if (!moves) continue;
     const double later = action.wave ? action.wave->direction.dot(end.pose.position) / action.wave->speed : 0;
     add_motion(action.delay + later, end.first_row, action.amplitude);
@@ -71,7 +73,8 @@ Loading loading(const Assembled& assembled, const model::Action& action) {
   return result;
 }
 
-Loading harmonic_loading(const model::System& system, const Assembled& assembled, const std::vector<std::string>& selected) {
+Loading harmonic_loading(const model::System& system, const Assembled& assembled,
+                         const std::vector<std::string>& selected) {
   Loading total{numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())};
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
@@ -81,11 +84,14 @@ Loading harmonic_loading(const model::System& system, const Assembled& assembled
       throw foundation::InvalidInput("\"" + name + "\" names no harmonic excitation of this model");
   for (const model::Excitation& excitation : excitations) {
     const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
-    if (!harmonic || (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end())) continue;
+    if (!harmonic ||
+        (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()))
+      continue;
     const Loading one = loading(assembled, excitation.action);
     const double sign = harmonic->power_of_frequency == 2 ? -1 : 1;  // ω² = −s²
     for (const auto& [from, to] : {std::pair{&one.force, &total.force}, {&one.motion, &total.motion}})
-      for (const numerics::LoadTerm& term : from->terms()) to->add({term.power + harmonic->power_of_frequency, term.delay, sign * term.value});
+      for (const numerics::LoadTerm& term : from->terms())
+        to->add({term.power + harmonic->power_of_frequency, term.delay, sign * term.value});
   }
   return total;
 }
@@ -103,19 +109,22 @@ numerics::Load right_side(const Assembled& assembled, const Loading& loading) {
   return h;
 }
 
-void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near, Eigen::VectorXcd& h) {
+void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega,
+                             double near, Eigen::VectorXcd& h) {
   if (loading.motion.vanishes()) return;
   const Eigen::VectorXcd g = loading.motion.at(omega);
   for (const ElementMap& map : assembled.elements) {
     if (!map.frequency_dependent() || (map.ground_rows.empty() && !map.resists_following)) continue;
     const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
     const Eigen::VectorXcd moved = map.moved_by_ground(g).head(12);
-    const Eigen::VectorXcd force = map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);
+    const Eigen::VectorXcd force =
+        map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);
     for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[static_cast<std::size_t>(j)]) -= force(j);
   }
 }
 
-Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near) {
+Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega,
+                                  double near) {
   Eigen::VectorXcd h = right_side(assembled, loading).head(assembled.layout.before_last()).at(omega);
   add_frequency_dependent(assembled, loading, omega, near, h);
   return h;
@@ -132,8 +141,10 @@ Eigen::VectorXd static_load(const model::System& system, const Assembled& assemb
       add_wrench<double>(layout, i, bodies[i].mass.centre, six(weight), load);
     }
   if (system.description().gravity)
-    for (std::size_t e = 0; e < assembled.elements.size(); ++e) add_element_weight(system, e, *system.description().gravity, assembled.elements[e], load);
-  for (std::size_t e = 0; e < assembled.elements.size(); ++e) add_preload(system.elements()[e].law, assembled.elements[e], load);
+    for (std::size_t e = 0; e < assembled.elements.size(); ++e)
+      add_element_weight(system, e, *system.description().gravity, assembled.elements[e], load);
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e)
+    add_preload(system.elements()[e].law, assembled.elements[e], load);
   for (const model::ConstantForce& force : system.description().constant_forces)
     add_wrench<double>(layout, force.body, force.at, six(force.wrench), load);
   return load;

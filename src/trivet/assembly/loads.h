@@ -20,7 +20,8 @@ struct Loading {
   numerics::Load motion;
 
   template <typename Vector>
-  Loading(const Eigen::MatrixBase<Vector>& constant_force) : force(constant_force), motion(Eigen::Index{0}) {}  // NOLINT: a vector is a load
+  Loading(const Eigen::MatrixBase<Vector>& constant_force)
+      : force(constant_force), motion(Eigen::Index{0}) {}  // NOLINT: a vector is a load
   Loading(numerics::Load forces, numerics::Load motions) : force(std::move(forces)), motion(std::move(motions)) {}
 
   [[nodiscard]] bool vanishes() const { return force.vanishes() && motion.vanishes(); }
@@ -34,16 +35,20 @@ struct Loading {
 
 /// All harmonic excitations together, or those named.
 /// @throws foundation::InvalidInput for a name that is none
-[[nodiscard]] Loading harmonic_loading(const model::System& system, const Assembled& assembled, const std::vector<std::string>& selected = {});
+[[nodiscard]] Loading harmonic_loading(const model::System& system, const Assembled& assembled,
+                                       const std::vector<std::string>& selected = {});
 
 /// Right side of Z q = h for constant matrices: forces minus what the motion of the ground brings in.
 [[nodiscard]] numerics::Load right_side(const Assembled& assembled, const Loading& loading);
 
-/// Adds to it, at one ω, what the motion of the ground brings in through frequency-dependent elements, first rows of the layout.
-void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near, Eigen::VectorXcd& h);
+/// Adds to it, at one ω, what the motion of the ground brings in through frequency-dependent elements, first rows of
+/// the layout.
+void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega,
+                             double near, Eigen::VectorXcd& h);
 
 /// The same at one ω with frequency-dependent elements, first rows of the layout.
-[[nodiscard]] Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading, std::complex<double> omega, double near);
+[[nodiscard]] Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading,
+                                                std::complex<double> omega, double near);
 
 /// Gravity on every body and on the mass of the elements, the preloads that already carry it, and the constant forces.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int most_halvings = 20;  // a strip thinner than a millionth of a step is no region of designs
 
-/// One natural frequency, counted from the lowest, that is below the band at `below` and above it at `above`, shares of the edge.
+/// One natural frequency, counted from the lowest, that is below the band at `below` and above it at `above`, shares of
+/// the edge.
 struct Passage {
   CrossedEdge edge;
   int mode = 0;
@@ -28,7 +29,8 @@ struct Passage {
   }
 };
 
-void add_passages(const CrossedEdge& edge, const DesignOutcome& from, const DesignOutcome& to, std::vector<Passage>& passages) {
+void add_passages(const CrossedEdge& edge, const DesignOutcome& from, const DesignOutcome& to,
+                  std::vector<Passage>& passages) {
   if (!from.kept() || !to.kept()) return;
   for (int mode = to.modes_up_to() + 1; mode <= from.modes_below; ++mode) passages.push_back({edge, mode, 0, 1});
   for (int mode = from.modes_up_to() + 1; mode <= to.modes_below; ++mode) passages.push_back({edge, mode, 1, 0});
@@ -47,14 +49,17 @@ std::vector<Passage> passages_of(const MapGrid& grid, const std::vector<DesignOu
 
 }  // namespace
 
-BandPassages band_passages(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const JudgePlaces& judge, const foundation::Progress& progress) {
+BandPassages band_passages(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const JudgePlaces& judge,
+                           const foundation::Progress& progress) {
   std::vector<Passage> passages = passages_of(grid, outcomes);
   for (int step = 0; step < most_halvings; ++step) {
     std::vector<MapPlace> places;
     for (const Passage& p : passages)
       if (p.open) places.push_back(place_on_edge(grid, p.edge, 0.5 * (p.below + p.above)));
     if (places.empty()) break;
-    const std::vector<DesignOutcome> found = judge(places, [&](std::string_view, double) { foundation::report_progress(progress, "between designs", static_cast<double>(step) / most_halvings); });
+    const std::vector<DesignOutcome> found = judge(places, [&](std::string_view, double) {
+      foundation::report_progress(progress, "between designs", static_cast<double>(step) / most_halvings);
+    });
     std::size_t next = 0;
     for (Passage& p : passages)
       if (p.open) p.see(found[next++]);
@@ -63,7 +68,8 @@ BandPassages band_passages(const MapGrid& grid, const std::vector<DesignOutcome>
   const CrossedEdge* last = nullptr;
   for (const Passage& p : passages) {
     if (!p.breaks) continue;
-    const bool same = last && last->i == p.edge.i && last->j == p.edge.j && last->upwards == p.edge.upwards;  // several modes of one pair
+    const bool same = last && last->i == p.edge.i && last->j == p.edge.j &&
+        last->upwards == p.edge.upwards;  // several modes of one pair
     result.pairs += !same;
     last = &p.edge;
     const auto steps = static_cast<std::size_t>((p.edge.upwards ? grid.ny : grid.nx) - 1);

@@ -7,7 +7,8 @@
 namespace trivet::design {
 namespace {
 
-/// Distance of every drawn node that is one of the equals to the nearest other, nodes beyond the frame among these: first along columns, then across them.
+/// Distance of every drawn node that is one of the equals to the nearest other, nodes beyond the frame among these:
+/// first along columns, then across them.
 template <typename Equal>
 std::vector<double> depths(const DrawnGrid& drawn, const Equal& is_equal) {
   const MapGrid grid = drawn.nodes();
@@ -15,7 +16,8 @@ std::vector<double> depths(const DrawnGrid& drawn, const Equal& is_equal) {
   std::vector<double> along(grid.count()), depth(grid.count());
   const auto equal = [&](std::size_t node) { return is_equal(drawn.design(node)); };
   for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j) along[grid.index(i, j)] = !equal(grid.index(i, j)) ? 0 : j == 0 ? dy : along[grid.index(i, j - 1)] + dy;
+    for (int j = 0; j < grid.ny; ++j)
+      along[grid.index(i, j)] = !equal(grid.index(i, j)) ? 0 : j == 0 ? dy : along[grid.index(i, j - 1)] + dy;
     for (int j = grid.ny - 1; j >= 0; --j) {
       double& here = along[grid.index(i, j)];
       here = std::min(here, j + 1 == grid.ny ? dy : along[grid.index(i, j + 1)] + dy);

@@ -52,12 +52,14 @@ double boundary_level(const DesignOutcome& outcome) {
   return std::clamp(std::log(static_cast<double>(outcome.margin)), -far, far);
 }
 
-std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const std::vector<CrossedEdge>& edges,
-                                       const JudgePlaces& judge, const foundation::Progress& progress) {
+std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes,
+                                       const std::vector<CrossedEdge>& edges, const JudgePlaces& judge,
+                                       const foundation::Progress& progress) {
   std::vector<Bracket> brackets;
   for (const CrossedEdge& e : edges) {
     const std::size_t to = e.upwards ? grid.index(e.i, e.j + 1) : grid.index(e.i + 1, e.j);
-    brackets.push_back({0, 1, boundary_level(outcomes[grid.index(e.i, e.j)]), boundary_level(outcomes[to]), boundary_tolerance * ((e.upwards ? grid.ny : grid.nx) - 1), 0});
+    brackets.push_back({0, 1, boundary_level(outcomes[grid.index(e.i, e.j)]), boundary_level(outcomes[to]),
+                        boundary_tolerance * ((e.upwards ? grid.ny : grid.nx) - 1), 0});
   }
   std::vector<std::size_t> open(edges.size());
   for (std::size_t e = 0; e < open.size(); ++e) open[e] = e;
@@ -65,7 +67,8 @@ std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<De
     std::erase_if(open, [&](std::size_t e) { return brackets[e].done(); });
     if (open.empty()) break;
     const foundation::Progress of_boundary = [&](std::string_view, double) {
-      foundation::report_progress(progress, "boundary", 1 - static_cast<double>(open.size()) / static_cast<double>(edges.size()));
+      foundation::report_progress(progress, "boundary",
+                                  1 - static_cast<double>(open.size()) / static_cast<double>(edges.size()));
     };
     std::vector<double> t;
     std::vector<MapPlace> places;

@@ -19,11 +19,13 @@ inline constexpr double boundary_tolerance = 1e-6;  ///< of each axis
 [[nodiscard]] double boundary_level(const DesignOutcome& outcome);
 
 /// Outcomes of designs at places on the map.
-using JudgePlaces = std::function<std::vector<DesignOutcome>(const std::vector<MapPlace>& places, const foundation::Progress& progress)>;
+using JudgePlaces = std::function<std::vector<DesignOutcome>(const std::vector<MapPlace>& places,
+                                                             const foundation::Progress& progress)>;
 
 /// Where the boundary crosses each edge, as a share of the edge: by regula falsi and bisection of all edges in step.
 /// @param outcomes  of the nodes
-[[nodiscard]] std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes, const std::vector<CrossedEdge>& edges,
-                                                     const JudgePlaces& judge, const foundation::Progress& progress = {});
+[[nodiscard]] std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes,
+                                                     const std::vector<CrossedEdge>& edges, const JudgePlaces& judge,
+                                                     const foundation::Progress& progress = {});
 
 }  // namespace trivet::design

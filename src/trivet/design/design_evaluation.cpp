@@ -26,38 +26,48 @@ DesignOutcome outcome_of(const Governing& least) {
 
 /// One more natural frequency of a design against the band of the amplitudes.
 void count_mode(double squared, const response::Band& band, DesignOutcome& outcome) {
-  if (squared < band.from * band.from) outcome.modes_below += outcome.modes_below < std::numeric_limits<std::uint16_t>::max();
-  else if (squared <= band.to * band.to) outcome.modes_in_band += outcome.modes_in_band < std::numeric_limits<std::uint8_t>::max();
+  if (squared < band.from * band.from)
+    outcome.modes_below += outcome.modes_below < std::numeric_limits<std::uint16_t>::max();
+  else if (squared <= band.to * band.to)
+    outcome.modes_in_band += outcome.modes_in_band < std::numeric_limits<std::uint8_t>::max();
 }
 
 constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and few of them are open on a boundary
 constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
 
-/// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within what tables define.
+/// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within
+/// what tables define.
 response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
   constexpr double decades = 1e-3, least = 10;  // where tables start above it, a decade of them
   response::Band range{decades * natural_frequency, std::numeric_limits<double>::infinity()};
   for (const assembly::Assembled* assembled : {&a, &b})
-    for (const assembly::ElementMap& map : assembled->elements) range = {std::max(range.from, map.defined_from), std::min(range.to, map.defined_to)};
+    for (const assembly::ElementMap& map : assembled->elements)
+      range = {std::max(range.from, map.defined_from), std::min(range.to, map.defined_to)};
   range.to = std::min(range.to, std::max(natural_frequency, least * range.from));
   return range;
 }
 
-std::string amplitude_words(const std::string& name, double amplitude, const std::string& unit) { return fmt::format("{} ≤ {:.6g} {}", name, amplitude, unit); }
+std::string amplitude_words(const std::string& name, double amplitude, const std::string& unit) {
+  return fmt::format("{} ≤ {:.6g} {}", name, amplitude, unit);
+}
 
 }  // namespace
 
-DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::MapRequest& request, const EvaluationOptions& options)
+DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::MapRequest& request,
+                                   const EvaluationOptions& options)
     : case_(variant), request_(request), options_(options), x_(request.x), y_(request.y) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   for (const project::MapLimit& limit : request.limits) {
     const std::size_t channel = channel_of(limit.name, limit.quantity);
     set_.rules.push_back({DesignRule::Kind::amplitude, channel, limit.amplitude});
   }
-  for (const assembly::Channel& channel : assembly::channels(variant.system, assembled, request.no_peak, request.quantity))
-    set_.rules.push_back({DesignRule::Kind::no_peak, channel_of(channel.name, request.quantity), request.peak_tolerance});
+  for (const assembly::Channel& channel :
+       assembly::channels(variant.system, assembled, request.no_peak, request.quantity))
+    set_.rules.push_back(
+        {DesignRule::Kind::no_peak, channel_of(channel.name, request.quantity), request.peak_tolerance});
   if (set_.rules.size() > DesignOutcome::most_rules)
-    throw foundation::NotComputable(fmt::format("map: {} rules; a map judges at most {}", set_.rules.size(), DesignOutcome::most_rules));
+    throw foundation::NotComputable(
+        fmt::format("map: {} rules; a map judges at most {}", set_.rules.size(), DesignOutcome::most_rules));
   set_.band = request.band.value_or(response::Band{0, std::numeric_limits<double>::infinity()});
   counts_modes_ = !request.limits.empty() && set_.band.from > 0 && std::isfinite(set_.band.to);
   set_.min_prominence = request.min_prominence;
@@ -65,7 +75,9 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
   for (const DesignRule& rule : set_.rules) {
     const assembly::Channel& channel = all[rule.channel];
     const bool amplitude = rule.kind == DesignRule::Kind::amplitude;
-    rules_.push_back({rule.kind, channel.name, channel.unit, rule.allowed, amplitude ? amplitude_words(channel.name, rule.allowed, channel.unit) : "no peak of " + channel.name});
+    rules_.push_back(
+        {rule.kind, channel.name, channel.unit, rule.allowed,
+         amplitude ? amplitude_words(channel.name, rule.allowed, channel.unit) : "no peak of " + channel.name});
   }
   if (options.fast) fit_family(variant);
 }
@@ -73,7 +85,8 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
 void DesignEvaluation::fit_family(const project::Case& variant) {
   const auto plain = [&](const model::System& system) -> PlainOrNot {
     const assembly::Assembled assembled = assembly::assemble(system);
-    PlainOrNot found = plain_design(assembled, channels(system, assembled), assembly::harmonic_loading(system, assembled, request_.excitations));
+    PlainOrNot found = plain_design(assembled, channels(system, assembled),
+                                    assembly::harmonic_loading(system, assembled, request_.excitations));
     if (found.plain && !numerics::is_positive_definite(found.plain->K)) return {{}, "free or unstable motions"};
     return found;
   };
@@ -88,13 +101,16 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
   family_ = std::move(found.family);
   report_.family = found.reason;
   if (!family_) return;
-  report_.family = fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}", family_->x_nodes(), family_->y_nodes(), std::max(family_->worst_difference(), 1e-16));
+  report_.family = fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}",
+                               family_->x_nodes(), family_->y_nodes(), std::max(family_->worst_difference(), 1e-16));
   plan_searches();
 }
 
 void DesignEvaluation::plan_searches() {
   const PlainDesign& first = family_->first();
-  const auto of_kind = [&](DesignRule::Kind kind) { return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& r) { return r.kind == kind; }); };
+  const auto of_kind = [&](DesignRule::Kind kind) {
+    return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& r) { return r.kind == kind; });
+  };
   search_.count_peaks = of_kind(DesignRule::Kind::no_peak);
   search_.min_prominence = set_.min_prominence;
   search_.threads = 1;
@@ -117,13 +133,17 @@ std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::
   return designs;
 }
 
-void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes) {
+void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points,
+                                         DesignOutcome* outcomes) {
   std::vector<FamilyPoint> places;
   for (const DesignPoint& p : points) places.push_back({p.x, p.y});
   const numerics::Designs designs = family_->designs(places);
   numerics::DesignPeaks found = numerics::design_peaks(designs, search_);
-  const numerics::DesignModes modes = counts_modes_ ? numerics::design_modes(designs, {false, 1, {}}) : numerics::DesignModes();
-  const auto good = [](numerics::DesignStatus status) { return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone; };
+  const numerics::DesignModes modes =
+      counts_modes_ ? numerics::design_modes(designs, {false, 1, {}}) : numerics::DesignModes();
+  const auto good = [](numerics::DesignStatus status) {
+    return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone;
+  };
   if (beyond_band_) {  // peaks count wherever they lie, amplitudes in the band: rarely is the highest one outside
     const std::vector<std::size_t> again = highest_outside_band(found);
     std::vector<FamilyPoint> there;
@@ -132,7 +152,8 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     in_band.from = set_.band.from;
     in_band.to = set_.band.to;
     in_band.count_peaks = false;
-    const numerics::DesignPeaks inside = again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
+    const numerics::DesignPeaks inside =
+        again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
     for (std::size_t k = 0; k < again.size(); ++k) {
       found.highest.row(static_cast<Eigen::Index>(again[k])) = inside.highest.row(static_cast<Eigen::Index>(k));
       found.status[again[k]] = std::max(found.status[again[k]], inside.status[k]);  // the worse of both
@@ -147,10 +168,12 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     }
     for (std::size_t r = 0; r < values.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(d), channel = static_cast<Eigen::Index>(set_.rules[r].channel);
-      values[r] = set_.rules[r].kind == DesignRule::Kind::amplitude ? found.highest(row, channel) : found.largest_rise(row, channel);
+      values[r] = set_.rules[r].kind == DesignRule::Kind::amplitude ? found.highest(row, channel)
+                                                                    : found.largest_rise(row, channel);
     }
     outcomes[d] = outcome_of(governing(set_, values));
-    for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k) count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
+    for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k)
+      count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
     ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
   }
   const std::lock_guard lock(noting_);
@@ -165,9 +188,11 @@ std::size_t DesignEvaluation::channel_of(const std::string& name, assembly::Quan
   return answers_.size() - 1;
 }
 
-std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& system, const assembly::Assembled& assembled) const {
+std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& system,
+                                                          const assembly::Assembled& assembled) const {
   std::vector<assembly::Channel> result;
-  for (const Answer& answer : answers_) result.push_back(assembly::channels(system, assembled, {answer.name}, answer.quantity).front());
+  for (const Answer& answer : answers_)
+    result.push_back(assembly::channels(system, assembled, {answer.name}, answer.quantity).front());
   return result;
 }
 
@@ -180,16 +205,23 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
   if (!there) return false;
   const assembly::Assembled a = assembly::assemble(system), b = assembly::assemble(*there);
   if (a.layout.size() != b.layout.size()) return false;
-  const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations), of_b = assembly::harmonic_loading(*there, b, request_.excitations);
+  const assembly::Loading of_a = assembly::harmonic_loading(system, a, request_.excitations),
+                          of_b = assembly::harmonic_loading(*there, b, request_.excitations);
   const Eigen::VectorXd unit = numerics::unit_scale(a.matrices).head(a.layout.before_last());
   const auto [lowest, highest] = compared_range(a, b, modal::highest_natural_frequency(system, a));
   if (!(lowest < highest)) return false;
   for (const double omega : {lowest, std::sqrt(lowest * highest), highest}) {
-    const auto scaled = [&](const assembly::Assembled& m) -> Eigen::MatrixXcd { return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal(); };
+    const auto scaled = [&](const assembly::Assembled& m) -> Eigen::MatrixXcd {
+      return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal();
+    };
     const Eigen::MatrixXcd of_case = scaled(a);
-    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <= DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff())) return false;
+    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <=
+          DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff()))
+      return false;
     const Eigen::VectorXcd load = assembly::exact_right_side(a, of_a, omega, omega);
-    if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <= DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff())) return false;
+    if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <=
+          DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff()))
+      return false;
   }
   return true;
 }
@@ -212,7 +244,8 @@ JudgedDesign DesignEvaluation::judged(const model::System& system) const {
 void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, const std::string& words) {
   const std::string kind = without_numbers(rule);
   const std::lock_guard lock(noting_);
-  const auto known = static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
+  const auto known =
+      static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
   if (known == missing_kinds_.size()) {
     missing_kinds_.push_back(kind);
     report_.missing.push_back({words, 0, index});
@@ -233,8 +266,11 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   const auto system = system_at(point);
   if (!system) {
     const auto& list = system.error().list();
-    const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) { return p.severity == foundation::Severity::error; });
-    note_missing(index, first->subject + ": " + first->rule, fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
+    const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) {
+      return p.severity == foundation::Severity::error;
+    });
+    note_missing(index, first->subject + ": " + first->rule,
+                 fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
     return {0, DesignOutcome::no_model};
   }
   try {
@@ -251,17 +287,22 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   return {0, DesignOutcome::not_computed};
 }
 
-std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count, const std::function<DesignPoint(std::size_t)>& point, const foundation::Progress& progress) {
+std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count,
+                                                      const std::function<DesignPoint(std::size_t)>& point,
+                                                      const foundation::Progress& progress) {
   std::vector<DesignOutcome> outcomes(count);
-  foundation::for_each_piece(count, {family_ ? lane_piece : assembled_piece, options_.threads, progress, "designs"}, [&](std::size_t first, std::size_t last) {
-    std::vector<DesignPoint> points;
-    for (std::size_t i = first; i < last; ++i) points.push_back(point(i));
-    if (family_) return evaluate_in_lanes(first, points, &outcomes[first]);
-    for (std::size_t i = first; i < last; ++i) outcomes[i] = assembled_outcome(i, points[i - first]);
-  });
+  foundation::for_each_piece(count, {family_ ? lane_piece : assembled_piece, options_.threads, progress, "designs"},
+                             [&](std::size_t first, std::size_t last) {
+                               std::vector<DesignPoint> points;
+                               for (std::size_t i = first; i < last; ++i) points.push_back(point(i));
+                               if (family_) return evaluate_in_lanes(first, points, &outcomes[first]);
+                               for (std::size_t i = first; i < last; ++i)
+                                 outcomes[i] = assembled_outcome(i, points[i - first]);
+                             });
   std::vector<std::size_t> order(report_.missing.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return report_.missing[a].first < report_.missing[b].first; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return report_.missing[a].first < report_.missing[b].first; });
   std::vector<MissingReason> sorted;
   std::vector<std::string> kinds;
   for (const std::size_t i : order) {

@@ -19,13 +19,15 @@ namespace trivet::design {
 class DesignEvaluation {
  public:
   /// @throws foundation::NotComputable if the rules cannot be asked of this case
-  DesignEvaluation(const project::Case& variant, const project::MapRequest& request) : DesignEvaluation(variant, request, EvaluationOptions()) {}
+  DesignEvaluation(const project::Case& variant, const project::MapRequest& request)
+      : DesignEvaluation(variant, request, EvaluationOptions()) {}
   DesignEvaluation(const project::Case& variant, const project::MapRequest& request, const EvaluationOptions& options);
 
   [[nodiscard]] const std::vector<MapRule>& rules() const { return rules_; }
 
   /// Outcomes of designs 0 … count − 1, the same for any number of threads. What has none adds to the report.
-  [[nodiscard]] std::vector<DesignOutcome> evaluate(std::size_t count, const std::function<DesignPoint(std::size_t)>& point,
+  [[nodiscard]] std::vector<DesignOutcome> evaluate(std::size_t count,
+                                                    const std::function<DesignPoint(std::size_t)>& point,
                                                     const foundation::Progress& progress = {});
 
   /// Is a model the design at this point: does it answer with the same Z(ω) and load?
@@ -42,7 +44,8 @@ class DesignEvaluation {
     assembly::Quantity quantity = assembly::Quantity::displacement;
   };
   [[nodiscard]] std::size_t channel_of(const std::string& name, assembly::Quantity quantity);
-  [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system, const assembly::Assembled& assembled) const;
+  [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system,
+                                                        const assembly::Assembled& assembled) const;
   [[nodiscard]] foundation::Expected<model::System> system_at(const DesignPoint& point) const;
   [[nodiscard]] DesignOutcome assembled_outcome(std::size_t index, const DesignPoint& point);
   void fit_family(const project::Case& variant);
@@ -60,12 +63,13 @@ class DesignEvaluation {
   std::vector<MapRule> rules_;
   RuleSet set_;
   std::optional<DesignFamily> family_;
-  numerics::DesignPeakOptions search_;   // of the family: over all frequencies where peaks are asked for, else over the band
-  bool beyond_band_ = false;             // it sees amplitudes outside the band
-  bool counts_modes_ = false;            // natural frequencies may pass over the band of the amplitudes
-  std::mutex noting_;                    // of the two below
+  numerics::DesignPeakOptions
+      search_;                 // of the family: over all frequencies where peaks are asked for, else over the band
+  bool beyond_band_ = false;   // it sees amplitudes outside the band
+  bool counts_modes_ = false;  // natural frequencies may pass over the band of the amplitudes
+  std::mutex noting_;          // of the two below
   EvaluationReport report_;
-  std::vector<std::string> missing_kinds_;   // of report_.missing
+  std::vector<std::string> missing_kinds_;  // of report_.missing
 };
 
 }  // namespace trivet::design

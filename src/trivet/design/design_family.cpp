@@ -42,7 +42,11 @@ Eigen::VectorXd scales(const PlainDesign& design) {
 /// Chebyshev points with both ends.
 std::vector<double> nodes_between(double from, double to, int count) {
   std::vector<double> nodes;
-  for (int k = 0; k < count; ++k) nodes.push_back(k == 0 ? from : k + 1 == count ? to : from + (to - from) * 0.5 * (1 - std::cos(std::numbers::pi * k / (count - 1))));
+  for (int k = 0; k < count; ++k)
+    nodes.push_back(k == 0 ? from
+                        : k + 1 == count
+                        ? to
+                        : from + (to - from) * 0.5 * (1 - std::cos(std::numbers::pi * k / (count - 1))));
   return nodes;
 }
 
@@ -62,11 +66,13 @@ double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& ex
 std::string unlike(const PlainDesign& a, const PlainDesign& b) {
   if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
   if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
-    return "answers whose own rows change from design to design (a force of an element that the numbers change, or a point that they move)";
+    return "answers whose own rows change from design to design (a force of an element that the numbers change, or a "
+           "point that they move)";
   return "";
 }
 
-/// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which leaves no gaps.
+/// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which leaves no
+/// gaps.
 std::vector<FamilyPoint> check_points() {
   std::vector<FamilyPoint> shares;
   for (int j = 0; j < 5; ++j)
@@ -95,7 +101,8 @@ std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
 
 }  // namespace
 
-PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading) {
+PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                        const assembly::Loading& loading) {
   const numerics::DynamicMatrices& m = assembled.matrices;
   if (assembled.frequency_dependent()) return {{}, "elements that depend on frequency in their own way"};
   if (m.lossy()) return {{}, "loss factors"};
@@ -111,7 +118,8 @@ PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<
   design.rows_on_velocity = design.rows;
   for (Eigen::Index c = 0; c < answers; ++c) {
     const assembly::Channel& channel = channels[static_cast<std::size_t>(c)];
-    const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) || (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));
+    const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) ||
+        (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));
     if (other) return {{}, "forces of elements with mass or loss"};
     design.rows.row(c) = channel.on_displacement.real().transpose();
     if (channel.on_velocity.size() > 0) design.rows_on_velocity.row(c) = channel.on_velocity.transpose();
@@ -134,7 +142,8 @@ Eigen::VectorXd DesignFamily::entries(const FamilyPoint& point) const {
   return values_ * Eigen::Map<const Eigen::VectorXd>(both.data(), both.size());
 }
 
-std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable) {
+std::optional<DesignFamily::Along> DesignFamily::fitted_along(
+    const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable) {
   constexpr double golden = 0.6180339887498949;
   constexpr int checks = 7;
   std::vector<double> at;
@@ -149,11 +158,16 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(const std::functio
   for (const int count : {2, 3, 5, 9, most_nodes_along_one})
     for (const bool logarithmic : {false, true}) {
       if (logarithmic && !(variable.from > 0)) continue;
-      const Along along{logarithmic, logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count) : nodes_between(variable.from, variable.to, count)};
+      const Along along{logarithmic,
+                        logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count)
+                                    : nodes_between(variable.from, variable.to, count)};
       Eigen::MatrixXd values(exact[0].size(), count);
       for (int k = 0; k < count; ++k) {
         const double node = along.nodes[static_cast<std::size_t>(k)];
-        const auto design = source(k == 0 ? variable.from : k + 1 == count ? variable.to : logarithmic ? std::exp(node) : node);
+        const auto design = source(k == 0               ? variable.from
+                                       : k + 1 == count ? variable.to
+                                       : logarithmic    ? std::exp(node)
+                                                        : node);
         if (!design) return std::nullopt;
         values.col(k) = packed(*design);
       }
@@ -177,8 +191,13 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
     return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
-  const auto not_met_along = [](const std::string& name) { return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes_along_one, reproduced_within, name); };
-  const auto declined = [&](const std::string& otherwise) -> FamilyOrNot { return {std::nullopt, reason.empty() ? otherwise : reason}; };
+  const auto not_met_along = [](const std::string& name) {
+    return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes_along_one,
+                       reproduced_within, name);
+  };
+  const auto declined = [&](const std::string& otherwise) -> FamilyOrNot {
+    return {std::nullopt, reason.empty() ? otherwise : reason};
+  };
   if (!asked({x.from, y.from})) return declined("");
   const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);
   if (!along_x) return declined(not_met_along(x.name));
@@ -189,7 +208,10 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
   const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
   family.values_.resize(packed(family.first_).size(), static_cast<Eigen::Index>(nx * ny));
   const auto value = [](const FamilyVariable& v, const Along& along, std::size_t k) {
-    return k == 0 ? v.from : k + 1 == along.nodes.size() ? v.to : along.logarithmic ? std::exp(along.nodes[k]) : along.nodes[k];
+    return k == 0                     ? v.from
+        : k + 1 == along.nodes.size() ? v.to
+        : along.logarithmic           ? std::exp(along.nodes[k])
+                                      : along.nodes[k];
   };
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i) {
@@ -203,7 +225,8 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
     if (worst > reproduced_within)
-      return declined(fmt::format("matrices that the polynomials along {} and {} together do not meet within {:.0e}", x.name, y.name, reproduced_within));
+      return declined(fmt::format("matrices that the polynomials along {} and {} together do not meet within {:.0e}",
+                                  x.name, y.name, reproduced_within));
     family.worst_ = std::max(family.worst_, worst);
   }
   return {std::move(family), ""};
@@ -212,7 +235,8 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
 numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) const {
   const auto count = static_cast<Eigen::Index>(points.size()), n = first_.load.size(), triangle = n * (n + 1) / 2;
   const auto nx = static_cast<Eigen::Index>(x_.nodes.size()), ny = static_cast<Eigen::Index>(y_.nodes.size());
-  numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
+  numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle),
+                            Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
   for (Eigen::Index first = 0; first < count;) {  // runs along x share what belongs to y
     const double y = points[static_cast<std::size_t>(first)].y;
     Eigen::Index last = first;
@@ -225,7 +249,8 @@ numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) con
       of_x.row(d - first) = x_.weights(points[static_cast<std::size_t>(d)].x).transpose();
     Eigen::Index row = 0;
     for (Eigen::ArrayXXd* part : {&designs.A, &designs.B, &designs.K, &designs.load}) {
-      part->middleRows(first, last - first).matrix().noalias() = of_x * along_x.middleRows(row, part->cols()).transpose();
+      part->middleRows(first, last - first).matrix().noalias() =
+          of_x * along_x.middleRows(row, part->cols()).transpose();
       row += part->cols();
     }
     first = last;

@@ -10,11 +10,14 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 /// Bytes of letters beyond ASCII count as letters.
-bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0; }
+bool is_of_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0;
+}
 
 /// Where a number that begins at `i` ends: digits, a point, an exponent.
 std::size_t end_of_number(const std::string& text, std::size_t i) {
-  while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1])))) ++i;
+  while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]))))
+    ++i;
   std::size_t exponent = i;
   if (exponent < text.size() && text[exponent] == 'e') {
     ++exponent;
@@ -43,10 +46,13 @@ std::string without_numbers(const std::string& message) {
 
 std::string EvaluationReport::words() const {
   std::string text;
-  if (proven + redone > 0) text = fmt::format("{} designs by poles and residues{}; {}", proven + redone, redone > 0 ? fmt::format(", {} of them redone by a slower solver", redone) : "", family);
+  if (proven + redone > 0)
+    text = fmt::format("{} designs by poles and residues{}; {}", proven + redone,
+                       redone > 0 ? fmt::format(", {} of them redone by a slower solver", redone) : "", family);
   if (one_by_one > 0)
-    text += fmt::format("{}{} designs assembled from the changed project and searched one by one{}", text.empty() ? "" : "; ", one_by_one,
-                        proven + redone > 0 || family.empty() ? "" : ": " + family);
+    text +=
+        fmt::format("{}{} designs assembled from the changed project and searched one by one{}",
+                    text.empty() ? "" : "; ", one_by_one, proven + redone > 0 || family.empty() ? "" : ": " + family);
   return text;
 }
 

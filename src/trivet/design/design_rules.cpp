@@ -16,8 +16,9 @@ constexpr double tie = 1e-6;  // of margins: far above the round-off of peaks, f
 
 }  // namespace
 
-LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                                 const response::Peaks& found, std::size_t curve, const response::Band& band) {
+LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                 const assembly::Loading& loading, const response::Peaks& found, std::size_t curve,
+                                 const response::Band& band) {
   LargestAmplitude largest{0, band.from};
   const auto consider = [&](double amplitude, double omega) {
     if (amplitude > largest.amplitude) largest = {amplitude, omega};
@@ -25,7 +26,9 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
   // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
   const double start = std::max(band.from, found.searched_from), end = std::isinf(band.to) ? start : band.to;
   const bool starts_late = start > band.from;
-  const auto at = response::frequency_response(assembled, {channels[curve]}, loading, {start, end, starts_late ? std::min(10 * start, found.searched_to) : start});
+  const auto at =
+      response::frequency_response(assembled, {channels[curve]}, loading,
+                                   {start, end, starts_late ? std::min(10 * start, found.searched_to) : start});
   const auto amplitude_at = [&](Eigen::Index i) {
     const double size = std::abs(at.curves[0].value(i));
     return std::isnan(size) ? infinity : size;
@@ -34,11 +37,14 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
   consider(diverges ? infinity : amplitude_at(0), band.from);
   consider(amplitude_at(1), end);
   for (const response::Extremum& t : found.turnings[curve])
-    if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to) consider(t.amplitude, t.angular_frequency);
+    if (t.maximum && t.angular_frequency >= band.from && t.angular_frequency <= band.to)
+      consider(t.amplitude, t.angular_frequency);
   for (const response::Peak& peak : found.list)
-    if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to) consider(peak.amplitude, peak.angular_frequency);
+    if (peak.curve == curve && peak.angular_frequency >= band.from && peak.angular_frequency <= band.to)
+      consider(peak.amplitude, peak.angular_frequency);
   const response::CurveSummary& whole = found.curves[curve];
-  if (std::isinf(band.to) && whole.highest_at >= found.searched_to) consider(whole.highest, whole.highest_at);  // an acceleration that grows to its end
+  if (std::isinf(band.to) && whole.highest_at >= found.searched_to)
+    consider(whole.highest, whole.highest_at);  // an acceleration that grows to its end
   return largest;
 }
 
@@ -49,10 +55,12 @@ double margin(const DesignRule& rule, double value) {
   return reached < 1 && reached >= 1 - on_the_limit ? 1 : reached;
 }
 
-bool keeps_limit(double amplitude, double limit) { return margin({DesignRule::Kind::amplitude, 0, limit}, amplitude) >= 1; }
+bool keeps_limit(double amplitude, double limit) {
+  return margin({DesignRule::Kind::amplitude, 0, limit}, amplitude) >= 1;
+}
 
-RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                       const response::Peaks& found, const RuleSet& set) {
+RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                       const assembly::Loading& loading, const response::Peaks& found, const RuleSet& set) {
   RuleValues result;
   for (const DesignRule& rule : set.rules) {
     LargestAmplitude largest{0, std::numeric_limits<double>::quiet_NaN()};
@@ -60,7 +68,9 @@ RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<a
       largest = largest_in_band(assembled, channels, loading, found, rule.channel, set.band);
     } else {
       for (const response::Peak& peak : found.list)
-        if (const double height = response::relative_prominence(peak); peak.curve == rule.channel && height > largest.amplitude) largest = {height, peak.angular_frequency};
+        if (const double height = response::relative_prominence(peak);
+            peak.curve == rule.channel && height > largest.amplitude)
+          largest = {height, peak.angular_frequency};
     }
     result.values.push_back(largest.amplitude);
     result.angular_frequencies.push_back(largest.angular_frequency);

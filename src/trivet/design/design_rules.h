@@ -16,8 +16,10 @@ struct LargestAmplitude {
 
 /// It stands at an end of the band or at an extremum inside. A band may reach to infinity.
 /// @param found  the peaks of all `channels`, of which `curve` is one
-[[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                               const assembly::Loading& loading, const response::Peaks& found, std::size_t curve, const response::Band& band);
+[[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled,
+                                               const std::vector<assembly::Channel>& channels,
+                                               const assembly::Loading& loading, const response::Peaks& found,
+                                               std::size_t curve, const response::Band& band);
 
 /// What a design has to keep.
 struct DesignRule {
@@ -27,12 +29,13 @@ struct DesignRule {
   double allowed = 0;  ///< amplitude [SI], or relative prominence
 };
 
-/// A value this near above its limit, as a share, stands on it and is kept: heights keep nine digits, and equal designs must not differ by round-off.
+/// A value this near above its limit, as a share, stands on it and is kept: heights keep nine digits, and equal designs
+/// must not differ by round-off.
 inline constexpr double on_the_limit = 1e-9;
 
-/// How far a rule is kept, 1 on its limit, more where it is kept. Amplitude: allowed over value. No peak: allowed over relative prominence
-/// where that is below, and (1 + allowed) over (1 + relative prominence) above, the factor by which the peak must come down; infinite
-/// without a peak.
+/// How far a rule is kept, 1 on its limit, more where it is kept. Amplitude: allowed over value. No peak: allowed over
+/// relative prominence where that is below, and (1 + allowed) over (1 + relative prominence) above, the factor by which
+/// the peak must come down; infinite without a peak.
 [[nodiscard]] double margin(const DesignRule& rule, double value);
 
 /// Is an amplitude below its limit, or on it?
@@ -40,20 +43,23 @@ inline constexpr double on_the_limit = 1e-9;
 
 struct RuleSet {
   std::vector<DesignRule> rules;
-  response::Band band;                     ///< of the amplitudes [rad/s]; may reach to infinity
+  response::Band band;           ///< of the amplitudes [rad/s]; may reach to infinity
   double min_prominence = 1e-6;  ///< see PeakOptions
 };
 
 struct RuleValues {
-  std::vector<double> values;               ///< of each rule: the largest amplitude in the band, or the largest relative prominence of a peak (0 without one)
+  std::vector<double> values;  ///< of each rule: the largest amplitude in the band, or the largest relative prominence
+                               ///< of a peak (0 without one)
   std::vector<double> angular_frequencies;  ///< where [rad/s]; infinite where it is only approached, NaN without a peak
 };
 
 /// What each rule limits.
-[[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const assembly::Loading& loading, const response::Peaks& found, const RuleSet& set);
+[[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled,
+                                     const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                     const response::Peaks& found, const RuleSet& set);
 
-/// The first rule whose margin is the least within 1e-6 of it, so that round-off does not choose among equals; broken ones before kept ones.
+/// The first rule whose margin is the least within 1e-6 of it, so that round-off does not choose among equals; broken
+/// ones before kept ones.
 struct Governing {
   std::size_t rule = 0;
   double margin = 0;  ///< the least

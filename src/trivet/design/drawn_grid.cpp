@@ -12,7 +12,8 @@ constexpr int most_drawn = 241;  // along an axis: about two pixels apart
 std::vector<int> drawn(int points) {
   const int count = std::min(points, most_drawn);
   std::vector<int> nodes;
-  for (int k = 0; k < count; ++k) nodes.push_back(static_cast<int>(std::lround(static_cast<double>(k) * (points - 1) / (count - 1))));
+  for (int k = 0; k < count; ++k)
+    nodes.push_back(static_cast<int>(std::lround(static_cast<double>(k) * (points - 1) / (count - 1))));
   return nodes;
 }
 
@@ -25,7 +26,9 @@ double share(double among_nodes, const std::vector<int>& nodes) {
 
 }  // namespace
 
-MapPlace DrawnGrid::on_map(const MapPlace& among_nodes) const { return {share(among_nodes.x, columns), share(among_nodes.y, rows)}; }
+MapPlace DrawnGrid::on_map(const MapPlace& among_nodes) const {
+  return {share(among_nodes.x, columns), share(among_nodes.y, rows)};
+}
 
 DrawnGrid drawn_grid(const MapGrid& grid) { return {grid, drawn(grid.nx), drawn(grid.ny)}; }
 

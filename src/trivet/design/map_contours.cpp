@@ -72,7 +72,9 @@ class Tracing {
   [[nodiscard]] bool real(int i, int j) const { return i >= 0 && j >= 0 && i < grid_.nx && j < grid_.ny; }
   [[nodiscard]] bool inside(int i, int j) const { return real(i, j) && inside_(grid_.index(i, j)); }
   [[nodiscard]] std::size_t key(int i, int j, bool upwards) const {
-    return 2 * (static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(grid_.nx + 2) + static_cast<std::size_t>(i + 1)) + (upwards ? 1 : 0);
+    return 2 *
+        (static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(grid_.nx + 2) + static_cast<std::size_t>(i + 1)) +
+        (upwards ? 1 : 0);
   }
 
   /// The crossing of an edge; towards a node outside the grid it is the node inside.
@@ -84,7 +86,8 @@ class Tracing {
     return id;
   }
 
-  /// Corners and edges counter-clockwise: corner c at (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1); edge c from corner c to the next.
+  /// Corners and edges counter-clockwise: corner c at (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1); edge c from
+  /// corner c to the next.
   void add_cell(int i, int j, const std::function<bool(int, int)>& connected) {
     const std::array<bool, 4> corner = {inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1)};
     const auto crossing = [&](int e) { return vertex(i + (e == 1 ? 1 : 0), j + (e == 2 ? 1 : 0), e == 1 || e == 3); };
@@ -97,8 +100,8 @@ class Tracing {
     const bool frame = i < 0 || j < 0 || i + 1 >= grid_.nx || j + 1 >= grid_.ny;
     const bool through = entering.size() == 2 && !frame && connected(i, j);
     for (const int out : leaving) {
-      // With the region on its left the outline runs from where a counter-clockwise walk leaves it to where the walk entered it:
-      // before, for a corner cut off; after, where the two corners hang together.
+      // With the region on its left the outline runs from where a counter-clockwise walk leaves it to where the walk
+      // entered it: before, for a corner cut off; after, where the two corners hang together.
       int best = entering.front();
       for (const int in : entering) {
         const int back = (out - in + 4) % 4;
@@ -149,8 +152,9 @@ std::vector<CrossedEdge> crossed_edges(const MapGrid& grid, const std::function<
   return edges;
 }
 
-MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>& inside, const std::vector<CrossedEdge>& edges,
-                     const std::vector<double>& crossing, const std::function<bool(int, int)>& connected) {
+MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>& inside,
+                     const std::vector<CrossedEdge>& edges, const std::vector<double>& crossing,
+                     const std::function<bool(int, int)>& connected) {
   Tracing tracing(grid, inside);
   for (std::size_t e = 0; e < edges.size(); ++e) tracing.place_crossing(edges[e], crossing[e]);
   tracing.walk_cells(edges, connected);

@@ -17,30 +17,37 @@ struct MapGrid {
   int nx = 2, ny = 2;
 
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-  [[nodiscard]] std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i); }
-  [[nodiscard]] MapPlace place(int i, int j) const { return {static_cast<double>(i) / (nx - 1), static_cast<double>(j) / (ny - 1)}; }
+  [[nodiscard]] std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+  }
+  [[nodiscard]] MapPlace place(int i, int j) const {
+    return {static_cast<double>(i) / (nx - 1), static_cast<double>(j) / (ny - 1)};
+  }
 };
 
 /// An edge of the grid between neighbours, one inside a region and one outside.
 struct CrossedEdge {
   int i = 0, j = 0;
-  bool upwards = false;   ///< from (i, j) to (i, j + 1), otherwise to (i + 1, j)
+  bool upwards = false;  ///< from (i, j) to (i, j + 1), otherwise to (i + 1, j)
 };
 
 /// All of them, row after row.
-[[nodiscard]] std::vector<CrossedEdge> crossed_edges(const MapGrid& grid, const std::function<bool(std::size_t)>& inside);
+[[nodiscard]] std::vector<CrossedEdge> crossed_edges(const MapGrid& grid,
+                                                     const std::function<bool(std::size_t)>& inside);
 
 /// Outline of a region.
 struct MapContours {
-  std::vector<MapLine> rings;   ///< closed, along the frame too, the region on their left: even–odd filling shows it
-  std::vector<MapLine> lines;   ///< the parts inside the frame; a closed line ends where it begins
-  double area = 0;              ///< of the region, as a share of the map
+  std::vector<MapLine> rings;  ///< closed, along the frame too, the region on their left: even–odd filling shows it
+  std::vector<MapLine> lines;  ///< the parts inside the frame; a closed line ends where it begins
+  double area = 0;             ///< of the region, as a share of the map
 };
 
 /// By marching squares through the crossings of the edges.
 /// @param crossing   where the outline passes each of `crossed_edges`, 0 … 1 along the edge
-/// @param connected  in a cell with two inside corners across: do they hang together? By the index of its lower left node
-[[nodiscard]] MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>& inside, const std::vector<CrossedEdge>& edges,
-                                   const std::vector<double>& crossing, const std::function<bool(int i, int j)>& connected);
+/// @param connected  in a cell with two inside corners across: do they hang together? By the index of its lower left
+/// node
+[[nodiscard]] MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>& inside,
+                                   const std::vector<CrossedEdge>& edges, const std::vector<double>& crossing,
+                                   const std::function<bool(int i, int j)>& connected);
 
 }  // namespace trivet::design

@@ -6,9 +6,12 @@
 
 namespace trivet::design {
 
-std::size_t steep_neighbours(const MapGrid& grid, const std::vector<MapRule>& rules, const std::vector<DesignOutcome>& outcomes) {
+std::size_t steep_neighbours(const MapGrid& grid, const std::vector<MapRule>& rules,
+                             const std::vector<DesignOutcome>& outcomes) {
   constexpr float often = 10;
-  const auto by_amplitude = [&](const DesignOutcome& d) { return d.known() && std::isfinite(d.margin) && rules[d.governing].kind == DesignRule::Kind::amplitude; };
+  const auto by_amplitude = [&](const DesignOutcome& d) {
+    return d.known() && std::isfinite(d.margin) && rules[d.governing].kind == DesignRule::Kind::amplitude;
+  };
   const auto is_steep = [&](const DesignOutcome& a, const DesignOutcome& b) {
     return by_amplitude(a) && by_amplitude(b) && std::max(a.margin, b.margin) > often * std::min(a.margin, b.margin);
   };

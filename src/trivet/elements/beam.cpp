@@ -43,7 +43,8 @@ std::array<Plane, 2> planes(const Beam& b) {
                  rotation,
                  sign};
   };
-  return {plane(b.section.moment_2, b.section.shear_factor_1, 0, 4, 1), plane(b.section.moment_1, b.section.shear_factor_2, 1, 3, -1)};
+  return {plane(b.section.moment_2, b.section.shear_factor_1, 0, 4, 1),
+          plane(b.section.moment_1, b.section.shear_factor_2, 1, 3, -1)};
 }
 
 /// Deflection and rotation at ξ = z/L of the static shapes for unit (u_N, θ_N, u_K, θ_K) with du/dz = θ.
@@ -53,9 +54,11 @@ struct Shapes {
 Shapes shapes(double x, double phi, double length) {
   const double half = phi / 2;
   Shapes s;
-  s.deflection << 2 * x * x * x - 3 * x * x - phi * x + 1 + phi, length * (x * x * x - (2 + half) * x * x + (1 + half) * x),
-      -2 * x * x * x + 3 * x * x + phi * x, length * (x * x * x - (1 - half) * x * x - half * x);
-  s.rotation << 6 * (x * x - x) / length, 3 * x * x - (4 + phi) * x + 1 + phi, -6 * (x * x - x) / length, 3 * x * x - (2 - phi) * x;
+  s.deflection << 2 * x * x * x - 3 * x * x - phi * x + 1 + phi,
+      length * (x * x * x - (2 + half) * x * x + (1 + half) * x), -2 * x * x * x + 3 * x * x + phi * x,
+      length * (x * x * x - (1 - half) * x * x - half * x);
+  s.rotation << 6 * (x * x - x) / length, 3 * x * x - (4 + phi) * x + 1 + phi, -6 * (x * x - x) / length,
+      3 * x * x - (2 - phi) * x;
   s.deflection /= 1 + phi;
   s.rotation /= 1 + phi;
   return s;
@@ -68,8 +71,8 @@ Eigen::Matrix4d plane_mass(const Plane& p, double line_mass, double length) {
   Eigen::Matrix4d mass = Eigen::Matrix4d::Zero();
   for (int i = 0; i < 4; ++i) {
     const Shapes s = shapes((1 + points[i]) / 2, p.phi, length);
-    mass +=
-        weights[i] * length / 2 * (line_mass * s.deflection * s.deflection.transpose() + p.rotary * s.rotation * s.rotation.transpose());
+    mass += weights[i] * length / 2 *
+        (line_mass * s.deflection * s.deflection.transpose() + p.rotary * s.rotation * s.rotation.transpose());
   }
   return mass;
 }
@@ -79,7 +82,8 @@ Eigen::Matrix4d plane_mass(const Plane& p, double line_mass, double length) {
 Section round_section(double diameter, const Metal& metal) { return tube_section(diameter, 0, metal); }
 
 Section tube_section(double outer_diameter, double inner_diameter, const Metal& metal) {
-  const double ratio = inner_diameter / outer_diameter, nu = poisson(metal), q = (1 + ratio * ratio) * (1 + ratio * ratio);
+  const double ratio = inner_diameter / outer_diameter, nu = poisson(metal),
+               q = (1 + ratio * ratio) * (1 + ratio * ratio);
   const double moment = pi * (std::pow(outer_diameter, 4) - std::pow(inner_diameter, 4)) / 64;
   const double shear_factor = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * ratio * ratio);
   return {.area = pi * (outer_diameter * outer_diameter - inner_diameter * inner_diameter) / 4,
@@ -117,7 +121,8 @@ Matrix12 beam_stiffness(const Beam& b) {
 Matrix12 beam_mass(const Beam& b) {
   require_sound(check(b));
   Matrix12 mass = Matrix12::Zero();
-  const double line_mass = b.metal.density * b.section.area, line_polar = b.metal.density * (b.section.moment_1 + b.section.moment_2);
+  const double line_mass = b.metal.density * b.section.area,
+               line_polar = b.metal.density * (b.section.moment_1 + b.section.moment_2);
   for (const auto& [i, per_length] : {std::pair{2, line_mass}, std::pair{5, line_polar}}) {
     mass(i, i) = mass(i + 6, i + 6) = per_length * b.length / 3;
     mass(i, i + 6) = mass(i + 6, i) = per_length * b.length / 6;
@@ -136,18 +141,23 @@ foundation::Problems check(const Beam& b) {
   foundation::Problems problems;
   const auto positive = [&](const char* key, double value, const char* unit) {
     if (!(value > 0) || !std::isfinite(value))
-      problems.error(key, fmt::format("{} = {:.6g} {}", key, value, unit), "it must be > 0", "check the dimensions of the section");
+      problems.error(key, fmt::format("{} = {:.6g} {}", key, value, unit), "it must be > 0",
+                     "check the dimensions of the section");
   };
   const bool sized = check_length(problems, "length", b.length);
   positive("young_modulus", b.metal.young_modulus, "Pa"), positive("shear_modulus", b.metal.shear_modulus, "Pa");
-  positive("area", b.section.area, "m²"), positive("moment_1", b.section.moment_1, "m⁴"), positive("moment_2", b.section.moment_2, "m⁴");
+  positive("area", b.section.area, "m²"), positive("moment_1", b.section.moment_1, "m⁴"),
+      positive("moment_2", b.section.moment_2, "m⁴");
   positive("torsion_constant", b.section.torsion_constant, "m⁴");
   if (!(b.section.shear_factor_1 > 0 && b.section.shear_factor_2 > 0))
-    problems.error("shear_factor", fmt::format("shear factors {:.6g} and {:.6g}", b.section.shear_factor_1, b.section.shear_factor_2),
+    problems.error("shear_factor",
+                   fmt::format("shear factors {:.6g} and {:.6g}", b.section.shear_factor_1, b.section.shear_factor_2),
                    "they must be > 0", "5/6 suits most solid sections");
   if (!(b.metal.density >= 0) || !std::isfinite(b.metal.density))
-    problems.error("density", fmt::format("density = {:.6g} kg/m³", b.metal.density), "it must be ≥ 0", "0 is a massless beam");
-  const double depth = std::sqrt(12 * std::max(b.section.moment_1, b.section.moment_2) / b.section.area);  // of a rectangle
+    problems.error("density", fmt::format("density = {:.6g} kg/m³", b.metal.density), "it must be ≥ 0",
+                   "0 is a massless beam");
+  const double depth =
+      std::sqrt(12 * std::max(b.section.moment_1, b.section.moment_2) / b.section.area);  // of a rectangle
   if (sized && !problems.has_errors() && b.length < stubby * depth)
     problems.warning("length", fmt::format("length = {:.4g} m is {:.3g} of the depth", b.length, b.length / depth),
                      "a beam is at least three times as long as deep", "use a finite-element solid");
@@ -176,13 +186,15 @@ foundation::Problems check(const Link& link) {
   foundation::Problems problems;
   check_length(problems, "length", link.length);
   if (!(link.axial_stiffness >= 0) || !std::isfinite(link.axial_stiffness))
-    problems.error("axial_stiffness", fmt::format("axial_stiffness = {:.6g} N/m", link.axial_stiffness), "it must be ≥ 0",
-                   "it is E A/length of a rod");
+    problems.error("axial_stiffness", fmt::format("axial_stiffness = {:.6g} N/m", link.axial_stiffness),
+                   "it must be ≥ 0", "it is E A/length of a rod");
   if (!std::isfinite(link.tension))
-    problems.error("tension", fmt::format("tension = {:.6g} N", link.tension), "it must be a finite number", "0 is an unloaded link");
+    problems.error("tension", fmt::format("tension = {:.6g} N", link.tension), "it must be a finite number",
+                   "0 is an unloaded link");
   else if (link.tension < 0)
     problems.warning("tension", fmt::format("tension = {:.6g} N", link.tension),
-                     "a compressed link pushes its joints sideways: negative stiffness", "check that the joints are guided");
+                     "a compressed link pushes its joints sideways: negative stiffness",
+                     "check that the joints are guided");
   return problems;
 }
 

@@ -7,16 +7,17 @@
 
 namespace trivet::elements {
 
-/// Cross-section with principal axes e1, e2 and its shear centre at the centroid. Index 1: bending about e1 (deflection along e2), shear
-/// along e1.
+/// Cross-section with principal axes e1, e2 and its shear centre at the centroid. Index 1: bending about e1 (deflection
+/// along e2), shear along e1.
 struct Section {
-  double area = 0;                                ///< [m²]
-  double moment_1 = 0, moment_2 = 0;              ///< ∫ y² dA about e1, ∫ x² dA about e2 [m⁴]
-  double torsion_constant = 0;                    ///< Saint-Venant J [m⁴]; rotary inertia about e3 is moment_1 + moment_2
+  double area = 0;                    ///< [m²]
+  double moment_1 = 0, moment_2 = 0;  ///< ∫ y² dA about e1, ∫ x² dA about e2 [m⁴]
+  double torsion_constant = 0;        ///< Saint-Venant J [m⁴]; rotary inertia about e3 is moment_1 + moment_2
   double shear_factor_1 = 1, shear_factor_2 = 1;  ///< κ in κGA; infinity = Euler–Bernoulli
 };
 
-/// Shear factors by Cowper 1966 for Poisson's ratio E/2G − 1; the torsion constant of the rectangle is its series (1e-10).
+/// Shear factors by Cowper 1966 for Poisson's ratio E/2G − 1; the torsion constant of the rectangle is its series
+/// (1e-10).
 [[nodiscard]] Section round_section(double diameter, const Metal& metal);
 [[nodiscard]] Section tube_section(double outer_diameter, double inner_diameter, const Metal& metal);
 [[nodiscard]] Section rectangular_section(double width_1, double width_2, const Metal& metal);
@@ -30,8 +31,8 @@ struct Beam {
 
 /// Exact static 12×12.
 [[nodiscard]] Matrix12 beam_stiffness(const Beam& beam);
-/// Consistent 12×12 mass matrix, with rotary inertia, of the static deflection shapes [kg, kg m, kg m²]. Natural frequencies of the beam
-/// itself come out high: docs/elements/beam.md says how many beams end to end a band needs.
+/// Consistent 12×12 mass matrix, with rotary inertia, of the static deflection shapes [kg, kg m, kg m²]. Natural
+/// frequencies of the beam itself come out high: docs/elements/beam.md says how many beams end to end a band needs.
 [[nodiscard]] Matrix12 beam_mass(const Beam& beam);
 [[nodiscard]] foundation::Problems check(const Beam& beam);
 
@@ -39,7 +40,7 @@ struct Beam {
 struct Link {
   double axial_stiffness = 0;  ///< EA/L [N/m], ≥ 0
   double length = 0;           ///< [m], > 0
-  double tension = 0;          ///< static tension [N]; < 0 is compression. Stiffens or softens sideways by tension/length
+  double tension = 0;  ///< static tension [N]; < 0 is compression. Stiffens or softens sideways by tension/length
 };
 
 /// Tangent 12×12, arm (0, 0, length). With a tension it does not vanish for rotations: that is the turned preload.

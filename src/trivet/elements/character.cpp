@@ -18,9 +18,11 @@ struct Principal {
 
 /// Eigenvalues, rising, and right-handed axes.
 Principal principal(const Eigen::Matrix3d& matrix) {
-  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen = numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (matrix + matrix.transpose())));
+  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen =
+      numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (matrix + matrix.transpose())));
   Principal result{eigen.values, eigen.vectors};
-  if (result.axes.col(0).dot(spatial::cross_matrix(result.axes.col(1)) * result.axes.col(2)) < 0) result.axes.col(2) *= -1;
+  if (result.axes.col(0).dot(spatial::cross_matrix(result.axes.col(1)) * result.axes.col(2)) < 0)
+    result.axes.col(2) *= -1;
   return result;
 }
 

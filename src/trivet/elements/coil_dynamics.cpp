@@ -17,7 +17,8 @@ namespace trivet::elements {
 namespace {
 
 std::vector<Eigen::Index> pivots(Seat seat_n, Seat seat_k) {
-  if (seat_n == Seat::pivoted) return seat_k == Seat::pivoted ? std::vector<Eigen::Index>{3, 4, 9, 10} : std::vector<Eigen::Index>{3, 4};
+  if (seat_n == Seat::pivoted)
+    return seat_k == Seat::pivoted ? std::vector<Eigen::Index>{3, 4, 9, 10} : std::vector<Eigen::Index>{3, 4};
   return seat_k == Seat::pivoted ? std::vector<Eigen::Index>{9, 10} : std::vector<Eigen::Index>{};
 }
 
@@ -33,7 +34,8 @@ Matrix released(const Matrix& d, const std::vector<Eigen::Index>& free) {
   return result;
 }
 
-/// Twelve by twelve at the seats, from the ends of the wire. Only the rod's blocks may be complex; they are carried by real levers.
+/// Twelve by twelve at the seats, from the ends of the wire. Only the rod's blocks may be complex; they are carried by
+/// real levers.
 Matrix12 at_seats(const SeatedCoil& coil, const Matrix6& own, const Matrix6& transfer) {
   const Eigen::DiagonalMatrix<double, 6> half_turn(1, -1, -1, 1, -1, -1);
   const Matrix6 own_k = half_turn * own * half_turn;
@@ -47,8 +49,8 @@ Matrix12 at_seats(const SeatedCoil& coil, const Matrix6& own, const Matrix6& tra
 
 void require_finite(bool finite, std::complex<double> omega) {
   if (!finite)
-    throw foundation::NotComputable("coil spring: its dynamic stiffness is infinite at " + std::to_string(omega.real()) +
-                                    " rad/s, a natural frequency with both seats held");
+    throw foundation::NotComputable("coil spring: its dynamic stiffness is infinite at " +
+                                    std::to_string(omega.real()) + " rad/s, a natural frequency with both seats held");
 }
 
 struct Clamped {
@@ -67,9 +69,12 @@ Clamped clamped_at(const SeatedCoil& coil, double omega) {
 }
 
 /// Torsion of the straightened wire, clamped: of the order of the spring's surge [rad/s].
-double surge(const HelicalRod& rod) { return std::sqrt(1 / (rod.moment_flexibility(1) * rod.line_mass)) * rod.curvature.norm() / rod.length; }
+double surge(const HelicalRod& rod) {
+  return std::sqrt(1 / (rod.moment_flexibility(1) * rod.line_mass)) * rod.curvature.norm() / rod.length;
+}
 
-/// The same just beside a natural frequency that was hit to the last digit, where a pivot is zero and counts for nothing.
+/// The same just beside a natural frequency that was hit to the last digit, where a pivot is zero and counts for
+/// nothing.
 Clamped clamped_beside(const SeatedCoil& coil, double omega) {
   constexpr int most_nudges = 40;
   Clamped clamped = clamped_at(coil, omega);
@@ -92,7 +97,7 @@ Matrix6 dead_mass(const CoilSpring& spring, double coils, double height) {
 
 Matrix6 wire_from_seat(const Helix& line, double angle, double height) {
   return spatial::both_blocks(section_axes(line, angle).transpose()) *
-         spatial::rigid_motion(from_axis(line, angle) + Eigen::Vector3d(0, 0, height));
+      spatial::rigid_motion(from_axis(line, angle) + Eigen::Vector3d(0, 0, height));
 }
 
 }  // namespace
@@ -155,7 +160,8 @@ int modes_below(const SeatedCoil& coil, double angular_frequency, SeatsHeld held
 
 std::vector<double> natural_frequencies(const SeatedCoil& coil, SeatsHeld held, int count) {
   constexpr double resolution = 1e-13;
-  if (count < 1) throw foundation::InvalidInput("natural_frequencies: count " + std::to_string(count) + ", must be ≥ 1");
+  if (count < 1)
+    throw foundation::InvalidInput("natural_frequencies: count " + std::to_string(count) + ", must be ≥ 1");
   double high = surge(coil.rod);
   std::map<double, int> seen = {{0.0, modes_below(coil, 0, held)}};
   for (; seen.rbegin()->second < count; high *= 2) seen.emplace(high, modes_below(coil, high, held));

@@ -40,8 +40,8 @@ enum class SeatsHeld { both, n_only, lateral_slide };
 /// preloaded spring buckles.
 [[nodiscard]] int modes_below(const SeatedCoil& coil, double angular_frequency, SeatsHeld held = SeatsHeld::both);
 
-/// The lowest `count` natural frequencies [rad/s] of the spring itself without loss, ascending, repeated ones repeated: bisection
-/// on the count, so none is missed.
+/// The lowest `count` natural frequencies [rad/s] of the spring itself without loss, ascending, repeated ones repeated:
+/// bisection on the count, so none is missed.
 [[nodiscard]] std::vector<double> natural_frequencies(const SeatedCoil& coil, SeatsHeld held, int count);
 [[nodiscard]] std::vector<double> natural_frequencies(const CoilSpring& spring, SeatsHeld held, int count);
 

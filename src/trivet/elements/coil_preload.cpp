@@ -24,7 +24,8 @@ double zero_of(const Function& f, double x0, double x1) {
   return x1;
 }
 
-/// Uniform helix under an axial tension: lead and radius of the sections, rise per metre of wire, moment that keeps it from turning.
+/// Uniform helix under an axial tension: lead and radius of the sections, rise per metre of wire, moment that keeps it
+/// from turning.
 struct UniformState {
   double tension, lead, radius, rise, moment;
 };
@@ -33,13 +34,18 @@ struct UniformState {
 UniformState state_under(const HelicalRod& rod, const Helix& free, double tension) {
   const double turn_rate = rod.curvature.norm(), sine0 = std::sin(free.lead), cosine0 = std::cos(free.lead);
   const double shear = rod.force_flexibility(1), stretch = rod.force_flexibility(2);
-  const auto radius = [&](double a) { return (1 + std::sin(a) * (stretch - shear) * tension) * std::cos(a) / turn_rate; };
+  const auto radius = [&](double a) {
+    return (1 + std::sin(a) * (stretch - shear) * tension) * std::cos(a) / turn_rate;
+  };
   const auto bending = [&](double a) { return turn_rate * (std::cos(a) - cosine0) / rod.moment_flexibility(1); };
   const auto torsion = [&](double a) { return turn_rate * (std::sin(a) - sine0) / rod.moment_flexibility(2); };
-  const auto excess = [&](double a) { return radius(a) * tension + std::sin(a) * bending(a) - std::cos(a) * torsion(a); };
+  const auto excess = [&](double a) {
+    return radius(a) * tension + std::sin(a) * bending(a) - std::cos(a) * torsion(a);
+  };
   const double lead = zero_of(excess, free.lead, free.lead + 1e-3);
   const double s = std::sin(lead), c = std::cos(lead), hand = free.turn < 0 ? -1 : 1;
-  return {tension, lead, radius(lead), s + (c * c * shear + s * s * stretch) * tension, hand * (c * bending(lead) + s * torsion(lead))};
+  return {tension, lead, radius(lead), s + (c * c * shear + s * s * stretch) * tension,
+          hand * (c * bending(lead) + s * torsion(lead))};
 }
 
 /// Stiffness that a wrench at the end of a lever gives to rotations of its foot.
@@ -54,7 +60,8 @@ CompressedCoil compressed(const CoilSpring& spring, const Helix& free, const Uni
   CompressedCoil result;
   result.coil = seated_coil(spring);
   HelicalRod& rod = result.coil.rod;
-  const double hand = free.turn < 0 ? -1 : 1, s = std::sin(state.lead), c = std::cos(state.lead), turn_rate = rod.curvature.norm();
+  const double hand = free.turn < 0 ? -1 : 1, s = std::sin(state.lead), c = std::cos(state.lead),
+               turn_rate = rod.curvature.norm();
   const double lever = state.radius * state.tension;
   result.line = {state.radius, state.lead, free.turn, state.rise * rod.length, free.start_angle};
   rod.curvature = turn_rate * Eigen::Vector3d(0, c, hand * s);
@@ -67,8 +74,10 @@ CompressedCoil compressed(const CoilSpring& spring, const Helix& free, const Uni
   const double dead_k = spring.dead_coils_k * wire_height(spring);
   const Eigen::Vector3d lever_n = from_axis(result.line, free.start_angle) + Eigen::Vector3d(0, 0, dead_n);
   const Eigen::Vector3d lever_k = from_axis(result.line, end_angle) - Eigen::Vector3d(0, 0, dead_k);
-  result.coil.wire_from_seat_n = spatial::both_blocks(section_axes(result.line, free.start_angle).transpose()) * spatial::rigid_motion(lever_n);
-  result.coil.wire_from_seat_k = spatial::both_blocks(section_axes(result.line, end_angle).transpose()) * spatial::rigid_motion(lever_k);
+  result.coil.wire_from_seat_n =
+      spatial::both_blocks(section_axes(result.line, free.start_angle).transpose()) * spatial::rigid_motion(lever_n);
+  result.coil.wire_from_seat_k =
+      spatial::both_blocks(section_axes(result.line, end_angle).transpose()) * spatial::rigid_motion(lever_k);
   result.coil.second_order_n = second_order(lever_n, -force);
   result.coil.second_order_k = second_order(lever_k, force);
 
@@ -85,7 +94,9 @@ CompressedCoil compressed(const CoilSpring& spring, const Helix& free, const Uni
 constexpr double coils_of_a_uniform_helix = 4;
 
 /// Greatest compression: coils touch where the pitch comes down to the height of the wire.
-double solid_compression(const CoilSpring& spring) { return spring.active_length - spring.active_coils * wire_height(spring); }
+double solid_compression(const CoilSpring& spring) {
+  return spring.active_length - spring.active_coils * wire_height(spring);
+}
 
 std::string millimetres(double value) {
   std::ostringstream text;
@@ -112,8 +123,9 @@ CompressedCoil at_compression(const CoilSpring& given, double compression) {
   const HelicalRod rod = helical_rod(spring);
   const double rise = (free.height - compression) / rod.length, radius = free.radius;
   const double guess = -compression / (rod.length * radius * radius * rod.moment_flexibility(2));
-  const double tension = compression == 0 ? 0
-                                          : zero_of([&](double t) { return state_under(rod, free, t).rise - rise; }, 0.9 * guess, guess);
+  const double tension = compression == 0
+      ? 0
+      : zero_of([&](double t) { return state_under(rod, free, t).rise - rise; }, 0.9 * guess, guess);
   const UniformState state = state_under(rod, free, tension);
   constexpr double found = 1e-9;
   if (!(std::abs(state.rise - rise) <= found))
@@ -146,7 +158,9 @@ std::optional<Buckling> buckling(const CoilSpring& spring, SeatsHeld held) {
   constexpr int steps = 64;
   constexpr double resolution = 1e-12;
   require_sound(spring, false);
-  const auto buckled = [&](double compression) { return modes_below(at_compression(spring, compression).coil, 0, held) > 0; };
+  const auto buckled = [&](double compression) {
+    return modes_below(at_compression(spring, compression).coil, 0, held) > 0;
+  };
   const double solid = solid_compression(spring);
   for (int i = 1; i <= steps; ++i) {
     double high = solid * i / steps, low = solid * (i - 1) / steps;
@@ -177,23 +191,30 @@ foundation::Problems check_compression(const CoilSpring& spring, double compress
   if (problems.has_errors()) return problems;
   const double solid = solid_compression(spring);
   if (!(compression <= solid)) {
-    problems.error("compression", millimetres(compression), "the coils touch at " + millimetres(solid), "reduce the load or take a longer spring");
+    problems.error("compression", millimetres(compression), "the coils touch at " + millimetres(solid),
+                   "reduce the load or take a longer spring");
     return problems;
   }
   if (compression != 0 && spring.active_coils < coils_of_a_uniform_helix) {
     std::ostringstream coils;
     coils << spring.active_coils << " active coils";
-    problems.warning("compression", coils.str(), "the compressed state is that of a uniform helix, which a clamped spring of 4 coils or more follows within 2 %",
-                     spring.active_coils < 2.5 ? "expect its force within 13 % and its lateral stiffness within 12 % of the unloaded one; measure it where that matters"
-                                               : "expect its force within 3 % and its lateral stiffness within 4 % of the unloaded one");
+    problems.warning(
+        "compression", coils.str(),
+        "the compressed state is that of a uniform helix, which a clamped spring of 4 coils or more follows within 2 %",
+        spring.active_coils < 2.5
+            ? "expect its force within 13 % and its lateral stiffness within 12 % of the unloaded one; measure it "
+              "where that matters"
+            : "expect its force within 3 % and its lateral stiffness within 4 % of the unloaded one");
   }
   const std::optional<Buckling> limit = buckling(spring, SeatsHeld::both);
   if (!limit || compression < near * limit->compression) return problems;
   if (compression >= limit->compression)
-    problems.error("compression", millimetres(compression), "with both seats held the spring buckles at " + millimetres(limit->compression),
+    problems.error("compression", millimetres(compression),
+                   "with both seats held the spring buckles at " + millimetres(limit->compression),
                    "guide the spring, or take a shorter or wider one");
   else
-    problems.warning("compression", millimetres(compression), "it is within 20 % of buckling at " + millimetres(limit->compression),
+    problems.warning("compression", millimetres(compression),
+                     "it is within 20 % of buckling at " + millimetres(limit->compression),
                      "guide the spring, or take a shorter or wider one");
   return problems;
 }

@@ -14,8 +14,9 @@ namespace {
 using Complex = std::complex<double>;
 using Weight = std::function<Complex(Complex)>;
 
-/// (1/2πi) ∮ weight(λ) D(λ) dλ on a circle about a real centre; D is real on the real axis, so half the circle is enough.
-/// The trapezoidal rule is exact up to `ratio`^points, the larger of the two ratios of a pole's distance and the radius.
+/// (1/2πi) ∮ weight(λ) D(λ) dλ on a circle about a real centre; D is real on the real axis, so half the circle is
+/// enough. The trapezoidal rule is exact up to `ratio`^points, the larger of the two ratios of a pole's distance and
+/// the radius.
 Matrix12 circle_integral(const SeatedCoil& coil, double centre, double radius, double ratio, const Weight& weight) {
   constexpr double accuracy = 1e-15;
   const int half = int(std::ceil(0.5 * std::log(accuracy) / std::log(ratio)));
@@ -43,15 +44,19 @@ std::vector<Group> groups(const std::vector<double>& lambda, std::size_t wanted)
     }
     if (last == lambda.size()) return {};
     const double below = first == 0 ? 0 : lambda[first - 1];
-    result.push_back({first, last, lambda[first], lambda[last - 1], std::min(lambda[first] - below, lambda[last] - lambda[last - 1])});
+    result.push_back({first, last, lambda[first], lambda[last - 1],
+                      std::min(lambda[first] - below, lambda[last] - lambda[last - 1])});
   }
   return result;
 }
 
-/// Columns c_k of one group from Σ c_k c_kᵀ and Σ (λ_k − centre) c_k c_kᵀ; `scale` makes newtons and newton metres compare.
-Eigen::Matrix<double, 12, Eigen::Dynamic> couplings(const SeatedCoil& coil, const Group& group, const spatial::Vector12& scale) {
+/// Columns c_k of one group from Σ c_k c_kᵀ and Σ (λ_k − centre) c_k c_kᵀ; `scale` makes newtons and newton metres
+/// compare.
+Eigen::Matrix<double, 12, Eigen::Dynamic> couplings(const SeatedCoil& coil, const Group& group,
+                                                    const spatial::Vector12& scale) {
   const auto count = Eigen::Index(group.last - group.first);
-  const double centre = 0.5 * (group.low + group.high), spread = 0.5 * (group.high - group.low), radius = spread + 0.5 * group.gap;
+  const double centre = 0.5 * (group.low + group.high), spread = 0.5 * (group.high - group.low),
+               radius = spread + 0.5 * group.gap;
   const double ratio = std::max(spread / radius, radius / (spread + group.gap));
   const auto moment = [&](const Weight& weight) -> Matrix12 {
     const Matrix12 sum = circle_integral(coil, centre, radius, ratio, weight);
@@ -81,14 +86,16 @@ std::vector<double> squared_frequencies(const SeatedCoil& coil, int count) {
 /// −dD/dλ at λ = 0, on a circle well inside the first pole.
 Matrix12 static_mass(const SeatedCoil& coil, double first_pole) {
   constexpr double inside = 0.125;
-  const Matrix12 slope = circle_integral(coil, 0, inside * first_pole, inside, [](Complex lambda) { return 1.0 / (lambda * lambda); });
+  const Matrix12 slope =
+      circle_integral(coil, 0, inside * first_pole, inside, [](Complex lambda) { return 1.0 / (lambda * lambda); });
   return -0.5 * (slope + slope.transpose());
 }
 
 }  // namespace
 
 ReducedCoil reduced(const SeatedCoil& with_loss, int modes) {
-  if (modes < 0) throw foundation::InvalidInput("reduced coil spring: " + std::to_string(modes) + " modes, must be ≥ 0");
+  if (modes < 0)
+    throw foundation::InvalidInput("reduced coil spring: " + std::to_string(modes) + " modes, must be ≥ 0");
   SeatedCoil coil = with_loss;
   coil.loss_factor = 0;
   const auto wanted = std::size_t(modes);
@@ -102,7 +109,8 @@ ReducedCoil reduced(const SeatedCoil& with_loss, int modes) {
   ReducedCoil result;
   result.stiffness = dynamic_stiffness(coil, 0.0);
   result.mass = static_mass(coil, lambda[0]);
-  const spatial::Vector12 scale = result.mass.diagonal().unaryExpr([](double m) { return m > 0 ? 1 / std::sqrt(m) : 0.0; });
+  const spatial::Vector12 scale =
+      result.mass.diagonal().unaryExpr([](double m) { return m > 0 ? 1 / std::sqrt(m) : 0.0; });
   result.natural_frequencies.resize(modes);
   result.coupling.resize(12, modes);
   for (const Group& group : all) {

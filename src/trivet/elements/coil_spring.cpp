@@ -40,7 +40,10 @@ WireSection wire_section(const CoilSpring& spring) {
   } else {
     const auto [b, h] = std::get<RectangularWire>(spring.wire);
     const double I1 = b * h * h * h / 12, I2 = h * b * b * b / 12;
-    section = {b * h, 10 * (1 + poisson) / (12 + 11 * poisson), wire_torsion_constant(std::max(b, h), std::min(b, h)), {I1, I2, I1 + I2}};
+    section = {b * h,
+               10 * (1 + poisson) / (12 + 11 * poisson),
+               wire_torsion_constant(std::max(b, h), std::min(b, h)),
+               {I1, I2, I1 + I2}};
   }
   if (!std::isnan(spring.shear_factor)) section.shear_factor = spring.shear_factor;
   return section;

@@ -23,19 +23,20 @@ enum class Hand { right, left };
 /// What the seat does to the end of the spring: all six motions, or no moment about e1 and e2 (torsion is still held).
 enum class Seat { clamped, pivoted };
 
-/// A cylindrical coil spring between two seats. End N is at the origin, K at (0, 0, seat_distance); the wire starts at N
-/// at +e1 turned by `start_angle` about e3. NaN means not given.
+/// A cylindrical coil spring between two seats. End N is at the origin, K at (0, 0, seat_distance); the wire starts at
+/// N at +e1 turned by `start_angle` about e3. NaN means not given.
 struct CoilSpring {
   Wire wire;
-  double mean_diameter = std::numeric_limits<double>::quiet_NaN();    ///< D, of the wire's centre line [m]
-  double active_coils = std::numeric_limits<double>::quiet_NaN();     ///< n, need not be whole
-  double active_length = std::numeric_limits<double>::quiet_NaN();    ///< free length of the active coils along the axis, n · pitch [m]
+  double mean_diameter = std::numeric_limits<double>::quiet_NaN();  ///< D, of the wire's centre line [m]
+  double active_coils = std::numeric_limits<double>::quiet_NaN();   ///< n, need not be whole
+  double active_length =
+      std::numeric_limits<double>::quiet_NaN();  ///< free length of the active coils along the axis, n · pitch [m]
   Hand hand = Hand::right;
-  double start_angle = 0;                                             ///< [rad]
-  double youngs_modulus = std::numeric_limits<double>::quiet_NaN();   ///< [Pa]
-  double shear_modulus = std::numeric_limits<double>::quiet_NaN();    ///< [Pa]
-  double density = std::numeric_limits<double>::quiet_NaN();          ///< [kg/m³]; needed as soon as the wire's mass counts
-  double loss_factor = 0;                                             ///< η of both moduli, E(1 + iη)
+  double start_angle = 0;                                            ///< [rad]
+  double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< [Pa]
+  double shear_modulus = std::numeric_limits<double>::quiet_NaN();   ///< [Pa]
+  double density = std::numeric_limits<double>::quiet_NaN();  ///< [kg/m³]; needed as soon as the wire's mass counts
+  double loss_factor = 0;                                     ///< η of both moduli, E(1 + iη)
   /// Timoshenko's shear factor; NaN takes Cowper's: 6(1+ν)/(7+6ν) round, 10(1+ν)/(12+11ν) rectangular.
   double shear_factor = std::numeric_limits<double>::quiet_NaN();
   /// Closed coils at each end, rigid with the seat: they add mass, and the height of the wire per coil.
@@ -60,14 +61,15 @@ void require_sound(const CoilSpring& spring, bool massive);
 
 /// Section constants of the wire. Axes: 1 towards the spring's axis, 2 binormal, 3 along the wire.
 struct WireSection {
-  double area = 0;                                               ///< [m²]
-  double shear_factor = 0;                                       ///< on GA, both directions
-  double torsion_constant = 0;                                   ///< St Venant [m⁴]
-  Eigen::Vector3d second_moments = Eigen::Vector3d::Zero();      ///< about 1 and 2, and their sum, the polar one [m⁴]
+  double area = 0;                                           ///< [m²]
+  double shear_factor = 0;                                   ///< on GA, both directions
+  double torsion_constant = 0;                               ///< St Venant [m⁴]
+  Eigen::Vector3d second_moments = Eigen::Vector3d::Zero();  ///< about 1 and 2, and their sum, the polar one [m⁴]
 };
 [[nodiscard]] WireSection wire_section(const CoilSpring& spring);
 
-/// 12×12 stiffness of the massless spring at its seats, stress-free: flexibility of the helical Timoshenko rod in closed form.
+/// 12×12 stiffness of the massless spring at its seats, stress-free: flexibility of the helical Timoshenko rod in
+/// closed form.
 /// @throws InvalidInput if the spring has errors
 [[nodiscard]] Matrix12 stiffness(const CoilSpring& spring);
 

@@ -22,9 +22,9 @@ std::string amount(double value, const char* unit = "") {
 bool positive(Problems& problems, const char* subject, double value, const char* unit) {
   if (std::isfinite(value) && value > 0) return true;
   if (std::isnan(value))
-    problems.error(subject, "is missing", "a coil spring needs it", std::string("give it in ") + (*unit ? unit : "numbers"));
-  else
-    problems.error(subject, amount(value, unit), "must be finite and > 0", "correct the value");
+    problems.error(subject, "is missing", "a coil spring needs it",
+                   std::string("give it in ") + (*unit ? unit : "numbers"));
+  else problems.error(subject, amount(value, unit), "must be finite and > 0", "correct the value");
   return false;
 }
 
@@ -37,7 +37,8 @@ bool size(Problems& problems, const char* subject, double value) {
 }
 
 void not_negative(Problems& problems, const char* subject, double value, const char* unit) {
-  if (!(std::isfinite(value) && value >= 0)) problems.error(subject, amount(value, unit), "must be finite and ≥ 0", "correct the value");
+  if (!(std::isfinite(value) && value >= 0))
+    problems.error(subject, amount(value, unit), "must be finite and ≥ 0", "correct the value");
 }
 
 bool check_sizes(Problems& problems, const CoilSpring& spring) {
@@ -53,17 +54,22 @@ bool check_sizes(Problems& problems, const CoilSpring& spring) {
   sound = positive(problems, "active_coils", spring.active_coils, "") && sound;
   sound = size(problems, "active_length", spring.active_length) && sound;
   constexpr double most_dead_coils = 1000;
-  for (const auto& [subject, coils] : {std::pair{"dead_coils_n", spring.dead_coils_n}, {"dead_coils_k", spring.dead_coils_k}})
-    if (coils > most_dead_coils) problems.error(subject, amount(coils), "at most 1000, as of active coils", "check the number");
+  for (const auto& [subject, coils] :
+       {std::pair{"dead_coils_n", spring.dead_coils_n}, {"dead_coils_k", spring.dead_coils_k}})
+    if (coils > most_dead_coils)
+      problems.error(subject, amount(coils), "at most 1000, as of active coils", "check the number");
   not_negative(problems, "dead_coils_n", spring.dead_coils_n, "");
   not_negative(problems, "dead_coils_k", spring.dead_coils_k, "");
-  if (!std::isfinite(spring.start_angle)) problems.error("start_angle", amount(spring.start_angle, "rad"), "must be finite", "correct the value");
+  if (!std::isfinite(spring.start_angle))
+    problems.error("start_angle", amount(spring.start_angle, "rad"), "must be finite", "correct the value");
   return sound;
 }
 
 void check_proportions(Problems& problems, const CoilSpring& spring) {
-  constexpr double fewest_coils = 0.25, usual_coils = 2, lowest_index = 3, usual_index = 4, highest_index = 20, most_coils = 1000;
-  const double index = spring_index(spring), pitch = spring.active_length / spring.active_coils, height = wire_height(spring);
+  constexpr double fewest_coils = 0.25, usual_coils = 2, lowest_index = 3, usual_index = 4, highest_index = 20,
+                   most_coils = 1000;
+  const double index = spring_index(spring), pitch = spring.active_length / spring.active_coils,
+               height = wire_height(spring);
   const std::string as_index = amount(spring.mean_diameter, "m") + ", " + amount(index) + " times the wire";
   if (index < lowest_index)
     problems.error("mean_diameter", as_index, "the index D/d must be ≥ 3, below it the wire is no slender rod",
@@ -73,13 +79,16 @@ void check_proportions(Problems& problems, const CoilSpring& spring) {
                      "check the values; the result is that of a slender curved rod");
   if (pitch < height)
     problems.error("active_length", amount(spring.active_length, "m") + ", pitch " + amount(pitch, "m"),
-                   "coils overlap: the pitch must be ≥ the height of the wire, " + amount(height, "m"), "lengthen the spring or take coils away");
+                   "coils overlap: the pitch must be ≥ the height of the wire, " + amount(height, "m"),
+                   "lengthen the spring or take coils away");
   if (spring.active_coils < fewest_coils)
     problems.error("active_coils", amount(spring.active_coils), "must be ≥ 0.25", "model so short an arc as a beam");
   else if (spring.active_coils > most_coils)
-    problems.error("active_coils", amount(spring.active_coils), "at most 1000 are computed", "split so long a spring, or check the number");
+    problems.error("active_coils", amount(spring.active_coils), "at most 1000 are computed",
+                   "split so long a spring, or check the number");
   else if (spring.active_coils < usual_coils)
-    problems.warning("active_coils", amount(spring.active_coils), "EN 13906-1 holds from 2 active coils", "the ends of a real spring will differ");
+    problems.warning("active_coils", amount(spring.active_coils), "EN 13906-1 holds from 2 active coils",
+                     "the ends of a real spring will differ");
 }
 
 void check_material(Problems& problems, const CoilSpring& spring, bool massive) {
@@ -87,8 +96,8 @@ void check_material(Problems& problems, const CoilSpring& spring, bool massive) 
   const bool shear = positive(problems, "shear_modulus", spring.shear_modulus, "Pa");
   const double poisson = spring.youngs_modulus / (2 * spring.shear_modulus) - 1;
   if (young && shear && !(poisson <= 0.5))
-    problems.error("shear_modulus", amount(spring.shear_modulus, "Pa"), "E/(2G) − 1, Poisson's ratio, is " + amount(poisson) + ", must be ≤ 0.5",
-                   "check E and G");
+    problems.error("shear_modulus", amount(spring.shear_modulus, "Pa"),
+                   "E/(2G) − 1, Poisson's ratio, is " + amount(poisson) + ", must be ≤ 0.5", "check E and G");
   if (massive || !std::isnan(spring.density)) positive(problems, "density", spring.density, "kg/m³");
   not_negative(problems, "loss_factor", spring.loss_factor, "");
   if (!std::isnan(spring.shear_factor)) positive(problems, "shear_factor", spring.shear_factor, "");

@@ -26,7 +26,8 @@ double bergstraesser_factor(double index) { return (index + 0.5) / (index - 0.75
 double nominal_shear_stress(const CoilSpring& spring, double axial_force) {
   require_sound(spring, false);
   const double moment = std::abs(axial_force) * spring.mean_diameter / 2;
-  if (const auto* round = std::get_if<RoundWire>(&spring.wire)) return 16 * moment / (std::numbers::pi * std::pow(round->diameter, 3));
+  if (const auto* round = std::get_if<RoundWire>(&spring.wire))
+    return 16 * moment / (std::numbers::pi * std::pow(round->diameter, 3));
   const auto [width, height] = std::get<RectangularWire>(spring.wire);
   const double longer = std::max(width, height), shorter = std::min(width, height);
   return moment * shorter / wire_section(spring).torsion_constant * rectangle_peak(longer, shorter);
@@ -34,7 +35,8 @@ double nominal_shear_stress(const CoilSpring& spring, double axial_force) {
 
 double wahl_shear_stress(const CoilSpring& spring, double axial_force) {
   if (!std::holds_alternative<RoundWire>(spring.wire))
-    throw foundation::InvalidInput("coil spring: Wahl's factor is for round wire; take nominal_shear_stress for a rectangular one");
+    throw foundation::InvalidInput(
+        "coil spring: Wahl's factor is for round wire; take nominal_shear_stress for a rectangular one");
   return wahl_factor(spring_index(spring)) * nominal_shear_stress(spring, axial_force);
 }
 

@@ -14,7 +14,9 @@ namespace trivet::elements {
 bool check_length(foundation::Problems& problems, const std::string& key, double value) {
   if (foundation::is_part_size(value)) return true;
   const bool positive = value > 0 && std::isfinite(value);
-  problems.error(key, fmt::format("{} = {:.6g} m", key, value), positive ? foundation::part_size_rule : "it must be > 0", positive ? "check the unit and the power of ten" : "give a length in metres");
+  problems.error(key, fmt::format("{} = {:.6g} m", key, value),
+                 positive ? foundation::part_size_rule : "it must be > 0",
+                 positive ? "check the unit and the power of ten" : "give a length in metres");
   return false;
 }
 
@@ -27,8 +29,10 @@ bool check_lengths(foundation::Problems& problems, std::initializer_list<std::pa
 void check_slenderness(foundation::Problems& problems, const std::string& key, double width, double thickness) {
   const double ratio = std::max(width, thickness) / std::min(width, thickness);
   if (ratio > foundation::most_slender)
-    problems.error(key, fmt::format("{:.6g} m beside {:.6g} m: a ratio of {:.3g}", thickness, width, ratio), fmt::format("two lengths of one part differ by a factor of {:.0f} at most", foundation::most_slender),
-                   "check the unit and the power of ten");
+    problems.error(
+        key, fmt::format("{:.6g} m beside {:.6g} m: a ratio of {:.3g}", thickness, width, ratio),
+        fmt::format("two lengths of one part differ by a factor of {:.0f} at most", foundation::most_slender),
+        "check the unit and the power of ten");
 }
 
 void check_factor(foundation::Problems& problems, double dynamic_factor) {
@@ -45,7 +49,8 @@ void check_shape_factor(foundation::Problems& problems, double shape_factor) {
   constexpr double lowest = 0.25, highest = 20;
   if (shape_factor < lowest || shape_factor > highest)
     problems.warning("thickness", fmt::format("the shape factor is {:.4g}", shape_factor),
-                     "the formulas were measured for shape factors from 0.25 to 20", "use a finite-element mount or check the dimensions");
+                     "the formulas were measured for shape factors from 0.25 to 20",
+                     "use a finite-element mount or check the dimensions");
 }
 
 void require_sound(const foundation::Problems& problems) {

@@ -35,9 +35,11 @@ Eigen::Matrix<Scalar, 3, 3> cross(const Eigen::Matrix<Scalar, 3, 1>& v) {
   return m;
 }
 
-/// Terms of the preload: A₁₁ and A₂₁ of the Hamiltonian system, moments referred to rotation vectors (half of θ × M₀ split off).
+/// Terms of the preload: A₁₁ and A₂₁ of the Hamiltonian system, moments referred to rotation vectors (half of θ × M₀
+/// split off).
 template <typename Scalar>
-void add_preload(Eigen::Matrix<Scalar, 12, 12>& a, const Eigen::Matrix<Scalar, 3, 1>& tangent, const Eigen::Matrix<Scalar, 3, 1>& force_flexibility,
+void add_preload(Eigen::Matrix<Scalar, 12, 12>& a, const Eigen::Matrix<Scalar, 3, 1>& tangent,
+                 const Eigen::Matrix<Scalar, 3, 1>& force_flexibility,
                  const Eigen::Matrix<Scalar, 3, 1>& moment_flexibility, const Eigen::Matrix<Scalar, 3, 1>& force,
                  const Eigen::Matrix<Scalar, 3, 1>& moment) {
   using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
@@ -68,7 +70,8 @@ Rates<Scalar> rates(const HelicalRod& rod, Scalar lambda, Scalar load, double un
   a.template block<3, 3>(6, 0).diagonal().setConstant(-lambda * Scalar(rod.line_mass * unit * unit / force_unit));
   a.template block<3, 3>(9, 3).diagonal() = -lambda * (rod.line_inertia / force_unit).cast<Scalar>();
   if (rod.force.squaredNorm() + rod.moment.squaredNorm() > 0)
-    add_preload<Scalar>(a, tangent, force_flexibility, moment_flexibility, load * (rod.force / force_unit).cast<Scalar>(),
+    add_preload<Scalar>(a, tangent, force_flexibility, moment_flexibility,
+                        load * (rod.force / force_unit).cast<Scalar>(),
                         load * (rod.moment / (force_unit * unit)).cast<Scalar>());
   Rates<Scalar> result;
   for (std::size_t i = 0; i < 6; ++i)
@@ -95,7 +98,8 @@ Square<Scalar> series(const Square<Scalar>& x, const Square<Scalar>& x2, const S
   return c[0] * one + c[1] * x + c[2] * x2 + x3 * sum;
 }
 
-/// L D Lᵀ of a small symmetric (not Hermitian) matrix, largest diagonal first; keeps L⁻¹-applied rows and counts negative pivots.
+/// L D Lᵀ of a small symmetric (not Hermitian) matrix, largest diagonal first; keeps L⁻¹-applied rows and counts
+/// negative pivots.
 template <typename Scalar, int N>
 struct SymmetricFactors {
   Eigen::Matrix<Scalar, N, N> lower;
@@ -180,14 +184,16 @@ int join(Halves<Scalar>& k) {
 
 double largest_wave_number(const HelicalRod& rod, double lambda) {
   const double bending = std::max(rod.moment_flexibility(0), rod.moment_flexibility(1));
-  const double shear = std::max(rod.force_flexibility(0) * rod.line_mass, rod.moment_flexibility(2) * rod.line_inertia(2));
+  const double shear =
+      std::max(rod.force_flexibility(0) * rod.line_mass, rod.moment_flexibility(2) * rod.line_inertia(2));
   return std::max(std::pow(lambda * rod.line_mass * bending, 0.25), std::sqrt(lambda * shear));
 }
 
-/// Longest first segment, as wave number × length: below the lowest clamped natural frequency of a straight piece (π in shear
-/// and torsion), so that joining counts every one.
+/// Longest first segment, as wave number × length: below the lowest clamped natural frequency of a straight piece (π in
+/// shear and torsion), so that joining counts every one.
 constexpr double longest_wave = 2;
-/// And as curvature × length, 1.6 turns: too short to buckle. Shorter lets doubling lose digits of the lateral stiffness.
+/// And as curvature × length, 1.6 turns: too short to buckle. Shorter lets doubling lose digits of the lateral
+/// stiffness.
 constexpr double longest_arc = 10;
 /// Half-length at which the series starts, over 1/curvature and 1/wave number.
 constexpr double series_reach = 0.5;
@@ -221,19 +227,24 @@ RodStiffness<Scalar> rod_stiffness(const HelicalRod& rod, Scalar lambda, Scalar 
 }
 
 template RodStiffness<double> rod_stiffness(const HelicalRod&, double, double);
-template RodStiffness<std::complex<double>> rod_stiffness(const HelicalRod&, std::complex<double>, std::complex<double>);
+template RodStiffness<std::complex<double>> rod_stiffness(const HelicalRod&, std::complex<double>,
+                                                          std::complex<double>);
 template RodStiffness<long double> rod_stiffness(const HelicalRod&, long double, long double);
 
 Helix helix(const CoilSpring& spring) {
   const double turn = 2 * std::numbers::pi * spring.active_coils, radius = spring.mean_diameter / 2;
-  return {.radius = radius, .lead = std::atan2(spring.active_length, turn * radius), .turn = spring.hand == Hand::right ? turn : -turn,
-          .height = spring.active_length, .start_angle = spring.start_angle};
+  return {.radius = radius,
+          .lead = std::atan2(spring.active_length, turn * radius),
+          .turn = spring.hand == Hand::right ? turn : -turn,
+          .height = spring.active_length,
+          .start_angle = spring.start_angle};
 }
 
 Eigen::Matrix3d section_axes(const Helix& helix, double angle) {
   const double hand = helix.turn < 0 ? -1 : 1;
   const Eigen::Vector3d inward(-std::cos(angle), -std::sin(angle), 0);
-  const Eigen::Vector3d along(-hand * std::cos(helix.lead) * std::sin(angle), hand * std::cos(helix.lead) * std::cos(angle), std::sin(helix.lead));
+  const Eigen::Vector3d along(-hand * std::cos(helix.lead) * std::sin(angle),
+                              hand * std::cos(helix.lead) * std::cos(angle), std::sin(helix.lead));
   Eigen::Matrix3d axes;
   axes << inward, along.cross(inward), along;
   return axes;
@@ -249,11 +260,13 @@ HelicalRod helical_rod(const CoilSpring& spring) {
   const double E = spring.youngs_modulus, G = spring.shear_modulus, A = section.area, hand = line.turn < 0 ? -1 : 1;
   HelicalRod rod;
   rod.length = std::hypot(line.radius * line.turn, line.height);
-  rod.curvature = std::abs(line.turn) / rod.length * Eigen::Vector3d(0, std::cos(line.lead), hand * std::sin(line.lead));
+  rod.curvature =
+      std::abs(line.turn) / rod.length * Eigen::Vector3d(0, std::cos(line.lead), hand * std::sin(line.lead));
   rod.tangent = Eigen::Vector3d::UnitZ();
   const double shear = 1 / (section.shear_factor * G * A);
   rod.force_flexibility = {shear, shear, 1 / (E * A)};
-  rod.moment_flexibility = {1 / (E * section.second_moments(0)), 1 / (E * section.second_moments(1)), 1 / (G * section.torsion_constant)};
+  rod.moment_flexibility = {1 / (E * section.second_moments(0)), 1 / (E * section.second_moments(1)),
+                            1 / (G * section.torsion_constant)};
   rod.line_mass = spring.density * A;
   rod.line_inertia = spring.density * section.second_moments;
   return rod;

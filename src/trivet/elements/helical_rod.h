@@ -26,20 +26,21 @@ struct Helix {
 
 /// Constant coefficients of the rod, vectors in section axes, per metre of unstrained wire.
 struct HelicalRod {
-  double length = 0;                   ///< unstrained [m]
-  Eigen::Vector3d curvature;           ///< Darboux vector of the section axes [1/m]
-  Eigen::Vector3d tangent;             ///< dr/ds: (0, 0, 1) when stress-free
-  Eigen::Vector3d force_flexibility;   ///< 1/κGA, 1/κGA, 1/EA [1/N]
-  Eigen::Vector3d moment_flexibility;  ///< 1/EI₁, 1/EI₂, 1/GJ [1/(N m²)]
-  double line_mass = 0;                ///< ρA [kg/m]
-  Eigen::Vector3d line_inertia;        ///< ρI [kg m]
+  double length = 0;                                 ///< unstrained [m]
+  Eigen::Vector3d curvature;                         ///< Darboux vector of the section axes [1/m]
+  Eigen::Vector3d tangent;                           ///< dr/ds: (0, 0, 1) when stress-free
+  Eigen::Vector3d force_flexibility;                 ///< 1/κGA, 1/κGA, 1/EA [1/N]
+  Eigen::Vector3d moment_flexibility;                ///< 1/EI₁, 1/EI₂, 1/GJ [1/(N m²)]
+  double line_mass = 0;                              ///< ρA [kg/m]
+  Eigen::Vector3d line_inertia;                      ///< ρI [kg m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< internal force of the preload [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< internal moment of the preload [N m]
 };
 [[nodiscard]] HelicalRod helical_rod(const CoilSpring& spring);
 
-/// Dynamic stiffness between the ends of the rod, in section axes (u, θ): W_N = own q_N + transfer q_K. Turning the rod by
-/// π about axis 1 of its middle gives it back, so W_K = J own J q_K + transferᵀ q_N with J = diag(1, −1, −1, 1, −1, −1).
+/// Dynamic stiffness between the ends of the rod, in section axes (u, θ): W_N = own q_N + transfer q_K. Turning the rod
+/// by π about axis 1 of its middle gives it back, so W_K = J own J q_K + transferᵀ q_N with J = diag(1, −1, −1, 1, −1,
+/// −1).
 template <typename Scalar>
 struct RodStiffness {
   Eigen::Matrix<Scalar, 6, 6> own;
@@ -47,12 +48,14 @@ struct RodStiffness {
   int clamped_modes = 0;  ///< natural frequencies below ω with both ends clamped; meaningful for real arguments
 };
 
-/// At λ = ω² with all moduli multiplied by `modulus` (1 + iη), both |finite|. Exact: series on a segment, then doubling.
+/// At λ = ω² with all moduli multiplied by `modulus` (1 + iη), both |finite|. Exact: series on a segment, then
+/// doubling.
 template <typename Scalar>
 [[nodiscard]] RodStiffness<Scalar> rod_stiffness(const HelicalRod& rod, Scalar lambda, Scalar modulus);
 
 extern template RodStiffness<double> rod_stiffness(const HelicalRod&, double, double);
-extern template RodStiffness<std::complex<double>> rod_stiffness(const HelicalRod&, std::complex<double>, std::complex<double>);
+extern template RodStiffness<std::complex<double>> rod_stiffness(const HelicalRod&, std::complex<double>,
+                                                                 std::complex<double>);
 extern template RodStiffness<long double> rod_stiffness(const HelicalRod&, long double, long double);
 
 }  // namespace trivet::elements

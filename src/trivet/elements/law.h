@@ -37,28 +37,29 @@ using Damping = std::variant<std::monostate, ProportionalDamping, LossFactor, Da
 
 /// Mass of the element itself: that of its static shapes, and its internal modes with both ends held (modal masses 1).
 struct Inertia {
-  Matrix12 mass = Matrix12::Zero();          ///< [kg …]
-  Eigen::MatrixXd coupling{12, 0};           ///< 12 × modes: mass between end displacements and internal modes
-  Eigen::VectorXd angular_frequencies;       ///< of the internal modes at nominal stiffness [rad/s]
+  Matrix12 mass = Matrix12::Zero();     ///< [kg …]
+  Eigen::MatrixXd coupling{12, 0};      ///< 12 × modes: mass between end displacements and internal modes
+  Eigen::VectorXd angular_frequencies;  ///< of the internal modes at nominal stiffness [rad/s]
 };
 
-/// A dynamic stiffness D(ω) [N/m …] that is no quotient of polynomials: exact continua and measured tables. For complex ω, Re ω ≥ 0; a
-/// table takes the piece of its interpolation that holds at the real frequency `near`.
+/// A dynamic stiffness D(ω) [N/m …] that is no quotient of polynomials: exact continua and measured tables. For complex
+/// ω, Re ω ≥ 0; a table takes the piece of its interpolation that holds at the real frequency `near`.
 struct FrequencyDependence {
   std::function<Matrix12c(std::complex<double> omega, double near)> stiffness;
-  bool elastic = true;   ///< without losses of its own: damping then enters as a complex modulus μ, D = μ D(ω/√μ)
+  bool elastic = true;  ///< without losses of its own: damping then enters as a complex modulus μ, D = μ D(ω/√μ)
   double from = 0, to = std::numeric_limits<double>::infinity();  ///< where it is defined [rad/s]
-  std::vector<double> knots;   ///< where one piece of a table ends and the next begins [rad/s], ascending
+  std::vector<double> knots;  ///< where one piece of a table ends and the next begins [rad/s], ascending
 };
 
-/// What an element does: nominal stiffness (at ω = 0), the factor on it, its damping, its own mass, and the wrench it carries at rest.
+/// What an element does: nominal stiffness (at ω = 0), the factor on it, its damping, its own mass, and the wrench it
+/// carries at rest.
 struct Law {
   Matrix12 nominal_stiffness = Matrix12::Zero();
   double scale = 1;
   Damping damping;
   std::optional<Inertia> inertia;
   std::optional<FrequencyDependence> frequency_dependence;
-  std::optional<Vector12> preload;   ///< forces and moments on the ends N, K in the state about which it moves
+  std::optional<Vector12> preload;  ///< forces and moments on the ends N, K in the state about which it moves
 };
 
 /// At ω = 0.
@@ -70,8 +71,9 @@ struct Law {
 /// Is D(ω) beyond what `matrices` can say exactly?
 [[nodiscard]] bool is_frequency_dependent(const Law& law);
 
-/// The element as a linear system in 12 end displacements and its internal coordinates (modes of its mass, then strains of Maxwell branches
-/// without mass): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then the nearest system of this kind, for modes and starting values.
+/// The element as a linear system in 12 end displacements and its internal coordinates (modes of its mass, then strains
+/// of Maxwell branches without mass): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then the nearest system
+/// of this kind, for modes and starting values.
 struct Matrices {
   Eigen::MatrixXd stiffness, damping, mass;
   double loss_factor = 0;
@@ -81,17 +83,21 @@ struct Matrices {
 /// D(ω), 12×12, internal coordinates condensed. omega [rad/s] may be complex, Re ω ≥ 0.
 /// @throws foundation::NotComputable outside the range of a tabulated law
 [[nodiscard]] Matrix12c dynamic_stiffness(const Law& law, std::complex<double> omega, double near);
-[[nodiscard]] inline Matrix12c dynamic_stiffness(const Law& law, double omega) { return dynamic_stiffness(law, omega, omega); }
+[[nodiscard]] inline Matrix12c dynamic_stiffness(const Law& law, double omega) {
+  return dynamic_stiffness(law, omega, omega);
+}
 
-/// The 12×12 that a 6×6 block of the K end (N fixed) implies by equilibrium: E C_KK Eᵀ, storing no energy in a rigid motion.
+/// The 12×12 that a 6×6 block of the K end (N fixed) implies by equilibrium: E C_KK Eᵀ, storing no energy in a rigid
+/// motion.
 [[nodiscard]] Matrix12 from_moved_end(const Matrix6& moved_end, const Eigen::Vector3d& arm);
 
-/// Three translational [N/m] and three rotational [N m/rad] constants acting between the ends at the point that lies the
-/// fraction `centre` of the arm from N (0 = N, 1 = K), both ends joined to it by rigid levers.
+/// Three translational [N/m] and three rotational [N m/rad] constants acting between the ends at the point that lies
+/// the fraction `centre` of the arm from N (0 = N, 1 = K), both ends joined to it by rigid levers.
 [[nodiscard]] Matrix12 constants_at_point(const Vector6& constants, const Eigen::Vector3d& arm, double centre);
 
 /// One constant along the unit vector `axis`, through the same point.
-[[nodiscard]] Matrix12 constant_along_line(double constant, const Eigen::Vector3d& axis, const Eigen::Vector3d& arm, double centre);
+[[nodiscard]] Matrix12 constant_along_line(double constant, const Eigen::Vector3d& axis, const Eigen::Vector3d& arm,
+                                           double centre);
 
 /// The same element seen in N axes of its own: rows and columns of N turned by `n_from_k`.
 [[nodiscard]] Matrix12 in_end_axes(const Matrix12& in_axes_of_k, const Eigen::Matrix3d& n_from_k);

@@ -25,9 +25,11 @@ struct Strains {
 
 Strains strains(const Eigen::MatrixXd& stiffness) {
   constexpr double round_off = 1e-13;
-  const Eigen::VectorXd scale = stiffness.diagonal().unaryExpr([](double k) { return k == 0 ? 1.0 : std::sqrt(std::abs(k)); });
+  const Eigen::VectorXd scale =
+      stiffness.diagonal().unaryExpr([](double k) { return k == 0 ? 1.0 : std::sqrt(std::abs(k)); });
   const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * stiffness * scale.cwiseInverse().asDiagonal();
-  const numerics::SymmetricEigen<Eigen::MatrixXd> eigen = numerics::symmetric_eigen(Eigen::MatrixXd(0.5 * (scaled + scaled.transpose())));
+  const numerics::SymmetricEigen<Eigen::MatrixXd> eigen =
+      numerics::symmetric_eigen(Eigen::MatrixXd(0.5 * (scaled + scaled.transpose())));
   const double largest = eigen.values.cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
@@ -124,14 +126,18 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
     const FrequencyDependence& given = *law.frequency_dependence;
     const double slack = std::isfinite(given.to) ? 1e-9 * given.to : 0;
     if (near < given.from - slack || near > given.to + slack)
-      throw foundation::NotComputable(fmt::format("its table gives no stiffness at {:.6g} Hz, only from {:.6g} to {:.6g} Hz; ask for a band inside, or extend the table",
-                                                  near / (2 * std::numbers::pi), given.from / (2 * std::numbers::pi), given.to / (2 * std::numbers::pi)));
-    result = given.elastic ? Matrix12c(modulus * given.stiffness(omega / std::sqrt(modulus), near)) : Matrix12c(law.scale * given.stiffness(omega, near));
+      throw foundation::NotComputable(fmt::format(
+          "its table gives no stiffness at {:.6g} Hz, only from {:.6g} to {:.6g} Hz; ask for a band inside, or extend "
+          "the table",
+          near / (2 * std::numbers::pi), given.from / (2 * std::numbers::pi), given.to / (2 * std::numbers::pi)));
+    result = given.elastic ? Matrix12c(modulus * given.stiffness(omega / std::sqrt(modulus), near))
+                           : Matrix12c(law.scale * given.stiffness(omega, near));
   } else {
     result = modulus * law.nominal_stiffness.cast<Complex>();
     if (law.inertia) result += inertia_terms(*law.inertia, modulus, omega);
   }
-  if (const auto* given = std::get_if<DampingMatrix>(&law.damping)) result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
+  if (const auto* given = std::get_if<DampingMatrix>(&law.damping))
+    result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
   return result;
 }
 

@@ -15,8 +15,8 @@ namespace {
 struct LindleyRow {
   double irhd, shear_modulus;  // [Pa]
 };
-// P. B. Lindley, Engineering Design with Natural Rubber, 4th ed. 1974: small-strain shear modulus of natural rubber vulcanizates,
-// carbon black above 48 IRHD.
+// P. B. Lindley, Engineering Design with Natural Rubber, 4th ed. 1974: small-strain shear modulus of natural rubber
+// vulcanizates, carbon black above 48 IRHD.
 constexpr std::array<LindleyRow, 10> lindley = {{{30, 0.30e6},
                                                  {35, 0.37e6},
                                                  {40, 0.45e6},
@@ -46,7 +46,9 @@ std::optional<Metal> metal(std::string_view name) {
   return found == metals().end() ? std::nullopt : std::optional(*found);
 }
 
-double young_modulus(const Rubber& rubber) { return 9 * rubber.shear_modulus / (3 + rubber.shear_modulus / rubber.bulk_modulus); }
+double young_modulus(const Rubber& rubber) {
+  return 9 * rubber.shear_modulus / (3 + rubber.shear_modulus / rubber.bulk_modulus);
+}
 
 double poisson_ratio(const Rubber& rubber) {
   const double ratio = rubber.shear_modulus / rubber.bulk_modulus;
@@ -61,12 +63,13 @@ double young_modulus_from_hardness(double hardness) {
 
 double shear_modulus_from_irhd(double irhd) {
   if (!(irhd >= lindley.front().irhd && irhd <= lindley.back().irhd))
-    throw foundation::InvalidInput(
-        fmt::format("rubber hardness {:.6g} IRHD, the table covers {} … {} IRHD", irhd, lindley.front().irhd, lindley.back().irhd));
+    throw foundation::InvalidInput(fmt::format("rubber hardness {:.6g} IRHD, the table covers {} … {} IRHD", irhd,
+                                               lindley.front().irhd, lindley.back().irhd));
   std::size_t i = 1;
   while (lindley[i].irhd < irhd) ++i;
   const auto &below = lindley[i - 1], &above = lindley[i];
-  return below.shear_modulus + (above.shear_modulus - below.shear_modulus) * (irhd - below.irhd) / (above.irhd - below.irhd);
+  return below.shear_modulus +
+      (above.shear_modulus - below.shear_modulus) * (irhd - below.irhd) / (above.irhd - below.irhd);
 }
 
 foundation::Problems check_hardness(double hardness) {
@@ -76,7 +79,8 @@ foundation::Problems check_hardness(double hardness) {
   if (!(hardness > 0 && hardness < 100))
     problems.error("hardness", value, "a hardness lies between 0 and 100 degrees", "give Shore A or IRHD degrees");
   else if (hardness < softest || hardness > hardest)
-    problems.warning("hardness", value, "the relation to a modulus is tested for 30 … 80 degrees", "give a measured shear modulus instead: G = \"0.8 MPa\"");
+    problems.warning("hardness", value, "the relation to a modulus is tested for 30 … 80 degrees",
+                     "give a measured shear modulus instead: G = \"0.8 MPa\"");
   return problems;
 }
 

@@ -23,7 +23,8 @@ struct Metal {
 [[nodiscard]] const std::vector<Metal>& metals();
 [[nodiscard]] std::optional<Metal> metal(std::string_view name);
 
-/// Nearly incompressible rubber at small strain, both moduli for the same frequency [Pa], > 0. E = 9KG/(3K + G), about 3G.
+/// Nearly incompressible rubber at small strain, both moduli for the same frequency [Pa], > 0. E = 9KG/(3K + G), about
+/// 3G.
 struct Rubber {
   double shear_modulus = 0;
   double bulk_modulus = 2e9;  ///< unfilled to lightly filled natural rubber 1 … 2.5 GPa; infinity = incompressible
@@ -32,11 +33,12 @@ struct Rubber {
 [[nodiscard]] double young_modulus(const Rubber& rubber);
 [[nodiscard]] double poisson_ratio(const Rubber& rubber);
 
-/// Static small-strain Young's modulus [Pa] from Shore A or IRHD (equal within a few degrees from 30 to 80): Gent 1958, by the theory of
-/// indentation of the durometer, E = 0.0981(56 + 7.62336 H)/(0.137505(254 − 2.54 H)) MPa. A reading is worth ±2 … 5 degrees and
-/// compounds scatter by about ±20 %. G = E/3. @throws InvalidInput outside 0 < hardness < 100
+/// Static small-strain Young's modulus [Pa] from Shore A or IRHD (equal within a few degrees from 30 to 80): Gent 1958,
+/// by the theory of indentation of the durometer, E = 0.0981(56 + 7.62336 H)/(0.137505(254 − 2.54 H)) MPa. A reading is
+/// worth ±2 … 5 degrees and compounds scatter by about ±20 %. G = E/3. @throws InvalidInput outside 0 < hardness < 100
 [[nodiscard]] double young_modulus_from_hardness(double hardness);
-/// Measured small-strain shear modulus [Pa] of carbon-black natural rubber, IRHD 30 … 75 (Lindley 1974), linear between the rows.
+/// Measured small-strain shear modulus [Pa] of carbon-black natural rubber, IRHD 30 … 75 (Lindley 1974), linear between
+/// the rows.
 /// @throws InvalidInput outside the table
 [[nodiscard]] double shear_modulus_from_irhd(double irhd);
 

@@ -11,15 +11,17 @@
 namespace trivet::elements {
 namespace {
 
-/// √K_ii, or of the largest entry beside it where K_ii is zero or the round-off of other entries: a strut along a skew axis
-/// leaves 1e-30 N m/rad of them. No element's lever is shorter than 1e-10 m.
+/// √K_ii, or of the largest entry beside it where K_ii is zero or the round-off of other entries: a strut along a skew
+/// axis leaves 1e-30 N m/rad of them. No element's lever is shorter than 1e-10 m.
 spatial::Vector12 entry_scale(const Matrix12& matrix) {
   constexpr double round_off = 1e-14, shortest_lever_squared = 1e-20;
   double translation = 0, rotation = 0;
-  for (int i = 0; i < 12; ++i) (i % 6 < 3 ? translation : rotation) = std::max(i % 6 < 3 ? translation : rotation, std::abs(matrix(i, i)));
+  for (int i = 0; i < 12; ++i)
+    (i % 6 < 3 ? translation : rotation) = std::max(i % 6 < 3 ? translation : rotation, std::abs(matrix(i, i)));
   spatial::Vector12 scale;
   for (int i = 0; i < 12; ++i) {
-    const double floor = i % 6 < 3 ? round_off * translation : round_off * rotation + shortest_lever_squared * translation;
+    const double floor =
+        i % 6 < 3 ? round_off * translation : round_off * rotation + shortest_lever_squared * translation;
     const double diagonal = std::abs(matrix(i, i));
     const double beside = std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff());
     scale(i) = std::sqrt(diagonal > floor ? diagonal : std::max(floor, beside));
@@ -27,11 +29,13 @@ spatial::Vector12 entry_scale(const Matrix12& matrix) {
   return scale;
 }
 
-/// Round-off of an entry (row i, coordinate or motion j) of a matrix whose large entries are translational stiffnesses carried over `arm`.
+/// Round-off of an entry (row i, coordinate or motion j) of a matrix whose large entries are translational stiffnesses
+/// carried over `arm`.
 double entry_round_off(const Matrix12& matrix, double arm, int i, int j) {
   constexpr double count = 64;
   double translation = 0, rotation = 0;
-  for (int k = 0; k < 12; ++k) (k % 6 < 3 ? translation : rotation) = std::max(k % 6 < 3 ? translation : rotation, std::abs(matrix(k, k)));
+  for (int k = 0; k < 12; ++k)
+    (k % 6 < 3 ? translation : rotation) = std::max(k % 6 < 3 ? translation : rotation, std::abs(matrix(k, k)));
   const bool moment = i % 6 >= 3, turn = j % 6 >= 3;
   const double typical = translation * (moment ? arm : 1) * (turn ? arm : 1) + (moment && turn ? rotation : 0);
   return count * std::numeric_limits<double>::epsilon() * typical;
@@ -43,22 +47,26 @@ Eigen::Matrix<double, 12, 6> turned_preload(const Vector12& preload, const Eigen
   Eigen::Matrix<double, 12, 6> asked = Eigen::Matrix<double, 12, 6>::Zero();
   for (int j = 0; j < 3; ++j) {
     const Eigen::Vector3d in_k = Eigen::Vector3d::Unit(j), in_n = n_from_k * in_k;
-    asked.col(3 + j) << in_n.cross(preload.segment<3>(0)), 0.5 * in_n.cross(preload.segment<3>(3)), in_k.cross(preload.segment<3>(6)),
-        0.5 * in_k.cross(preload.segment<3>(9));
+    asked.col(3 + j) << in_n.cross(preload.segment<3>(0)), 0.5 * in_n.cross(preload.segment<3>(3)),
+        in_k.cross(preload.segment<3>(6)), 0.5 * in_k.cross(preload.segment<3>(9));
   }
   return asked;
 }
 
-MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid, const Eigen::Matrix<double, 12, 6>& expected) {
+MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid,
+                      const Eigen::Matrix<double, 12, 6>& expected) {
   MatrixVerdict verdict;
   const spatial::Vector12 scale = entry_scale(matrix);
   const double arm = rigid.topRightCorner<3, 3>().norm();
   const auto scaled = [](double value, double by) { return value == 0 ? 0.0 : value / by; };
-  const auto beyond_round_off = [&](double value, int i, int j) { return value > entry_round_off(matrix, arm, i, j) ? value : 0.0; };
+  const auto beyond_round_off = [&](double value, int i, int j) {
+    return value > entry_round_off(matrix, arm, i, j) ? value : 0.0;
+  };
 
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < i; ++j) {
-      const double asymmetry = scaled(beyond_round_off(std::abs(matrix(i, j) - matrix(j, i)), i, j), scale(i) * scale(j));
+      const double asymmetry =
+          scaled(beyond_round_off(std::abs(matrix(i, j) - matrix(j, i)), i, j), scale(i) * scale(j));
       if (asymmetry > verdict.asymmetry) {
         verdict.asymmetry = asymmetry;
         verdict.asymmetric_row = j;

@@ -9,7 +9,9 @@ PiecewiseStiffness::PiecewiseStiffness(const StiffnessTable& table) : knots_(tab
   for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
     const double from = knots_[i], width = knots_[i + 1] - from;
     std::array<std::complex<double>, 4> samples;
-    for (int k = 0; k < 4; ++k) samples[static_cast<std::size_t>(k)] = dynamic_stiffness(table, k == 3 ? knots_[i + 1] : from + width * k / 3.0, 0);
+    for (int k = 0; k < 4; ++k)
+      samples[static_cast<std::size_t>(k)] =
+          dynamic_stiffness(table, k == 3 ? knots_[i + 1] : from + width * k / 3.0, 0);
     pieces_.push_back(samples);
   }
 }

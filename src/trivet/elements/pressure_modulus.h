@@ -3,10 +3,10 @@
 
 #include "trivet/elements/materials.h"
 
-/// Apparent moduli of a thin rubber layer between rigid bonded plates: Ec in axial stiffness Ec A/h, Eb in tilting stiffness
-/// Eb I/h. The pressure solution takes the layer as a film that is squeezed sideways, ∇²p − 12G/(K h²) p = −12G/h² (strain), p = 0
-/// at free edges: exact as h → 0, without the share of a squat layer's own stretching. K may be infinite.
-/// Lengths [m] > 0, results [Pa]. Sources and accuracy: docs/elements/rubber.md.
+/// Apparent moduli of a thin rubber layer between rigid bonded plates: Ec in axial stiffness Ec A/h, Eb in tilting
+/// stiffness Eb I/h. The pressure solution takes the layer as a film that is squeezed sideways, ∇²p − 12G/(K h²) p =
+/// −12G/h² (strain), p = 0 at free edges: exact as h → 0, without the share of a squat layer's own stretching. K may be
+/// infinite. Lengths [m] > 0, results [Pa]. Sources and accuracy: docs/elements/rubber.md.
 namespace trivet::elements {
 
 /// Loaded area over free area: solid or hollow disc (the hole's wall is free), rectangular block.
@@ -24,10 +24,12 @@ namespace trivet::elements {
 
 /// Pressure solution of a disc with a free hole.
 [[nodiscard]] double ring_pressure_modulus(const Rubber& rubber, double radius, double hole_radius, double thickness);
-[[nodiscard]] double ring_pressure_bending_modulus(const Rubber& rubber, double radius, double hole_radius, double thickness);
+[[nodiscard]] double ring_pressure_bending_modulus(const Rubber& rubber, double radius, double hole_radius,
+                                                   double thickness);
 
 /// Pressure solution of a rectangle; bending strains vary along width_1.
 [[nodiscard]] double block_pressure_modulus(const Rubber& rubber, double width_1, double width_2, double thickness);
-[[nodiscard]] double block_pressure_bending_modulus(const Rubber& rubber, double width_1, double width_2, double thickness);
+[[nodiscard]] double block_pressure_bending_modulus(const Rubber& rubber, double width_1, double width_2,
+                                                    double thickness);
 
 }  // namespace trivet::elements

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fractional Zener law as a sum of Maxwell branches: its relaxation spectrum is positive, so non-negative least squares on a
-// grid of times keeps the sum passive and drops the branches that are not needed.
+// The fractional Zener law as a sum of Maxwell branches: its relaxation spectrum is positive, so non-negative least
+// squares on a grid of times keeps the sum passive and drops the branches that are not needed.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -23,11 +23,13 @@ double decades(const Band& band) { return std::log10(band.to / band.from); }
 /// `count` logarithmically equal steps over the band, both ends included.
 std::vector<double> grid(const Band& band, int count) {
   std::vector<double> points;
-  for (int i = 0; i <= count; ++i) points.push_back(band.from * std::pow(band.to / band.from, static_cast<double>(i) / count));
+  for (int i = 0; i <= count; ++i)
+    points.push_back(band.from * std::pow(band.to / band.from, static_cast<double>(i) / count));
   return points;
 }
 
-/// Candidate times: three decades beyond the band at both ends, for the tails of the spectrum, and the time of the law itself.
+/// Candidate times: three decades beyond the band at both ends, for the tails of the spectrum, and the time of the law
+/// itself.
 std::vector<double> candidate_times(const FractionalZener& law, const Band& band, double per_decade) {
   const Band wide{1e-3 / band.to, 1e3 / band.from};
   std::vector<double> times = grid(wide, static_cast<int>(std::ceil(per_decade * decades(wide))));
@@ -50,7 +52,8 @@ RationalForm fit(const FractionalZener& law, const Band& band, double per_decade
   constexpr int points_per_decade = 12;
   const std::vector<double> frequencies = grid(band, static_cast<int>(std::ceil(points_per_decade * decades(band))));
   const std::vector<double> times = candidate_times(law, band, per_decade);
-  const auto rows = static_cast<Eigen::Index>(frequencies.size()), columns = static_cast<Eigen::Index>(times.size()) + 1;
+  const auto rows = static_cast<Eigen::Index>(frequencies.size()),
+             columns = static_cast<Eigen::Index>(times.size()) + 1;
   const double dashpot = 1 / band.to;  // unit of the dashpot column: of the size of the others
   Eigen::MatrixXd a(2 * rows, columns);
   Eigen::VectorXd b(2 * rows);
@@ -87,7 +90,8 @@ RationalForm fitted(const FractionalZener& law, const Band& band, double accurac
 
 RationalForm rational_form(const Viscoelastic& law, double from, double to, double accuracy) {
   if (!(from > 0 && to > from && std::isfinite(to)))
-    throw foundation::InvalidInput(fmt::format("band of a rational form: {:.6g} … {:.6g} rad/s, must be 0 < from < to", from, to));
+    throw foundation::InvalidInput(
+        fmt::format("band of a rational form: {:.6g} … {:.6g} rad/s, must be 0 < from < to", from, to));
   if (const foundation::Problems problems = check(law); problems.has_errors())
     throw foundation::InvalidInput(foundation::message(problems.list().front()));
   if (const auto* l = std::get_if<KelvinVoigt>(&law)) return {.viscous_time = l->time, .ratios = {}, .times = {}};

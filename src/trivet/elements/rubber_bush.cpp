@@ -16,11 +16,12 @@ using std::numbers::pi;
 /// Radial stiffness of a plane bonded ring per G and length, exact for Poisson's ratio ν in plane strain.
 double plane_ring(double poisson, double radius_ratio) {
   const double stiffening = 3 - 4 * poisson, squared = radius_ratio * radius_ratio;
-  return 8 * pi * (1 - poisson) * stiffening / (stiffening * stiffening * std::log(radius_ratio) - (squared - 1) / (squared + 1));
+  return 8 * pi * (1 - poisson) * stiffening /
+      (stiffening * stiffening * std::log(radius_ratio) - (squared - 1) / (squared + 1));
 }
 
-/// Tilting of a slice per G ri² and length by transverse shear alone, ∫ |grad w + (h, h)|² r dr/π: inside the tilting pin w = −r, in-plane
-/// motion follows h = ln(ro/r)/ln(ro/ri), and w(r) makes the energy least. r in units of ri.
+/// Tilting of a slice per G ri² and length by transverse shear alone, ∫ |grad w + (h, h)|² r dr/π: inside the tilting
+/// pin w = −r, in-plane motion follows h = ln(ro/r)/ln(ro/ri), and w(r) makes the energy least. r in units of ri.
 double slice_tilt(double radius_ratio) {
   constexpr int steps = 64;
   const double log_ratio = std::log(radius_ratio), c = 1 / (2 * log_ratio);
@@ -40,7 +41,8 @@ double slice_tilt(double radius_ratio) {
 double even_mean(double x) { return x < 1e-3 ? x * x / 3 : 1 - std::tanh(x) / x; }
 double odd_mean(double x) { return x < 0.05 ? x * x / 15 : 1 - 3 * (x / std::tanh(x) - 1) / (x * x); }
 
-/// Pressure made by radial motion dies out along the axis over this length [m]: about the mean radius, less if compressible.
+/// Pressure made by radial motion dies out along the axis over this length [m]: about the mean radius, less if
+/// compressible.
 double decay_length(const RubberBush& b) {
   const double mean = (b.inner_radius + b.outer_radius) / 2, wall = b.outer_radius - b.inner_radius;
   const double around = mean * (1 + 0.15 * wall / (2 * mean));
@@ -54,7 +56,8 @@ double long_bush_axial(const RubberBush& b) {
 }
 
 double bush_torsion(const RubberBush& b) {
-  return 4 * pi * b.rubber.shear_modulus * b.length / (1 / (b.inner_radius * b.inner_radius) - 1 / (b.outer_radius * b.outer_radius));
+  return 4 * pi * b.rubber.shear_modulus * b.length /
+      (1 / (b.inner_radius * b.inner_radius) - 1 / (b.outer_radius * b.outer_radius));
 }
 
 double long_bush_radial(const RubberBush& b) {
@@ -67,11 +70,15 @@ double short_bush_radial(const RubberBush& b) {
 }
 
 BushConstants bush_constants(const RubberBush& b) {
-  constexpr double shear_edge = 0.1153;  // wall thicknesses at each free end that carry no axial shear, as at the edge of a thin layer
+  constexpr double shear_edge =
+      0.1153;  // wall thicknesses at each free end that carry no axial shear, as at the edge of a thin layer
   require_sound(check(b));
-  const double wall = b.outer_radius - b.inner_radius, ends = 1 - 2 * shear_edge * wall / b.length, x = b.length / (2 * decay_length(b));
-  const double relieved = short_bush_radial(b), kept = long_bush_radial(b) - relieved, radius_squared = b.inner_radius * b.inner_radius;
-  const double shear_tilt = b.rubber.shear_modulus * b.length * radius_squared * slice_tilt(b.outer_radius / b.inner_radius);
+  const double wall = b.outer_radius - b.inner_radius, ends = 1 - 2 * shear_edge * wall / b.length,
+               x = b.length / (2 * decay_length(b));
+  const double relieved = short_bush_radial(b), kept = long_bush_radial(b) - relieved,
+               radius_squared = b.inner_radius * b.inner_radius;
+  const double shear_tilt =
+      b.rubber.shear_modulus * b.length * radius_squared * slice_tilt(b.outer_radius / b.inner_radius);
   return {.radial = b.dynamic_factor * (relieved + kept * even_mean(x)),
           .axial = b.dynamic_factor * ends * long_bush_axial(b),
           .tilt = b.dynamic_factor * ((relieved + kept * odd_mean(x)) * b.length * b.length / 12 + ends * shear_tilt),
@@ -80,19 +87,22 @@ BushConstants bush_constants(const RubberBush& b) {
 
 Matrix12 rubber_bush(const RubberBush& bush) {
   const BushConstants c = bush_constants(bush);
-  return constants_at_point((Vector6() << c.radial, c.radial, c.axial, c.tilt, c.tilt, c.torsion).finished(), Eigen::Vector3d::Zero(), 0);
+  return constants_at_point((Vector6() << c.radial, c.radial, c.axial, c.tilt, c.tilt, c.torsion).finished(),
+                            Eigen::Vector3d::Zero(), 0);
 }
 
 foundation::Problems check(const RubberBush& b) {
   constexpr double shortest = 0.5, short_length = 1, thinnest = 1.1, thickest = 5;
   foundation::Problems problems = check(b.rubber);
-  const bool sized = check_lengths(problems, {{"inner_radius", b.inner_radius}, {"outer_radius", b.outer_radius}, {"length", b.length}});
+  const bool sized = check_lengths(
+      problems, {{"inner_radius", b.inner_radius}, {"outer_radius", b.outer_radius}, {"length", b.length}});
   check_factor(problems, b.dynamic_factor);
   if (!sized) return problems;
   const double wall = b.outer_radius - b.inner_radius, ratio = b.outer_radius / b.inner_radius;
   if (!(wall > 0)) {
     problems.error("outer_radius", fmt::format("an outer radius of {:.6g} m", b.outer_radius),
-                   fmt::format("it must exceed the inner radius {:.6g} m", b.inner_radius), "exchange the radii if they were swapped");
+                   fmt::format("it must exceed the inner radius {:.6g} m", b.inner_radius),
+                   "exchange the radii if they were swapped");
     return problems;
   }
   check_slenderness(problems, "outer_radius", b.outer_radius, wall);
@@ -102,7 +112,8 @@ foundation::Problems check(const RubberBush& b) {
                      "the formulas were measured for ratios from 1.1 to 5", "use a finite-element mount");
   if (b.length < shortest * wall)
     problems.error("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall),
-                   "the formulas hold for bushes at least half as long as their wall is thick", "use a finite-element mount");
+                   "the formulas hold for bushes at least half as long as their wall is thick",
+                   "use a finite-element mount");
   else if (b.length < short_length * wall)
     problems.warning("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall),
                      "below one wall thickness the formulas are good to 10 % only", "use a finite-element mount");

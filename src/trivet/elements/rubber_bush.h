@@ -7,8 +7,9 @@
 
 namespace trivet::elements {
 
-/// Rubber sleeve bonded to a rigid outer tube (end N) and a rigid inner tube or pin (end K); both reference points are its centre,
-/// e3 is its axis: arm = 0. Free flat ends. Lengths [m]. Formulas, range and measured accuracy: docs/elements/rubber.md.
+/// Rubber sleeve bonded to a rigid outer tube (end N) and a rigid inner tube or pin (end K); both reference points are
+/// its centre, e3 is its axis: arm = 0. Free flat ends. Lengths [m]. Formulas, range and measured accuracy:
+/// docs/elements/rubber.md.
 struct RubberBush {
   Rubber rubber;
   double inner_radius = 0;
@@ -21,7 +22,8 @@ struct RubberBush {
 [[nodiscard]] double long_bush_axial(const RubberBush& bush);
 /// 4πGL/(1/ri² − 1/ro²) [N m/rad]: exact for any length.
 [[nodiscard]] double bush_torsion(const RubberBush& bush);
-/// Radial [N/m] of a slice in plane strain (very long bush) and in plane stress (very short); Adkins and Gent 1954 if K is infinite.
+/// Radial [N/m] of a slice in plane strain (very long bush) and in plane stress (very short); Adkins and Gent 1954 if K
+/// is infinite.
 [[nodiscard]] double long_bush_radial(const RubberBush& bush);
 [[nodiscard]] double short_bush_radial(const RubberBush& bush);
 

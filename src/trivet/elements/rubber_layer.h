@@ -5,15 +5,17 @@
 #include "trivet/elements/materials.h"
 #include "trivet/foundation/problems.h"
 
-/// Rubber layers bonded between two rigid plates, linear, not preloaded. End N is the centre of one bonded face, K of the other,
-/// e3 points from N to K: arm = (0, 0, thickness). Formulas, range and measured accuracy: docs/elements/rubber.md.
+/// Rubber layers bonded between two rigid plates, linear, not preloaded. End N is the centre of one bonded face, K of
+/// the other, e3 points from N to K: arm = (0, 0, thickness). Formulas, range and measured accuracy:
+/// docs/elements/rubber.md.
 namespace trivet::elements {
 
-/// `measured` corrects the pressure solution at the free edges by numbers found with finite elements: the default, within 1 … 4 %.
-/// `textbook`: Gent–Lindley compression, Gent–Meinecke tilting, shear G A/h; within 3 … 25 %.
+/// `measured` corrects the pressure solution at the free edges by numbers found with finite elements: the default,
+/// within 1 … 4 %. `textbook`: Gent–Lindley compression, Gent–Meinecke tilting, shear G A/h; within 3 … 25 %.
 enum class LayerFormulas { measured, textbook };
 
-/// Cylinder, with or without a central hole whose wall is free. Lengths [m]. dynamic_factor [1] = dynamic over static stiffness.
+/// Cylinder, with or without a central hole whose wall is free. Lengths [m]. dynamic_factor [1] = dynamic over static
+/// stiffness.
 struct RubberDisc {
   Rubber rubber;
   double radius = 0;
@@ -33,8 +35,8 @@ struct RubberBlock {
   LayerFormulas formulas = LayerFormulas::measured;
 };
 
-/// Constants of a layer at its mid-height: shear and axial [N/m]; bending about e1 and e2 with the plates' centres held in shear-free
-/// position, torsion about e3 [N m/rad].
+/// Constants of a layer at its mid-height: shear and axial [N/m]; bending about e1 and e2 with the plates' centres held
+/// in shear-free position, torsion about e3 [N m/rad].
 struct LayerConstants {
   double shear_1 = 0, shear_2 = 0, axial = 0, bending_1 = 0, bending_2 = 0, torsion = 0;
 };

@@ -22,7 +22,8 @@ std::pair<Matrix6, bool> inverse(const Matrix6& matrix) {
   const Vector6 scale = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return {Matrix6::Zero(), false};
   const Matrix6 scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
-  return {scale.asDiagonal() * numerics::completely_pivoted_inverse(scaled) * scale.asDiagonal(), numerics::is_regular(scaled)};
+  return {scale.asDiagonal() * numerics::completely_pivoted_inverse(scaled) * scale.asDiagonal(),
+          numerics::is_regular(scaled)};
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ std::pair<Matrix6, bool> inverse(const Matrix6& matrix) {
 Matrix12 in_series(const std::vector<SeriesPart>& parts, const std::vector<Eigen::Vector3d>& spacers) {
   if (parts.empty() || spacers.size() + 1 != parts.size())
     throw foundation::InvalidInput(
-        fmt::format("elements in series: {} spacers between {} parts, must be one fewer than the parts", spacers.size(), parts.size()));
+        fmt::format("elements in series: {} spacers between {} parts, must be one fewer than the parts", spacers.size(),
+                    parts.size()));
   Matrix6 flexibility = Matrix6::Zero();
   Eigen::Vector3d to_end = Eigen::Vector3d::Zero();  // from K of the part at hand to the last K
   for (std::size_t i = parts.size(); i-- > 0;) {
@@ -59,8 +61,8 @@ foundation::Problems check(const Sandwich& s) {
   constexpr int most_layers = 1000;
   foundation::Problems problems = std::visit([](const auto& layer) { return check(layer); }, s.layer);
   if (s.layers < 1 || s.layers > most_layers)
-    problems.error("layers", fmt::format("layers = {}", s.layers), fmt::format("a sandwich has 1 … {} rubber layers", most_layers),
-                   "give the number of rubber layers");
+    problems.error("layers", fmt::format("layers = {}", s.layers),
+                   fmt::format("a sandwich has 1 … {} rubber layers", most_layers), "give the number of rubber layers");
   if (s.plate_thickness > 0) static_cast<void>(check_length(problems, "plate_thickness", s.plate_thickness));
   else if (s.plate_thickness != 0)
     problems.error("plate_thickness", fmt::format("plate_thickness = {:.6g} m", s.plate_thickness), "it must be ≥ 0",

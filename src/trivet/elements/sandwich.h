@@ -14,9 +14,10 @@ struct SeriesPart {
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();
 };
 
-/// The 12×12 of parts one behind the other, K of each joined rigidly to N of the next, from N of the first to K of the last: exact static
-/// condensation, by adding their flexibilities at the last end. Massless joints. A rigid spacer is an arm between two parts:
-/// `spacers[i]` leads from K of part i to N of part i + 1, one fewer than the parts. arm = all arms and spacers.
+/// The 12×12 of parts one behind the other, K of each joined rigidly to N of the next, from N of the first to K of the
+/// last: exact static condensation, by adding their flexibilities at the last end. Massless joints. A rigid spacer is
+/// an arm between two parts: `spacers[i]` leads from K of part i to N of part i + 1, one fewer than the parts. arm =
+/// all arms and spacers.
 /// @throws InvalidInput if there is no part, the counts do not match, or a part is free to move
 [[nodiscard]] Matrix12 in_series(const std::vector<SeriesPart>& parts, const std::vector<Eigen::Vector3d>& spacers);
 

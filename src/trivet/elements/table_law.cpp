@@ -24,13 +24,16 @@ std::size_t interval(const std::vector<double>& grid, double x) {
   return static_cast<std::size_t>(above - grid.begin()) - 1;
 }
 
-void require_inside(const std::vector<double>& grid, double x, const char* quantity, double unit_size, const char* unit) {
+void require_inside(const std::vector<double>& grid, double x, const char* quantity, double unit_size,
+                    const char* unit) {
   if (!grid.empty() && !(x >= grid.front() && x <= grid.back()))
-    throw foundation::InvalidInput(fmt::format("{} {:.6g} {}: the stiffness table covers {:.6g} … {:.6g} {} and is not extrapolated",
-                                               quantity, x / unit_size, unit, grid.front() / unit_size, grid.back() / unit_size, unit));
+    throw foundation::InvalidInput(
+        fmt::format("{} {:.6g} {}: the stiffness table covers {:.6g} … {:.6g} {} and is not extrapolated", quantity,
+                    x / unit_size, unit, grid.front() / unit_size, grid.back() / unit_size, unit));
 }
 
-/// Slope at knot i: weighted harmonic mean of the secants, 0 at an extremum (Fritsch and Butland 1984); at an end three-point, limited.
+/// Slope at knot i: weighted harmonic mean of the secants, 0 at an extremum (Fritsch and Butland 1984); at an end
+/// three-point, limited.
 double slope(const std::vector<double>& x, const Eigen::Ref<const Eigen::VectorXd>& y, std::size_t i) {
   const auto secant = [&](std::size_t k) {
     return (y(static_cast<Eigen::Index>(k) + 1) - y(static_cast<Eigen::Index>(k))) / (x[k + 1] - x[k]);
@@ -66,17 +69,19 @@ double over_both(const StiffnessTable& t, const Eigen::MatrixXd& values, double 
   const double share = (amplitude - t.amplitudes[i]) / (t.amplitudes[i + 1] - t.amplitudes[i]);
   const auto column = static_cast<Eigen::Index>(i);
   return (1 - share) * over_frequency(t, values.col(column), angular_frequency) +
-         share * over_frequency(t, values.col(column + 1), angular_frequency);
+      share * over_frequency(t, values.col(column + 1), angular_frequency);
 }
 
-void check_grid(foundation::Problems& problems, const std::string& subject, const std::vector<double>& grid, const char* quantity) {
+void check_grid(foundation::Problems& problems, const std::string& subject, const std::vector<double>& grid,
+                const char* quantity) {
   if (grid.size() == 1)
     problems.error(subject, fmt::format("a single {}", quantity),
-                   "a table needs two or more of them, or none if the stiffness does not depend on it", "add a row or leave them out");
+                   "a table needs two or more of them, or none if the stiffness does not depend on it",
+                   "add a row or leave them out");
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (!(grid[i] >= 0) || !std::isfinite(grid[i]) || (i > 0 && grid[i] <= grid[i - 1])) {
-      problems.error(subject, fmt::format("{} number {} is {:.6g}", quantity, i + 1, grid[i]), "they must be ≥ 0 and increase",
-                     "sort the table and remove repeats");
+      problems.error(subject, fmt::format("{} number {} is {:.6g}", quantity, i + 1, grid[i]),
+                     "they must be ≥ 0 and increase", "sort the table and remove repeats");
       return;
     }
 }
@@ -97,22 +102,24 @@ foundation::Problems check(const StiffnessTable& t, const std::string& subject) 
   const auto columns = static_cast<Eigen::Index>(std::max<std::size_t>(1, t.amplitudes.size()));
   for (const auto& [values, quantity] : {std::pair{&t.storage, "storage"}, std::pair{&t.loss, "loss"}}) {
     if (values->rows() != rows || values->cols() != columns)
-      problems.error(
-          subject, fmt::format("{} × {} {} stiffnesses", values->rows(), values->cols(), quantity),
-          fmt::format("{} frequencies and {} amplitudes need {} × {}", t.angular_frequencies.size(), t.amplitudes.size(), rows, columns),
-          "fill the table");
+      problems.error(subject, fmt::format("{} × {} {} stiffnesses", values->rows(), values->cols(), quantity),
+                     fmt::format("{} frequencies and {} amplitudes need {} × {}", t.angular_frequencies.size(),
+                                 t.amplitudes.size(), rows, columns),
+                     "fill the table");
     else if (!values->allFinite())
       problems.error(subject, fmt::format("a {} stiffness is not a number", quantity), "every entry must be finite",
                      "look for empty cells");
   }
   Eigen::Index row = 0, column = 0;
   if (!problems.has_errors() && t.loss.minCoeff(&row, &column) < 0)
-    problems.error(subject, fmt::format("loss stiffness {:.6g} in row {}, column {}", t.loss(row, column), row + 1, column + 1),
+    problems.error(subject,
+                   fmt::format("loss stiffness {:.6g} in row {}, column {}", t.loss(row, column), row + 1, column + 1),
                    "it must be ≥ 0: a passive element takes energy", "check the sign of the phase");
   return problems;
 }
 
-ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm, double angular_frequency, const Vector6& amplitudes) {
+ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm, double angular_frequency,
+                                  const Vector6& amplitudes) {
   Vector6 storage = Vector6::Zero(), loss = Vector6::Zero();
   for (int i = 0; i < 6; ++i) {
     const StiffnessTable& table = law.directions[static_cast<std::size_t>(i)];
@@ -144,13 +151,15 @@ foundation::Problems check(const TableLaw& law) {
   for (std::size_t i = 0; i < 6; ++i)
     if (!is_empty(law.directions[i])) any = true, problems.add(check(law.directions[i], names[i]));
   if (!any)
-    problems.error("", "no table", "a table law has at least one direction", "give a table for x, y, z, theta_x, theta_y or theta_z");
+    problems.error("", "no table", "a table law has at least one direction",
+                   "give a table for x, y, z, theta_x, theta_y or theta_z");
   if (!(law.centre >= 0 && law.centre <= 1))
-    problems.error("centre", fmt::format("centre = {:.6g}", law.centre), "it must be between 0 (end N) and 1 (end K)", "0.5 is the middle");
+    problems.error("centre", fmt::format("centre = {:.6g}", law.centre), "it must be between 0 (end N) and 1 (end K)",
+                   "0.5 is the middle");
   if (const FrequencyRange range = frequency_range(law); range.from > range.to)
     problems.error("",
-                   fmt::format("the tables share no frequency: one starts at {:.6g} Hz, one ends at {:.6g} Hz", range.from / two_pi,
-                               range.to / two_pi),
+                   fmt::format("the tables share no frequency: one starts at {:.6g} Hz, one ends at {:.6g} Hz",
+                               range.from / two_pi, range.to / two_pi),
                    "there must be a band that all directions cover", "extend the tables");
   return problems;
 }

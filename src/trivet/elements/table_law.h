@@ -9,15 +9,16 @@
 #include "trivet/elements/law.h"
 #include "trivet/foundation/problems.h"
 
-/// Elements known only by tables of dynamic stiffness (air springs, wire-rope isolators, hydraulic mounts): k*(ω, amplitude) per
-/// direction, interpolated and never extrapolated. Causality of the data is not judged here.
+/// Elements known only by tables of dynamic stiffness (air springs, wire-rope isolators, hydraulic mounts): k*(ω,
+/// amplitude) per direction, interpolated and never extrapolated. Causality of the data is not judged here.
 namespace trivet::elements {
 
 /// How values between the frequencies of the table are found. The monotone cubic (Fritsch–Butland) has no overshoot.
 enum class Interpolation { linear, monotone_cubic };
 
-/// k' + i k'' of one direction over angular frequency [rad/s] and, if it matters, zero-to-peak amplitude of the relative motion [m or rad].
-/// An empty list of either means that the stiffness does not depend on it (one row or one column). [N/m or N m/rad]
+/// k' + i k'' of one direction over angular frequency [rad/s] and, if it matters, zero-to-peak amplitude of the
+/// relative motion [m or rad]. An empty list of either means that the stiffness does not depend on it (one row or one
+/// column). [N/m or N m/rad]
 struct StiffnessTable {
   std::vector<double> angular_frequencies;  ///< increasing, ≥ 0
   std::vector<double> amplitudes;           ///< increasing, ≥ 0; interpolated linearly
@@ -27,13 +28,14 @@ struct StiffnessTable {
 };
 
 /// k*(ω, amplitude), ω ≥ 0. @throws InvalidInput outside the table
-[[nodiscard]] std::complex<double> dynamic_stiffness(const StiffnessTable& table, double angular_frequency, double amplitude);
+[[nodiscard]] std::complex<double> dynamic_stiffness(const StiffnessTable& table, double angular_frequency,
+                                                     double amplitude);
 
 /// Errors: sizes, order, numbers that are not finite, negative loss.
 [[nodiscard]] foundation::Problems check(const StiffnessTable& table, const std::string& subject);
 
-/// Six independent directions (translations along e1 e2 e3, rotations about them) that act at the fraction `centre` of the arm.
-/// An empty table is a direction without stiffness.
+/// Six independent directions (translations along e1 e2 e3, rotations about them) that act at the fraction `centre` of
+/// the arm. An empty table is a direction without stiffness.
 struct TableLaw {
   std::array<StiffnessTable, 6> directions;
   double centre = 0.5;
@@ -42,8 +44,8 @@ struct TableLaw {
 using ComplexMatrix12 = Eigen::Matrix<std::complex<double>, 12, 12>;
 
 /// The 12×12 at a frequency [rad/s] and at one amplitude per direction [m, rad]. @throws InvalidInput outside a table
-[[nodiscard]] ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm, double angular_frequency,
-                                                const Vector6& amplitudes);
+[[nodiscard]] ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm,
+                                                double angular_frequency, const Vector6& amplitudes);
 
 /// Frequencies [rad/s] that all tables cover.
 struct FrequencyRange {

@@ -32,18 +32,22 @@ class Check {
  public:
   void time(const std::string& key, double value) {
     if (!(value > 0) || !std::isfinite(value))
-      problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time must be > 0", "give the time in seconds");
+      problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time must be > 0",
+                      "give the time in seconds");
     constexpr double shortest = 1e-12, longest = 1e9;  // atoms vibrate as fast; a machine stands 30 years
     if (value > 0 && std::isfinite(value) && (value < shortest || value > longest))
-      problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time lies between 1e-12 and 1e9 s", "check the unit; a spring without relaxation needs no such law");
+      problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time lies between 1e-12 and 1e9 s",
+                      "check the unit; a spring without relaxation needs no such law");
   }
   void ratio(const std::string& key, double value) {
     if (!(value >= 0) || !std::isfinite(value))
-      problems_.error(key, fmt::format("{} = {:.6g}", key, value), "a stiffness ratio must be ≥ 0, or the element would create energy",
+      problems_.error(key, fmt::format("{} = {:.6g}", key, value),
+                      "a stiffness ratio must be ≥ 0, or the element would create energy",
                       "give branch stiffness over long-term stiffness");
     constexpr double largest = 1e6;  // glassy over rubbery stiffness of polymers is about 1e3
     if (std::isfinite(value) && value > largest)
-      problems_.error(key, fmt::format("{} = {:.6g}", key, value), "a stiffness ratio is at most 1e6; polymers have up to 1e3", "check the number");
+      problems_.error(key, fmt::format("{} = {:.6g}", key, value),
+                      "a stiffness ratio is at most 1e6; polymers have up to 1e3", "check the number");
   }
   void order(double value) {
     if (!(value > 0 && value <= 1))
@@ -53,11 +57,13 @@ class Check {
   void branches(const GeneralizedMaxwell& law) {
     constexpr std::size_t most = 100;  // a branch for each tenth of a decade over ten decades
     if (law.ratios.size() > most || law.times.size() > most) {
-      problems_.error("ratios", fmt::format("{} branches", std::max(law.ratios.size(), law.times.size())), "a generalized Maxwell law has at most 100", "one or two for each decade of time are usual");
+      problems_.error("ratios", fmt::format("{} branches", std::max(law.ratios.size(), law.times.size())),
+                      "a generalized Maxwell law has at most 100", "one or two for each decade of time are usual");
       return;
     }
     if (law.ratios.empty())
-      problems_.error("ratios", "no ratios", "a generalized Maxwell law has at least one branch", "give ratios and times");
+      problems_.error("ratios", "no ratios", "a generalized Maxwell law has at least one branch",
+                      "give ratios and times");
     if (law.ratios.size() != law.times.size())
       problems_.error("times", fmt::format("{} times for {} ratios", law.times.size(), law.ratios.size()),
                       "each branch has one ratio and one time", "make both lists equally long");
@@ -74,11 +80,13 @@ class Check {
 
 Complex relative_modulus(const Viscoelastic& law, Complex angular_frequency) {
   const Complex s = Complex(0, 1) * angular_frequency;
-  return std::visit(
-      Overloaded{[&](const KelvinVoigt& l) { return 1.0 + s * l.time; }, [&](const Zener& l) { return 1.0 + l.ratio * share(s * l.time); },
-                 [&](const GeneralizedMaxwell& l) { return 1.0 + prony(l.ratios, l.times, s); },
-                 [&](const FractionalZener& l) { return s == 0.0 ? Complex(1) : 1.0 + l.ratio * share(std::pow(s * l.time, l.order)); }},
-      law);
+  return std::visit(Overloaded{[&](const KelvinVoigt& l) { return 1.0 + s * l.time; },
+                               [&](const Zener& l) { return 1.0 + l.ratio * share(s * l.time); },
+                               [&](const GeneralizedMaxwell& l) { return 1.0 + prony(l.ratios, l.times, s); },
+                               [&](const FractionalZener& l) {
+                                 return s == 0.0 ? Complex(1) : 1.0 + l.ratio * share(std::pow(s * l.time, l.order));
+                               }},
+                    law);
 }
 
 Complex relative_modulus(const RationalForm& form, Complex angular_frequency) {
@@ -91,7 +99,9 @@ foundation::Problems check(const Viscoelastic& law) {
   std::visit(Overloaded{[&](const KelvinVoigt& l) { check.time("time", l.time); },
                         [&](const Zener& l) { check.ratio("ratio", l.ratio), check.time("time", l.time); },
                         [&](const GeneralizedMaxwell& l) { check.branches(l); },
-                        [&](const FractionalZener& l) { check.ratio("ratio", l.ratio), check.time("time", l.time), check.order(l.order); }},
+                        [&](const FractionalZener& l) {
+                          check.ratio("ratio", l.ratio), check.time("time", l.time), check.order(l.order);
+                        }},
              law);
   return check.take();
 }
@@ -102,15 +112,17 @@ std::string name(const Viscoelastic& law) {
 }
 
 std::string words(const Viscoelastic& law) {
-  const std::string numbers = std::visit(
-      Overloaded{
-          [](const KelvinVoigt& l) { return fmt::format("time {:.6g} s", l.time); },
-          [](const Zener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s", l.ratio, l.time); },
-          [](const GeneralizedMaxwell& l) {
-            return fmt::format("ratios {:.6g}, times {:.6g} s", fmt::join(l.ratios, " "), fmt::join(l.times, " "));
-          },
-          [](const FractionalZener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s, order {:.6g}", l.ratio, l.time, l.order); }},
-      law);
+  const std::string numbers =
+      std::visit(Overloaded{[](const KelvinVoigt& l) { return fmt::format("time {:.6g} s", l.time); },
+                            [](const Zener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s", l.ratio, l.time); },
+                            [](const GeneralizedMaxwell& l) {
+                              return fmt::format("ratios {:.6g}, times {:.6g} s", fmt::join(l.ratios, " "),
+                                                 fmt::join(l.times, " "));
+                            },
+                            [](const FractionalZener& l) {
+                              return fmt::format("ratio {:.6g}, time {:.6g} s, order {:.6g}", l.ratio, l.time, l.order);
+                            }},
+                 law);
   return name(law) + ", " + numbers;
 }
 

@@ -34,12 +34,12 @@ struct FractionalZener {
 };
 using Viscoelastic = std::variant<KelvinVoigt, Zener, GeneralizedMaxwell, FractionalZener>;
 
-/// m at the angular frequency ω [rad/s], complex or real: analytic for Re ω > 0 (and everywhere but at its poles where the law is
-/// rational), the principal branch of (iωτ)^α, and 1 at ω = 0. Negative real ω give the conjugate.
+/// m at the angular frequency ω [rad/s], complex or real: analytic for Re ω > 0 (and everywhere but at its poles where
+/// the law is rational), the principal branch of (iωτ)^α, and 1 at ω = 0. Negative real ω give the conjugate.
 [[nodiscard]] std::complex<double> relative_modulus(const Viscoelastic& law, std::complex<double> angular_frequency);
 
-/// m(s) = 1 + viscous_time · s + Σ ratios_i s times_i/(1 + s times_i), all numbers ≥ 0, so that it is passive; each term is one
-/// extra state per deformation mode of the element.
+/// m(s) = 1 + viscous_time · s + Σ ratios_i s times_i/(1 + s times_i), all numbers ≥ 0, so that it is passive; each
+/// term is one extra state per deformation mode of the element.
 struct RationalForm {
   double viscous_time = 0;  ///< [s]
   std::vector<double> ratios;
@@ -48,8 +48,9 @@ struct RationalForm {
 };
 [[nodiscard]] std::complex<double> relative_modulus(const RationalForm& form, std::complex<double> angular_frequency);
 
-/// The law as a rational function: exact for all but the fractional law, which is fitted over [from, to] [rad/s], 0 < from < to,
-/// by as few terms per decade as bring worst_error below `accuracy`; a band or accuracy beyond the densest series is told by worst_error.
+/// The law as a rational function: exact for all but the fractional law, which is fitted over [from, to] [rad/s], 0 <
+/// from < to, by as few terms per decade as bring worst_error below `accuracy`; a band or accuracy beyond the densest
+/// series is told by worst_error.
 /// @throws InvalidInput for an empty band or a law that check() refuses
 [[nodiscard]] RationalForm rational_form(const Viscoelastic& law, double from, double to, double accuracy = 1e-3);
 

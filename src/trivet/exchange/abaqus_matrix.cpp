@@ -19,13 +19,15 @@ std::optional<LabelledEntry> read_entry(std::string_view line, int number, FileP
   for (std::size_t i = 0; i < 4 && i < parts.size(); ++i) place[i] = whole_number(parts[i]);
   const auto value = parts.size() == 5 ? fortran_number(parts[4]) : std::nullopt;
   if (!value || !place[0] || !place[1] || !place[2] || !place[3]) {
-    problems.error(number, "entry", in_quotes(line), "an entry is row node, row component, column node, column component, finite number",
+    problems.error(number, "entry", in_quotes(line),
+                   "an entry is row node, row component, column node, column component, finite number",
                    "ask Abaqus for FORMAT=MATRIX INPUT, which names the nodes");
     return std::nullopt;
   }
   for (const int i : {1, 3})
     if (*place[i] < 1 || *place[i] > 6) {
-      problems.error(number, "component", std::to_string(*place[i]), "components are 1 to 6 (translations, then rotations)",
+      problems.error(number, "component", std::to_string(*place[i]),
+                     "components are 1 to 6 (translations, then rotations)",
                      "leave temperatures, pressures and warping out of the model");
       return std::nullopt;
     }
@@ -54,7 +56,8 @@ bool has_user_element(std::string_view text) {
 
 }  // namespace
 
-foundation::Expected<NamedMatrix> read_abaqus_matrix(std::string_view text, const std::string& source, const std::string& type) {
+foundation::Expected<NamedMatrix> read_abaqus_matrix(std::string_view text, const std::string& source,
+                                                     const std::string& type) {
   FileProblems problems(source);
   return has_user_element(text) ? read_user_element(text, lower(type), problems) : read_matrix_input(text, problems);
 }

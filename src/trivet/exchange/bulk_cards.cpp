@@ -32,7 +32,9 @@ CardLine fixed_fields(std::string_view line) {
   return result;
 }
 
-bool is_continuation(std::string_view first) { return first.empty() || first.starts_with('+') || first.starts_with('*'); }
+bool is_continuation(std::string_view first) {
+  return first.empty() || first.starts_with('+') || first.starts_with('*');
+}
 
 }  // namespace
 

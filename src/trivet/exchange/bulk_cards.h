@@ -13,8 +13,8 @@ struct Field {
   int line = 0;
 };
 
-/// A card of Nastran bulk data with its continuations: all data fields in one row, eight a line in small and free field, four a
-/// line in large field.
+/// A card of Nastran bulk data with its continuations: all data fields in one row, eight a line in small and free
+/// field, four a line in large field.
 struct Card {
   int line = 0;
   std::vector<Field> fields;

@@ -46,8 +46,8 @@ NumberRows read_number_rows(std::string_view text, FileProblems& problems) {
     if (first) separator = separator_of(lines.line());
     const auto row = cells_of(lines.line(), separator);
     if (first && is_heading(row)) {
-      problems.warning(lines.number(), "heading", in_quotes(lines.line()), "a line without a number is no row of the matrix",
-                       "start it with # to say so");
+      problems.warning(lines.number(), "heading", in_quotes(lines.line()),
+                       "a line without a number is no row of the matrix", "start it with # to say so");
       continue;
     }
     if (!rows.values.empty() && row.size() != rows.values.front().size())
@@ -79,8 +79,8 @@ foundation::Expected<NamedMatrix> read_csv_matrix(std::string_view text, const s
   const NumberRows rows = read_number_rows(text, problems);
   if (!problems.any()) {
     const auto columns = rows.values.empty() ? 0 : rows.values.front().size();
-    check_size(static_cast<long long>(rows.values.size()), static_cast<long long>(columns), rows.lines.empty() ? 0 : rows.lines.back(),
-               problems);
+    check_size(static_cast<long long>(rows.values.size()), static_cast<long long>(columns),
+               rows.lines.empty() ? 0 : rows.lines.back(), problems);
   }
   if (problems.any()) return problems.refused();
   NamedMatrix matrix;

@@ -15,7 +15,8 @@
 namespace trivet::exchange {
 namespace {
 
-/// Reciprocal condition of the scaled interior: below the first it is singular to round-off, below the second it costs digits.
+/// Reciprocal condition of the scaled interior: below the first it is singular to round-off, below the second it costs
+/// digits.
 constexpr double singular_below = 64 * std::numeric_limits<double>::epsilon();
 constexpr double doubtful_below = 1e-10;
 
@@ -31,14 +32,16 @@ std::string row_name(const NamedMatrix& matrix, int row) {
 }
 
 /// All rows that are not retained; those without any entry are left out, which changes nothing.
-std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int>& retained, foundation::Problems& problems) {
+std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int>& retained,
+                                foundation::Problems& problems) {
   std::vector<bool> kept(static_cast<std::size_t>(matrix.values.rows()), false);
   for (const int row : retained) kept[static_cast<std::size_t>(row)] = true;
   std::vector<int> rows;
   int empty = 0, first_empty = 0;
   for (int i = 0; i < matrix.values.rows(); ++i) {
     if (kept[static_cast<std::size_t>(i)]) continue;
-    const bool complex_zero = matrix.imaginary.size() == 0 || (matrix.imaginary.row(i).isZero(0) && matrix.imaginary.col(i).isZero(0));
+    const bool complex_zero =
+        matrix.imaginary.size() == 0 || (matrix.imaginary.row(i).isZero(0) && matrix.imaginary.col(i).isZero(0));
     if (matrix.values.row(i).isZero(0) && matrix.values.col(i).isZero(0) && complex_zero) {
       if (empty++ == 0) first_empty = i;
     } else {
@@ -46,19 +49,21 @@ std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int
     }
   }
   if (empty > 0)
-    problems.warning("condensation", fmt::format("{} rows hold only zeros, the first one is {}", empty, row_name(matrix, first_empty)),
+    problems.warning("condensation",
+                     fmt::format("{} rows hold only zeros, the first one is {}", empty, row_name(matrix, first_empty)),
                      "nothing is joined to them", "they are left out");
   return rows;
 }
 
 /// K_bb − K_bi K_ii⁻¹ K_ib, or none with a problem.
 template <typename Dense>
-std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, const Partition& parts, foundation::Problems& problems) {
+std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, const Partition& parts,
+                               foundation::Problems& problems) {
   const Dense boundary = full(parts.retained, parts.retained);
   if (parts.condensed.empty()) return boundary;
   Dense interior = full(parts.condensed, parts.condensed);
-  const Eigen::VectorXd scale =
-      interior.rowwise().template lpNorm<Eigen::Infinity>().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 1.0; });
+  const Eigen::VectorXd scale = interior.rowwise().template lpNorm<Eigen::Infinity>().unaryExpr(
+      [](double v) { return v > 0 ? 1 / std::sqrt(v) : 1.0; });
   interior = (scale.asDiagonal() * interior * scale.asDiagonal()).eval();
   const numerics::PivotedLu<typename Dense::Scalar> factors(interior);
   Eigen::Index smallest_pivot = 0;
@@ -66,12 +71,14 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   const double condition = pivot > singular_below ? factors.reciprocal_condition() : 0;
   const std::string weakest = row_name(matrix, parts.condensed[static_cast<std::size_t>(smallest_pivot)]);
   if (!(condition > singular_below)) {
-    problems.error("condensation", fmt::format("{} moves without any force", weakest), "what is condensed must be held by the ends",
+    problems.error("condensation", fmt::format("{} moves without any force", weakest),
+                   "what is condensed must be held by the ends",
                    "hold or remove what hangs loose in the model, or name the ends that hold it");
     return std::nullopt;
   }
   if (condition < doubtful_below)
-    problems.warning("condensation", fmt::format("reciprocal condition {:.2g}, the weakest part is near {}", condition, weakest),
+    problems.warning("condensation",
+                     fmt::format("reciprocal condition {:.2g}, the weakest part is near {}", condition, weakest),
                      "about as many digits are lost as it has zeros", "look for a part that is hardly held");
   const Dense right = scale.asDiagonal() * full(parts.condensed, parts.retained);
   const Dense solved = factors.solve(right);
@@ -94,7 +101,8 @@ foundation::Expected<EndMatrix> reduced(const NamedMatrix& matrix, Partition par
     result.imaginary = parts.motion.transpose() * boundary->imag() * parts.motion;
   }
   if (result.values.allFinite() && (!result.imaginary || result.imaginary->allFinite())) return result;
-  result.warnings.error("condensation", "the result is not finite", "its entries must be numbers", "the entries of the file are too large");
+  result.warnings.error("condensation", "the result is not finite", "its entries must be numbers",
+                        "the entries of the file are too large");
   return tl::make_unexpected(result.warnings);
 }
 
@@ -119,7 +127,8 @@ std::string components_of(const Rows& rows, int node) {
   return text.empty() ? "no such node" : text;
 }
 
-void add_end(const Rows& rows, const NodeEnd& end, const std::string& subject, std::vector<int>& retained, foundation::Problems& problems) {
+void add_end(const Rows& rows, const NodeEnd& end, const std::string& subject, std::vector<int>& retained,
+             foundation::Problems& problems) {
   for (int i = 0; i < 6; ++i) {
     const bool own = end.rotation_node == 0 || i < 3;
     const Label wanted{own ? end.node : end.rotation_node, own ? i + 1 : i - 2};
@@ -155,10 +164,11 @@ void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject
       parts.motion.row(index).segment<6>(first_column) = motion.row(i);
     }
     if (!found)
-      problems.error(subject, fmt::format("node {}: no such node", at.node), "the nodes of a plate are nodes of the file",
-                     "correct its number");
+      problems.error(subject, fmt::format("node {}: no such node", at.node),
+                     "the nodes of a plate are nodes of the file", "correct its number");
     if (!at.position.allFinite())
-      problems.error(subject, fmt::format("position of node {}", at.node), "it must be finite", "correct the coordinates");
+      problems.error(subject, fmt::format("position of node {}", at.node), "it must be finite",
+                     "correct the coordinates");
   }
 }
 
@@ -167,7 +177,8 @@ void check_distinct(const NamedMatrix& matrix, std::vector<int> rows, foundation
   std::sort(rows.begin(), rows.end());
   const auto twice = std::adjacent_find(rows.begin(), rows.end());
   if (twice != rows.end())
-    problems.error("ends", row_name(matrix, *twice) + " is named twice", "a component belongs to one end", "name it once");
+    problems.error("ends", row_name(matrix, *twice) + " is named twice", "a component belongs to one end",
+                   "name it once");
 }
 
 }  // namespace

@@ -10,10 +10,11 @@
 namespace trivet::exchange {
 namespace {
 
-tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding, std::string remedy) {
+tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding,
+                                             std::string remedy) {
   foundation::Problems problems;
-  problems.error("matrix file", std::move(finding), "it must be a readable file with a matrix in it", std::move(remedy)).origin = {
-      path.string(), 0, 0};
+  problems.error("matrix file", std::move(finding), "it must be a readable file with a matrix in it", std::move(remedy))
+      .origin = {path.string(), 0, 0};
   return tl::make_unexpected(std::move(problems));
 }
 
@@ -25,7 +26,8 @@ foundation::Expected<std::string> file_bytes(const std::filesystem::path& path) 
   if (!std::filesystem::exists(status))
     return refused(path, "no such file", "check the path; it counts from the folder of the project file");
   if (std::filesystem::is_directory(status)) return refused(path, "this is a directory", "name the file inside it");
-  if (!std::filesystem::is_regular_file(status)) return refused(path, "this is a pipe or a device", "write it to a file first and name that");
+  if (!std::filesystem::is_regular_file(status))
+    return refused(path, "this is a pipe or a device", "write it to a file first and name that");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refused(path, std::strerror(errno), "check its permissions");
@@ -33,7 +35,8 @@ foundation::Expected<std::string> file_bytes(const std::filesystem::path& path) 
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || stream.gcount() > 0) {
     bytes.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
     if (bytes.size() > largest_matrix_file)
-      return refused(path, fmt::format("larger than {} MiB", largest_matrix_file >> 20), "condense the model to its interface nodes first");
+      return refused(path, fmt::format("larger than {} MiB", largest_matrix_file >> 20),
+                     "condense the model to its interface nodes first");
   }
   if (stream.bad()) return refused(path, "reading failed", "check the disk");
   if (bytes.empty()) return refused(path, "the file is empty", "did the program that wrote it finish?");

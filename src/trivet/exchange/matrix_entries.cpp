@@ -19,7 +19,8 @@ bool equal(const Entry& a, const Entry& b) { return a.real == b.real && a.imagin
 std::vector<Entry> folded(const std::vector<Entry>& sorted, FileProblems& problems) {
   std::vector<Entry> result;
   for (const Entry& entry : sorted) {
-    const bool same_place = !result.empty() && std::minmax(entry.row, entry.column) == std::minmax(result.back().row, result.back().column);
+    const bool same_place =
+        !result.empty() && std::minmax(entry.row, entry.column) == std::minmax(result.back().row, result.back().column);
     if (!same_place) {
       result.push_back(entry);
       continue;
@@ -27,12 +28,13 @@ std::vector<Entry> folded(const std::vector<Entry>& sorted, FileProblems& proble
     const Entry& first = result.back();
     const bool mirrored = entry.row != first.row;
     if (!mirrored)
-      problems.error(entry.line, place(entry), fmt::format("given again, first in line {}", first.line), "an entry is given once",
-                     "remove one of the two");
+      problems.error(entry.line, place(entry), fmt::format("given again, first in line {}", first.line),
+                     "an entry is given once", "remove one of the two");
     else if (!equal(entry, first))
-      problems.error(entry.line, place(entry),
-                     fmt::format("{:.9g}, but its mirror image in line {} is {:.9g}", entry.real, first.line, first.real),
-                     "the file says that the matrix is symmetric", "correct the entry, or declare the matrix as general (square)");
+      problems.error(
+          entry.line, place(entry),
+          fmt::format("{:.9g}, but its mirror image in line {} is {:.9g}", entry.real, first.line, first.real),
+          "the file says that the matrix is symmetric", "correct the entry, or declare the matrix as general (square)");
     if (problems.enough()) break;
   }
   return result;
@@ -42,10 +44,11 @@ std::vector<Entry> folded(const std::vector<Entry>& sorted, FileProblems& proble
 
 void check_size(long long rows, long long columns, int line, FileProblems& problems) {
   if (rows != columns || rows < 1)
-    problems.error(line, "size", fmt::format("{} × {}", rows, columns), "a stiffness matrix is square with at least one row",
-                   "is this the right matrix?");
+    problems.error(line, "size", fmt::format("{} × {}", rows, columns),
+                   "a stiffness matrix is square with at least one row", "is this the right matrix?");
   else if (rows > largest_order)
-    problems.error(line, "size", fmt::format("{} × {}", rows, columns), fmt::format("a matrix of at most {0} × {0} is read", largest_order),
+    problems.error(line, "size", fmt::format("{} × {}", rows, columns),
+                   fmt::format("a matrix of at most {0} × {0} is read", largest_order),
                    "condense the model to its interface nodes in the program that wrote it");
 }
 
@@ -53,7 +56,9 @@ Triangles triangles_of(const std::vector<Entry>& entries) {
   std::set<std::pair<int, int>> upper;
   for (const Entry& entry : entries)
     if (entry.row < entry.column) upper.emplace(entry.row, entry.column);
-  const auto mirrored = [&](const Entry& entry) { return entry.row > entry.column && upper.contains({entry.column, entry.row}); };
+  const auto mirrored = [&](const Entry& entry) {
+    return entry.row > entry.column && upper.contains({entry.column, entry.row});
+  };
   return std::any_of(entries.begin(), entries.end(), mirrored) ? Triangles::both : Triangles::one;
 }
 
@@ -65,7 +70,8 @@ void check_labels(const std::vector<Label>& labels, int line, FileProblems& prob
                      "every row is another component", "correct the list of nodes");
 }
 
-std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles, bool is_complex, FileProblems& problems) {
+std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles, bool is_complex,
+                                     FileProblems& problems) {
   const auto key = [](const Entry& e) { return std::tuple(std::minmax(e.row, e.column), e.row < e.column, e.line); };
   std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
   if (triangles == Triangles::one) {
@@ -73,8 +79,9 @@ std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Tria
   } else {
     for (std::size_t i = 1; i < entries.size() && !problems.enough(); ++i)
       if (entries[i].row == entries[i - 1].row && entries[i].column == entries[i - 1].column)
-        problems.error(entries[i].line, place(entries[i]), fmt::format("given again, first in line {}", entries[i - 1].line),
-                       "an entry is given once", "remove one of the two");
+        problems.error(entries[i].line, place(entries[i]),
+                       fmt::format("given again, first in line {}", entries[i - 1].line), "an entry is given once",
+                       "remove one of the two");
   }
   if (problems.any()) return std::nullopt;
 
@@ -91,8 +98,8 @@ std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Tria
   return matrix;
 }
 
-std::optional<NamedMatrix> assembled(const std::vector<LabelledEntry>& labelled, std::optional<Triangles> triangles, bool is_complex,
-                                     int line, FileProblems& problems) {
+std::optional<NamedMatrix> assembled(const std::vector<LabelledEntry>& labelled, std::optional<Triangles> triangles,
+                                     bool is_complex, int line, FileProblems& problems) {
   std::map<Label, int> rows;
   for (const LabelledEntry& entry : labelled) rows.emplace(entry.row, 0), rows.emplace(entry.column, 0);
   std::vector<Label> labels;

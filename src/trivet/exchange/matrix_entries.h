@@ -27,10 +27,10 @@ enum class Triangles { both, one };
 /// Two rows for the same component are a problem.
 void check_labels(const std::vector<Label>& labels, int line, FileProblems& problems);
 
-/// The dense matrix of the entries. Entries given twice, and a triangle that contradicts the other one where one would do,
-/// are problems; then there is no result.
-[[nodiscard]] std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles, bool is_complex,
-                                                   FileProblems& problems);
+/// The dense matrix of the entries. Entries given twice, and a triangle that contradicts the other one where one would
+/// do, are problems; then there is no result.
+[[nodiscard]] std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles,
+                                                   bool is_complex, FileProblems& problems);
 
 /// A problem for a matrix that is not square, or of an order below 1 or above `largest_order`.
 void check_size(long long rows, long long columns, int line, FileProblems& problems);
@@ -42,7 +42,8 @@ struct LabelledEntry {
 };
 
 /// The same for entries with labels; the rows are sorted by node and component.
-[[nodiscard]] std::optional<NamedMatrix> assembled(const std::vector<LabelledEntry>& entries, std::optional<Triangles> triangles,
-                                                   bool is_complex, int line, FileProblems& problems);
+[[nodiscard]] std::optional<NamedMatrix> assembled(const std::vector<LabelledEntry>& entries,
+                                                   std::optional<Triangles> triangles, bool is_complex, int line,
+                                                   FileProblems& problems);
 
 }  // namespace trivet::exchange

@@ -36,7 +36,8 @@ const std::vector<std::string>& matrix_formats() {
   return formats;
 }
 
-foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& path, const MatrixFileOptions& options) {
+foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& path,
+                                                   const MatrixFileOptions& options) {
   const auto bytes = file_bytes(path);
   if (!bytes) return tl::make_unexpected(bytes.error());
   const std::string source = path.string();
@@ -56,7 +57,8 @@ foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& 
   FileProblems problems(source);
   std::string known;
   for (const std::string& one : matrix_formats()) known += (known.empty() ? "" : ", ") + one;
-  problems.error(0, "format", options.format.empty() ? "the name of the file does not tell it" : in_quotes(options.format),
+  problems.error(0, "format",
+                 options.format.empty() ? "the name of the file does not tell it" : in_quotes(options.format),
                  "these are read: " + known, "name one of them");
   return problems.refused();
 }

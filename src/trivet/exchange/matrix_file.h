@@ -20,6 +20,7 @@ struct MatrixFileOptions {
 [[nodiscard]] const std::vector<std::string>& matrix_formats();
 
 /// A matrix out of a file. Beside a CalculiX .sti or .mas, the .dof file of the same name is read.
-[[nodiscard]] foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& path, const MatrixFileOptions& options = {});
+[[nodiscard]] foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& path,
+                                                                 const MatrixFileOptions& options = {});
 
 }  // namespace trivet::exchange

@@ -18,7 +18,8 @@ struct MarketHeader {
 
 std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
   const std::string rule =
-      "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general or symmetric";
+      "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general or "
+      "symmetric";
   if (!lines.next()) {
     problems.error(0, "header", "the file is empty", rule, "did the program that wrote it finish?");
     return std::nullopt;
@@ -34,7 +35,8 @@ std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
                    "write the matrix again as real or complex, general or symmetric");
     return std::nullopt;
   }
-  return MarketHeader{is(2, {"coordinate"}), is(3, {"complex"}), is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
+  return MarketHeader{is(2, {"coordinate"}), is(3, {"complex"}),
+                      is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
 }
 
 /// The next line that is neither blank nor a comment.
@@ -44,13 +46,14 @@ bool next_data(Lines& lines) {
   return false;
 }
 
-void read_coordinates(Lines& lines, const MarketHeader& header, int order, long long count, std::vector<Entry>& entries, FileProblems& problems) {
+void read_coordinates(Lines& lines, const MarketHeader& header, int order, long long count, std::vector<Entry>& entries,
+                      FileProblems& problems) {
   const std::size_t wanted = header.is_complex ? 4 : 3;
   while (!problems.enough() && next_data(lines)) {
     const auto parts = words(lines.line());
     if (static_cast<long long>(entries.size()) >= count) {
-      problems.error(lines.number(), "entries", fmt::format("more than the {} announced", count), "the size line counts the entries",
-                     "correct the size line");
+      problems.error(lines.number(), "entries", fmt::format("more than the {} announced", count),
+                     "the size line counts the entries", "correct the size line");
       return;
     }
     Entry entry{.line = lines.number()};
@@ -60,12 +63,14 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
     const auto imaginary = parts.size() < 4 ? std::optional(0.0) : number(parts[3]);
     if (parts.size() != wanted || !row || !column || !real || !imaginary) {
       problems.error(lines.number(), "entry", in_quotes(lines.line()),
-                     header.is_complex ? "an entry is row, column, real and imaginary part" : "an entry is row, column and a finite number",
+                     header.is_complex ? "an entry is row, column, real and imaginary part"
+                                       : "an entry is row, column and a finite number",
                      "correct the line");
     } else if (*row < 1 || *row > order || *column < 1 || *column > order) {
-      problems.error(lines.number(), "entry", fmt::format("row {}, column {}", *row, *column),
-                     fmt::format("rows and columns count from 1 to {}", order),
-                     *row == 0 || *column == 0 ? "the file seems to count from 0: add 1" : "correct the size line or the entry");
+      problems.error(
+          lines.number(), "entry", fmt::format("row {}, column {}", *row, *column),
+          fmt::format("rows and columns count from 1 to {}", order),
+          *row == 0 || *column == 0 ? "the file seems to count from 0: add 1" : "correct the size line or the entry");
     } else {
       entry.row = *row - 1, entry.column = *column - 1, entry.real = *real, entry.imaginary = *imaginary;
     }
@@ -77,7 +82,8 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
 }
 
 /// Values column by column; of a symmetric matrix from the diagonal down.
-void read_array(Lines& lines, const MarketHeader& header, int order, std::vector<Entry>& entries, FileProblems& problems) {
+void read_array(Lines& lines, const MarketHeader& header, int order, std::vector<Entry>& entries,
+                FileProblems& problems) {
   int row = 0, column = 0;
   const std::size_t wanted = header.is_complex ? 2 : 1;
   while (!problems.enough() && next_data(lines)) {
@@ -91,7 +97,8 @@ void read_array(Lines& lines, const MarketHeader& header, int order, std::vector
     const auto imaginary = parts.size() < 2 ? std::optional(0.0) : number(parts[1]);
     if (parts.size() != wanted || !real || !imaginary)
       problems.error(lines.number(), "entry", in_quotes(lines.line()),
-                     header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number", "correct the line");
+                     header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number",
+                     "correct the line");
     entries.push_back({row, column, real.value_or(0), imaginary.value_or(0), lines.number()});
     if (++row == order) row = header.triangles == Triangles::one ? ++column : (++column, 0);
   }
@@ -114,9 +121,10 @@ foundation::Expected<NamedMatrix> read_matrix_market(std::string_view text, cons
   const auto columns = rows ? whole_number(sizes[1]) : std::nullopt;
   const auto count = !columns ? std::nullopt : header->coordinate ? whole_number(sizes[2]) : std::optional(0);
   if (!count || *count < 0) {
-    problems.error(lines.number(), "size", sizes.empty() ? "missing" : in_quotes(lines.line()),
-                   header->coordinate ? "the size line is rows, columns, number of entries" : "the size line is rows and columns",
-                   "correct the size line");
+    problems.error(
+        lines.number(), "size", sizes.empty() ? "missing" : in_quotes(lines.line()),
+        header->coordinate ? "the size line is rows, columns, number of entries" : "the size line is rows and columns",
+        "correct the size line");
     return problems.refused();
   }
   check_size(*rows, *columns, lines.number(), problems);

@@ -25,15 +25,16 @@ std::vector<Label> read_rows(std::string_view text, FileProblems& problems) {
     }
     if (labels.size() > largest_order) break;
   }
-  if (!problems.any()) check_size(static_cast<long long>(labels.size()), static_cast<long long>(labels.size()), last, problems);
+  if (!problems.any())
+    check_size(static_cast<long long>(labels.size()), static_cast<long long>(labels.size()), last, problems);
   if (!problems.any()) check_labels(labels, last, problems);
   return labels;
 }
 
 }  // namespace
 
-foundation::Expected<NamedMatrix> read_matrix_storage(std::string_view text, const std::string& source, std::string_view rows,
-                                                      const std::string& rows_source) {
+foundation::Expected<NamedMatrix> read_matrix_storage(std::string_view text, const std::string& source,
+                                                      std::string_view rows, const std::string& rows_source) {
   FileProblems row_problems(rows_source);
   const std::vector<Label> labels = read_rows(rows, row_problems);
   if (row_problems.any()) return row_problems.refused();
@@ -48,7 +49,8 @@ foundation::Expected<NamedMatrix> read_matrix_storage(std::string_view text, con
     const auto column = parts.size() == 3 ? whole_number(parts[1]) : std::nullopt;
     const auto value = column ? fortran_number(parts[2]) : std::nullopt;
     if (!row || !value)
-      problems.error(lines.number(), "entry", in_quotes(lines.line()), "an entry is row, column and a finite number", "correct the line");
+      problems.error(lines.number(), "entry", in_quotes(lines.line()), "an entry is row, column and a finite number",
+                     "correct the line");
     else if (*row < 1 || *row > order || *column < 1 || *column > order)
       problems.error(lines.number(), "entry", fmt::format("row {}, column {}", *row, *column),
                      fmt::format("{} has {} rows", rows_source, order), "do the two files belong together?");

@@ -28,13 +28,15 @@ bool is_header(const Card& card) { return card.fields[zero_field].text == "0"; }
 std::vector<std::string> names_of(const std::vector<Card>& cards) {
   std::vector<std::string> names;
   for (const Card& card : cards)
-    if (const std::string name = lower(card.fields[name_field].text); std::find(names.begin(), names.end(), name) == names.end())
+    if (const std::string name = lower(card.fields[name_field].text);
+        std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   return names;
 }
 
 /// The matrix that is meant, in small letters.
-std::optional<std::string> chosen_name(const std::vector<std::string>& names, const std::string& wanted, FileProblems& problems) {
+std::optional<std::string> chosen_name(const std::vector<std::string>& names, const std::string& wanted,
+                                       FileProblems& problems) {
   std::string listed;
   for (const std::string& name : names)
     if (listed.size() < 200) listed += (listed.empty() ? "" : ", ") + name;
@@ -42,7 +44,8 @@ std::optional<std::string> chosen_name(const std::vector<std::string>& names, co
     problems.error(0, "DMIG", "no such card", "a DMIG matrix is a header card and one card per column",
                    "ask the program for the matrices in a punch file");
   } else if (wanted.empty() && names.size() > 1) {
-    problems.error(0, "name", fmt::format("the file has {} matrices: {}", names.size(), listed), "one of them is the stiffness", "name it");
+    problems.error(0, "name", fmt::format("the file has {} matrices: {}", names.size(), listed),
+                   "one of them is the stiffness", "name it");
   } else if (!wanted.empty() && std::find(names.begin(), names.end(), lower(wanted)) == names.end()) {
     const std::string near = foundation::nearest_name(lower(wanted), names);
     problems.error(0, "name", in_quotes(wanted), "the file has " + listed,
@@ -54,15 +57,19 @@ std::optional<std::string> chosen_name(const std::vector<std::string>& names, co
 }
 
 std::optional<DmigHeader> read_header(const Card& card, FileProblems& problems) {
-  const auto field = [&](std::size_t i) { return i < card.fields.size() ? whole_number(card.fields[i].text) : std::nullopt; };
-  const int form = field(form_field).value_or(0), type = field(type_field).value_or(0), polar = field(polar_field).value_or(0);
+  const auto field = [&](std::size_t i) {
+    return i < card.fields.size() ? whole_number(card.fields[i].text) : std::nullopt;
+  };
+  const int form = field(form_field).value_or(0), type = field(type_field).value_or(0),
+            polar = field(polar_field).value_or(0);
   if (form != 1 && form != 6)
-    problems.error(card.line, "IFO", in_quotes(card.fields[form_field].text), "a stiffness is square (1) or symmetric (6)",
-                   "is this the right matrix?");
+    problems.error(card.line, "IFO", in_quotes(card.fields[form_field].text),
+                   "a stiffness is square (1) or symmetric (6)", "is this the right matrix?");
   if (type < 1 || type > 4)
-    problems.error(card.line, "TIN", in_quotes(card.fields[type_field].text), "it is 1 or 2 for real, 3 or 4 for complex numbers",
-                   "correct the header card");
-  if (polar < 0 || polar > 1) problems.error(card.line, "POLAR", fmt::format("{}", polar), "it is 0 or 1", "correct the header card");
+    problems.error(card.line, "TIN", in_quotes(card.fields[type_field].text),
+                   "it is 1 or 2 for real, 3 or 4 for complex numbers", "correct the header card");
+  if (polar < 0 || polar > 1)
+    problems.error(card.line, "POLAR", fmt::format("{}", polar), "it is 0 or 1", "correct the header card");
   if (problems.any()) return std::nullopt;
   return DmigHeader{form == 6 ? Triangles::one : Triangles::both, type > 2, polar == 1};
 }
@@ -71,40 +78,45 @@ std::optional<Label> label(const Field& point, const Field& component, FileProbl
   const auto node = whole_number(point.text);
   const auto number = component.text.empty() ? std::optional(0) : whole_number(component.text);
   if (node && *node > 0 && number && *number >= 0 && *number <= 6) return Label{*node, *number};
-  problems.error(point.line, "grid point", fmt::format("{}, component {}", in_quotes(point.text), in_quotes(component.text)),
+  problems.error(point.line, "grid point",
+                 fmt::format("{}, component {}", in_quotes(point.text), in_quotes(component.text)),
                  "a grid point is a number above 0, its component 1 to 6, or blank for a scalar point",
                  "correct the card, and look at its columns");
   return std::nullopt;
 }
 
-void read_column(const Card& card, const DmigHeader& header, std::vector<LabelledEntry>& entries, FileProblems& problems) {
+void read_column(const Card& card, const DmigHeader& header, std::vector<LabelledEntry>& entries,
+                 FileProblems& problems) {
   const auto column = label(card.fields[1], card.fields[2], problems);
   if (!column) return;
-  for (std::size_t at = first_entry; at + fields_of_entry <= card.fields.size() && !problems.enough(); at += fields_of_entry) {
+  for (std::size_t at = first_entry; at + fields_of_entry <= card.fields.size() && !problems.enough();
+       at += fields_of_entry) {
     const Field* field = &card.fields[at];
     if (std::all_of(field, field + fields_of_entry, [](const Field& f) { return f.text.empty(); })) continue;
     const auto row = label(field[0], field[1], problems);
     const auto first = fortran_number(field[2].text);
     const auto second = field[3].text.empty() ? std::optional(0.0) : fortran_number(field[3].text);
     if (!first || !second) {
-      problems.error(field->line, "entry", in_quotes(first ? field[3].text : field[2].text), "it must be a finite number",
-                     "correct the card, and look at its columns");
+      problems.error(field->line, "entry", in_quotes(first ? field[3].text : field[2].text),
+                     "it must be a finite number", "correct the card, and look at its columns");
     } else if (!header.is_complex && *second != 0) {
-      problems.error(field->line, "entry", fmt::format("imaginary part {:.9g}", *second), "the header says that the matrix is real (TIN)",
+      problems.error(field->line, "entry", fmt::format("imaginary part {:.9g}", *second),
+                     "the header says that the matrix is real (TIN)",
                      "correct the header card, and look at the columns");
     } else if (row) {
       const double phase = *second * std::numbers::pi / 180;
-      entries.push_back(
-          {*row,
-           *column,
-           {0, 0, header.polar ? *first * std::cos(phase) : *first, header.polar ? *first * std::sin(phase) : *second, field->line}});
+      entries.push_back({*row,
+                         *column,
+                         {0, 0, header.polar ? *first * std::cos(phase) : *first,
+                          header.polar ? *first * std::sin(phase) : *second, field->line}});
     }
   }
 }
 
 }  // namespace
 
-foundation::Expected<NamedMatrix> read_nastran_dmig(std::string_view given, const std::string& source, const std::string& wanted) {
+foundation::Expected<NamedMatrix> read_nastran_dmig(std::string_view given, const std::string& source,
+                                                    const std::string& wanted) {
   FileProblems problems(source);
   const std::string text = without_tabs(given);
   std::vector<Card> cards = bulk_cards(text, "dmig");
@@ -112,7 +124,8 @@ foundation::Expected<NamedMatrix> read_nastran_dmig(std::string_view given, cons
   if (!name) return problems.refused();
   std::erase_if(cards, [&](const Card& card) { return lower(card.fields[name_field].text) != *name; });
   if (!is_header(cards.front())) {
-    problems.error(cards.front().line, "DMIG", "a column card of " + in_quotes(*name), "its header card comes first", "was the file cut?");
+    problems.error(cards.front().line, "DMIG", "a column card of " + in_quotes(*name), "its header card comes first",
+                   "was the file cut?");
     return problems.refused();
   }
   const auto header = read_header(cards.front(), problems);

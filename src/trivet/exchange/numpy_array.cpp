@@ -35,7 +35,8 @@ std::optional<ArrayHeader> read_header(std::string_view text, FileProblems& prob
   const std::string_view type = value_of(text, "descr");
   header.is_complex = type.starts_with("'<c16'");
   if (!header.is_complex && !type.starts_with("'<f8'"))
-    problems.error(0, "number type", in_quotes(type.substr(0, type.find(", "))), "float64 ('<f8') and complex128 ('<c16') are read",
+    problems.error(0, "number type", in_quotes(type.substr(0, type.find(", "))),
+                   "float64 ('<f8') and complex128 ('<c16') are read",
                    "save numpy.ascontiguousarray(matrix, dtype=\"float64\")");
   const std::string_view order = value_of(text, "fortran_order");
   header.by_columns = order.starts_with("True");
@@ -44,13 +45,13 @@ std::optional<ArrayHeader> read_header(std::string_view text, FileProblems& prob
                    "write the file again with numpy.save");
   const std::string_view shape = value_of(text, "shape");
   const std::size_t end = shape.find(')');
-  const auto sizes =
-      shape.starts_with('(') && end != std::string_view::npos ? cells(shape.substr(1, end - 1), ',') : std::vector<std::string_view>{};
+  const auto sizes = shape.starts_with('(') && end != std::string_view::npos ? cells(shape.substr(1, end - 1), ',')
+                                                                             : std::vector<std::string_view>{};
   const auto rows = sizes.size() == 2 ? whole_number(sizes[0]) : std::nullopt;
   const auto columns = rows ? whole_number(sizes[1]) : std::nullopt;
   if (!columns)
-    problems.error(0, "shape", in_quotes(shape.substr(0, end == std::string_view::npos ? end : end + 1)), "a matrix has two dimensions",
-                   "save a two-dimensional array");
+    problems.error(0, "shape", in_quotes(shape.substr(0, end == std::string_view::npos ? end : end + 1)),
+                   "a matrix has two dimensions", "save a two-dimensional array");
   else check_size(*rows, *columns, 0, problems);
   header.order = rows.value_or(0);
   return problems.any() ? std::nullopt : std::optional(header);
@@ -62,7 +63,8 @@ std::optional<std::string_view> cut_header(std::string_view& bytes, FileProblems
   const int version = bytes.size() > magic.size() ? static_cast<unsigned char>(bytes[magic.size()]) : 0;
   if (!bytes.starts_with(magic) || version < 1 || version > 3) {
     const bool zipped = bytes.starts_with("PK");
-    problems.error(0, "header", zipped ? "an archive" : "no NumPy file of format 1, 2 or 3", "a .npy file holds one array",
+    problems.error(0, "header", zipped ? "an archive" : "no NumPy file of format 1, 2 or 3",
+                   "a .npy file holds one array",
                    zipped ? "take the array out of the .npz: numpy.save" : "write it with numpy.save");
     return std::nullopt;
   }
@@ -89,8 +91,8 @@ foundation::Expected<NamedMatrix> read_numpy_array(std::string_view bytes, const
   const auto header = text ? read_header(*text, problems) : std::nullopt;
   if (!header) return problems.refused();
   const int order = header->order, parts = header->is_complex ? 2 : 1;
-  const std::size_t wanted =
-      sizeof(double) * static_cast<std::size_t>(parts) * static_cast<std::size_t>(order) * static_cast<std::size_t>(order);
+  const std::size_t wanted = sizeof(double) * static_cast<std::size_t>(parts) * static_cast<std::size_t>(order) *
+      static_cast<std::size_t>(order);
   if (bytes.size() != wanted) {
     problems.error(0, "numbers", fmt::format("{} bytes", bytes.size()),
                    fmt::format("a {0} × {0} matrix of this type has {1}", order, wanted),
@@ -109,8 +111,9 @@ foundation::Expected<NamedMatrix> read_numpy_array(std::string_view bytes, const
       matrix.values(i, j) = number[0];
       if (header->is_complex) matrix.imaginary(i, j) = number[1];
       if (problems.enough() || (std::isfinite(number[0]) && std::isfinite(number[1]))) continue;
-      problems.error(0, fmt::format("entry ({}, {})", i + 1, j + 1), fmt::format("{}", std::isfinite(number[0]) ? number[1] : number[0]),
-                     "every entry must be finite", "look for its cause where the file was made");
+      problems.error(0, fmt::format("entry ({}, {})", i + 1, j + 1),
+                     fmt::format("{}", std::isfinite(number[0]) ? number[1] : number[0]), "every entry must be finite",
+                     "look for its cause where the file was made");
     }
   if (problems.any()) return problems.refused();
   return matrix;

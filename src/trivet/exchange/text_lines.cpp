@@ -34,7 +34,8 @@ std::string_view trimmed(std::string_view text) {
 
 std::vector<std::string_view> words(std::string_view line) {
   std::vector<std::string_view> found;
-  for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos; at = line.find_first_not_of(blanks, at)) {
+  for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;
+       at = line.find_first_not_of(blanks, at)) {
     const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
     found.push_back(line.substr(at, end - at));
     at = end;
@@ -94,11 +95,13 @@ std::optional<int> whole_number(std::string_view text) {
 
 void FileProblems::error(int line, std::string subject, std::string finding, std::string rule, std::string remedy) {
   ++errors_;
-  problems_.error(std::move(subject), std::move(finding), std::move(rule), std::move(remedy)).origin = {source_, line, 0};
+  problems_.error(std::move(subject), std::move(finding), std::move(rule), std::move(remedy)).origin = {source_, line,
+                                                                                                        0};
 }
 
 void FileProblems::warning(int line, std::string subject, std::string finding, std::string rule, std::string remedy) {
-  problems_.warning(std::move(subject), std::move(finding), std::move(rule), std::move(remedy)).origin = {source_, line, 0};
+  problems_.warning(std::move(subject), std::move(finding), std::move(rule), std::move(remedy)).origin = {source_, line,
+                                                                                                          0};
 }
 
 }  // namespace trivet::exchange

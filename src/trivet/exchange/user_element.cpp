@@ -20,7 +20,8 @@ class UserElement {
     const std::string_view text = trimmed(line);
     if (text.empty()) return;
     if (text.starts_with("**"))
-      take_comment(trimmed(text.substr(text.find_first_not_of('*') == std::string_view::npos ? text.size() : text.find_first_not_of('*'))));
+      take_comment(trimmed(text.substr(
+          text.find_first_not_of('*') == std::string_view::npos ? text.size() : text.find_first_not_of('*'))));
     else if (text.starts_with('*')) take_keyword(lower(text));
     else if (section_ == Section::components) take_components(text);
     else if (section_ == Section::values) take_values(text);
@@ -38,7 +39,8 @@ class UserElement {
       for (const std::string& type : types_) others += (others.empty() ? "the file has " : ", ") + type;
       problems_.error(line_, "*MATRIX, TYPE=" + wanted_, fmt::format("{} numbers", values_.size()),
                       fmt::format("{} components ask for {}", order, wanted),
-                      values_.empty() ? (others.empty() ? "ask for the matrix in the output request" : others) : "was the file cut off?");
+                      values_.empty() ? (others.empty() ? "ask for the matrix in the output request" : others)
+                                      : "was the file cut off?");
       return std::nullopt;
     }
     NamedMatrix result;
@@ -62,8 +64,8 @@ class UserElement {
 
   void take_comment(std::string_view text) {
     const auto parts = cells(text, ',');
-    const bool all_numbers =
-        !parts.empty() && std::all_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty() || whole_number(p); });
+    const bool all_numbers = !parts.empty() &&
+        std::all_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty() || whole_number(p); });
     if (listing_nodes_ && all_numbers) {
       for (const std::string_view part : parts)
         if (!part.empty()) nodes_.push_back(*whole_number(part));
@@ -79,11 +81,13 @@ class UserElement {
     if (parts.front() == "*user element") {
       section_ = Section::components;
       for (const std::string_view part : parts) {
-        if (part.starts_with("nodes")) count_ = whole_number(trimmed(part.substr(std::min(part.size(), part.find('=') + 1)))).value_or(0);
+        if (part.starts_with("nodes"))
+          count_ = whole_number(trimmed(part.substr(std::min(part.size(), part.find('=') + 1)))).value_or(0);
         if (part == "unsymm") unsymmetric_ = true;
       }
       if (elements_++ > 0)
-        problems_.error(line_, "*USER ELEMENT", "a second one", "one element is read from a file", "put each into a file of its own");
+        problems_.error(line_, "*USER ELEMENT", "a second one", "one element is read from a file",
+                        "put each into a file of its own");
     } else if (parts.front() == "*matrix") {
       for (const std::string_view part : parts) {
         if (!part.starts_with("type")) continue;
@@ -94,7 +98,8 @@ class UserElement {
     }
   }
 
-  /// The first line lists the components of the first node; a later one begins with the place of the node from which a new list holds.
+  /// The first line lists the components of the first node; a later one begins with the place of the node from which a
+  /// new list holds.
   void take_components(std::string_view text) {
     std::vector<int> numbers;
     for (const std::string_view part : cells(text, ',')) {
@@ -107,7 +112,8 @@ class UserElement {
     const bool rises = lists_.empty() || place > lists_.back().place;
     if (numbers.empty() || numbers.size() > 6 || !known || !rises)
       problems_.error(line_, "components", in_quotes(text),
-                      "a line lists components 1 to 6, behind the place of a node that rises from line to line", "correct the line");
+                      "a line lists components 1 to 6, behind the place of a node that rises from line to line",
+                      "correct the line");
     else lists_.push_back({place, numbers});
   }
 
@@ -115,7 +121,8 @@ class UserElement {
     for (const std::string_view part : cells(text, ',')) {
       if (part.empty()) continue;
       const auto value = fortran_number(part);
-      if (!value) problems_.error(line_, "entry", in_quotes(part), "every entry is a finite number", "correct the line");
+      if (!value)
+        problems_.error(line_, "entry", in_quotes(part), "every entry is a finite number", "correct the line");
       values_.push_back(value.value_or(0));
     }
   }
@@ -124,7 +131,8 @@ class UserElement {
     std::vector<Label> labels;
     if (count_ < 1 || count_ > largest_order || lists_.empty()) {
       problems_.error(line_, "*USER ELEMENT", fmt::format("NODES={}, {} lists of components", count_, lists_.size()),
-                      fmt::format("it has 1 to {} nodes and a list of components", largest_order), "was the file cut off?");
+                      fmt::format("it has 1 to {} nodes and a list of components", largest_order),
+                      "was the file cut off?");
     } else if (!nodes_.empty() && static_cast<int>(nodes_.size()) != count_) {
       problems_.error(line_, "nodes", fmt::format("{} in the comment", nodes_.size()), fmt::format("NODES={}", count_),
                       "correct the list of nodes");
@@ -156,7 +164,8 @@ class UserElement {
 
 }  // namespace
 
-foundation::Expected<NamedMatrix> read_user_element(std::string_view text, const std::string& type, FileProblems& problems) {
+foundation::Expected<NamedMatrix> read_user_element(std::string_view text, const std::string& type,
+                                                    FileProblems& problems) {
   UserElement element(type, problems);
   for (Lines lines(text); !problems.enough() && lines.next();) element.take(lines.line(), lines.number());
   auto matrix = problems.any() ? std::nullopt : element.matrix();

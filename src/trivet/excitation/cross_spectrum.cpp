@@ -16,7 +16,8 @@ namespace trivet::excitation {
 namespace {
 
 using foundation::two_pi;
-constexpr int points_between_breakpoints = 32;         // a delay of the wrong size shows within a fraction of a period of e^{−iωτ}
+constexpr int points_between_breakpoints =
+    32;  // a delay of the wrong size shows within a fraction of a period of e^{−iωτ}
 constexpr double accepted_negative_eigenvalue = 1e-9;  // of a matrix with unit diagonal
 
 foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs, const std::string& subject) {
@@ -26,16 +27,18 @@ foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs,
     problems.error(subject, fmt::format("inputs {} and {}", pair.first + 1, pair.second + 1),
                    fmt::format("a pair joins two different ones of the {} inputs", inputs), "correct the pair");
   if (!(c.at_zero >= 0 && c.at_zero <= 1))
-    problems.error(subject, fmt::format("coherence {:.6g}", c.at_zero), "γ² is between 0 (unrelated) and 1 (one follows from the other)",
-                   "correct it");
+    problems.error(subject, fmt::format("coherence {:.6g}", c.at_zero),
+                   "γ² is between 0 (unrelated) and 1 (one follows from the other)", "correct it");
   if (!(c.decay >= 0) || !std::isfinite(c.decay))
     problems.error(subject, fmt::format("decay {:.6g}", c.decay), "it must be ≥ 0", "coherence falls with distance");
   if (!(c.distance >= 0) || !std::isfinite(c.distance))
-    problems.error(subject, fmt::format("distance {:.6g} m", c.distance), "it must be ≥ 0", "give its size; the delay has the sign");
+    problems.error(subject, fmt::format("distance {:.6g} m", c.distance), "it must be ≥ 0",
+                   "give its size; the delay has the sign");
   if (c.decay > 0 && (!(c.speed > 0) || !std::isfinite(c.speed)))
     problems.error(subject, fmt::format("speed {:.6g} m/s", c.speed), "a decay per wavelength needs a speed > 0",
                    "give the speed of the wave");
-  if (!std::isfinite(pair.delay)) problems.error(subject, fmt::format("delay {} s", pair.delay), "it must be finite", "correct it");
+  if (!std::isfinite(pair.delay))
+    problems.error(subject, fmt::format("delay {} s", pair.delay), "it must be finite", "correct it");
   return problems;
 }
 
@@ -66,13 +69,16 @@ std::vector<double> test_frequencies(const RandomInputs& inputs) {
 }  // namespace
 
 double coherence(const Coherence& law, double omega) {
-  return law.decay == 0 ? law.at_zero : law.at_zero * std::exp(-2 * law.decay * law.distance * omega / (two_pi * law.speed));
+  return law.decay == 0 ? law.at_zero
+                        : law.at_zero * std::exp(-2 * law.decay * law.distance * omega / (two_pi * law.speed));
 }
 
 Eigen::MatrixXcd density_matrix(const RandomInputs& inputs, double omega) {
-  for (const InputPair& pair : inputs.pairs) refuse_errors(problems_of_pair(pair, inputs.spectra.size(), "pair of inputs"));
+  for (const InputPair& pair : inputs.pairs)
+    refuse_errors(problems_of_pair(pair, inputs.spectra.size(), "pair of inputs"));
   Eigen::VectorXd root(static_cast<Eigen::Index>(inputs.spectra.size()));
-  for (Eigen::Index j = 0; j < root.size(); ++j) root(j) = std::sqrt(density(inputs.spectra[static_cast<std::size_t>(j)], omega));
+  for (Eigen::Index j = 0; j < root.size(); ++j)
+    root(j) = std::sqrt(density(inputs.spectra[static_cast<std::size_t>(j)], omega));
   return root.asDiagonal() * correlation(inputs, omega) * root.asDiagonal();
 }
 
@@ -82,16 +88,19 @@ foundation::Problems check(const RandomInputs& inputs, const std::string& subjec
   for (const InputPair& pair : inputs.pairs) {
     problems.add(problems_of_pair(pair, inputs.spectra.size(), subject));
     if (!seen.insert(std::minmax(pair.first, pair.second)).second)
-      problems.error(subject, fmt::format("inputs {} and {} twice", pair.first + 1, pair.second + 1), "a pair is given once", "remove one");
+      problems.error(subject, fmt::format("inputs {} and {} twice", pair.first + 1, pair.second + 1),
+                     "a pair is given once", "remove one");
   }
   if (problems.has_errors() || inputs.pairs.empty()) return problems;
   for (const double omega : test_frequencies(inputs)) {
     const double lowest = numerics::symmetric_eigenvalues(correlation(inputs, omega))(0);
     if (lowest >= -accepted_negative_eigenvalue) continue;
-    problems.error(subject, fmt::format("at {:.6g} Hz the matrix of coherences has the eigenvalue {:.3g}", omega / two_pi, lowest),
-                   "cross-spectra of real signals are positive semidefinite: inputs that both follow a third are related to each other, "
-                   "and delays add up",
-                   "give the missing pairs, or lower the coherences");
+    problems.error(
+        subject, fmt::format("at {:.6g} Hz the matrix of coherences has the eigenvalue {:.3g}", omega / two_pi, lowest),
+        "cross-spectra of real signals are positive semidefinite: inputs that both follow a third are related to each "
+        "other, "
+        "and delays add up",
+        "give the missing pairs, or lower the coherences");
     break;
   }
   return problems;

@@ -10,8 +10,9 @@
 
 namespace trivet::excitation {
 
-/// Coherence of two points on a wave: γ² = at_zero · exp(−2 decay · distance/wavelength), wavelength = 2π speed/ω. Without decay a
-/// constant. [Davenport, Quarterly Journal of the Royal Meteorological Society 87 (1961) 194–211: γ = exp(−decay distance/wavelength)]
+/// Coherence of two points on a wave: γ² = at_zero · exp(−2 decay · distance/wavelength), wavelength = 2π speed/ω.
+/// Without decay a constant. [Davenport, Quarterly Journal of the Royal Meteorological Society 87 (1961) 194–211: γ =
+/// exp(−decay distance/wavelength)]
 struct Coherence {
   double at_zero = 1;   ///< γ² at ω = 0, between 0 and 1
   double decay = 0;     ///< ≥ 0
@@ -35,12 +36,13 @@ struct RandomInputs {
   std::vector<InputPair> pairs;
 };
 
-/// Hermitian matrix of one-sided spectral densities S_jk = E[x̂_j* x̂_k], so that S_12 = γ √(S_1 S_2) e^{−iωτ} if input 2 is
-/// later by τ. An answer y = Σ H_j x_j has S_yy = Σ_jk H_j* S_jk H_k. [unit²/(rad/s)]
+/// Hermitian matrix of one-sided spectral densities S_jk = E[x̂_j* x̂_k], so that S_12 = γ √(S_1 S_2) e^{−iωτ} if input 2
+/// is later by τ. An answer y = Σ H_j x_j has S_yy = Σ_jk H_j* S_jk H_k. [unit²/(rad/s)]
 [[nodiscard]] Eigen::MatrixXcd density_matrix(const RandomInputs& inputs, double angular_frequency);
 
-/// Errors: pairs that do not exist, name one input twice or are given twice; numbers out of range; a matrix of coherences with a negative
-/// eigenvalue, which no random process has, looked for at all breakpoints and at points between them.
+/// Errors: pairs that do not exist, name one input twice or are given twice; numbers out of range; a matrix of
+/// coherences with a negative eigenvalue, which no random process has, looked for at all breakpoints and at points
+/// between them.
 [[nodiscard]] foundation::Problems check(const RandomInputs& inputs, const std::string& subject);
 
 }  // namespace trivet::excitation

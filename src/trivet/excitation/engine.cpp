@@ -25,9 +25,10 @@ std::vector<int> usual_firing_order(const EngineLayout& layout) {
                                                           {8, {1, 6, 2, 5, 8, 3, 7, 4}}};
   const auto usual = in_line.find(layout.cylinders);
   if (layout.kind != EngineLayout::Kind::in_line || layout.strokes != 4 || usual == in_line.end())
-    throw foundation::InvalidInput(fmt::format(
-        "engine: {} cylinders without a firing order; only in-line engines of 1 … 6 or 8 cylinders with four strokes have a usual one",
-        layout.cylinders));
+    throw foundation::InvalidInput(
+        fmt::format("engine: {} cylinders without a firing order; only in-line engines of 1 … 6 or 8 cylinders with "
+                    "four strokes have a usual one",
+                    layout.cylinders));
   return usual->second;
 }
 
@@ -35,7 +36,9 @@ void require_permutation(std::vector<int> order, int count) {
   std::sort(order.begin(), order.end());
   bool complete = order.size() == static_cast<std::size_t>(count);
   for (std::size_t i = 0; complete && i < order.size(); ++i) complete = order[i] == static_cast<int>(i) + 1;
-  if (!complete) throw foundation::InvalidInput(fmt::format("engine: the firing order must name each of the {} cylinders once", count));
+  if (!complete)
+    throw foundation::InvalidInput(
+        fmt::format("engine: the firing order must name each of the {} cylinders once", count));
 }
 
 }  // namespace
@@ -47,7 +50,8 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
       problems.error(subject + "." + name, fmt::format("{:.6g} {}", value, unit), "it must be ≥ 0", "correct it");
   };
   if (!(engine.crank_radius > 0) || !std::isfinite(engine.crank_radius))
-    problems.error(subject + ".crank_radius", fmt::format("{:.6g} m", engine.crank_radius), "it must be > 0", "half of the stroke");
+    problems.error(subject + ".crank_radius", fmt::format("{:.6g} m", engine.crank_radius), "it must be > 0",
+                   "half of the stroke");
   if (!(engine.rod_ratio > 0 && engine.rod_ratio < 1))
     problems.error(subject + ".rod_ratio", fmt::format("{:.6g}", engine.rod_ratio),
                    "crank radius over length of the rod must be > 0 and < 1", "0.2 to 0.35 is usual");
@@ -56,19 +60,22 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
   not_negative("counterweight", engine.counterweight, "kg m");
   if (engine.strokes != 2 && engine.strokes != 4)
     problems.error(subject + ".strokes", fmt::format("{}", engine.strokes), "an engine has 2 or 4", "correct it");
-  if (engine.cylinders.empty()) problems.error(subject, "no cylinder", "an engine has one or more", "name the cylinders");
+  if (engine.cylinders.empty())
+    problems.error(subject, "no cylinder", "an engine has one or more", "name the cylinders");
   for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
     const Cylinder& c = engine.cylinders[i];
     const std::string name = fmt::format("{}.cylinders[{}]", subject, i + 1);
     for (const double number : {c.position, c.bank_angle, c.crank_angle})
-      if (!std::isfinite(number)) problems.error(name, fmt::format("{}", number), "positions and angles must be finite", "correct it");
-    if (std::isinf(c.firing_angle)) problems.error(name, fmt::format("firing angle {}", c.firing_angle), "it must be finite", "correct it");
+      if (!std::isfinite(number))
+        problems.error(name, fmt::format("{}", number), "positions and angles must be finite", "correct it");
+    if (std::isinf(c.firing_angle))
+      problems.error(name, fmt::format("firing angle {}", c.firing_angle), "it must be finite", "correct it");
     if (!std::isfinite(c.firing_angle + c.crank_angle + c.bank_angle)) continue;
     const double from_top = std::remainder(c.firing_angle + c.crank_angle - c.bank_angle, 2 * pi);
     if (std::abs(from_top) > accepted_angle)
       problems.error(name,
-                     fmt::format("at the firing angle of {:.6g}° its crank is {:.4g}° from top dead centre", c.firing_angle * 180 / pi,
-                                 from_top * 180 / pi),
+                     fmt::format("at the firing angle of {:.6g}° its crank is {:.4g}° from top dead centre",
+                                 c.firing_angle * 180 / pi, from_top * 180 / pi),
                      "firing angle + crank angle − bank angle is a multiple of 360°", "correct one of the three");
   }
   return problems;
@@ -77,12 +84,13 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
 std::vector<Cylinder> evenly_firing_cylinders(const EngineLayout& layout) {
   const bool two_banks = layout.kind != EngineLayout::Kind::in_line;
   if (layout.cylinders < 1 || (two_banks && layout.cylinders % 2 != 0))
-    throw foundation::InvalidInput(
-        fmt::format("engine: {} cylinders{}", layout.cylinders, two_banks ? ", two banks need an even number" : ", must be ≥ 1"));
+    throw foundation::InvalidInput(fmt::format("engine: {} cylinders{}", layout.cylinders,
+                                               two_banks ? ", two banks need an even number" : ", must be ≥ 1"));
   if (layout.strokes != 2 && layout.strokes != 4)
     throw foundation::InvalidInput(fmt::format("engine: {} strokes, must be 2 or 4", layout.strokes));
   for (const double number : {layout.bank_angle, layout.spacing, layout.bank_offset})
-    if (!std::isfinite(number)) throw foundation::InvalidInput(fmt::format("engine: {} in its layout, must be finite", number));
+    if (!std::isfinite(number))
+      throw foundation::InvalidInput(fmt::format("engine: {} in its layout, must be finite", number));
   const std::vector<int> order = layout.firing_order.empty() ? usual_firing_order(layout) : layout.firing_order;
   require_permutation(order, layout.cylinders);
   const double between_banks = layout.kind == EngineLayout::Kind::boxer ? pi : two_banks ? layout.bank_angle : 0;
@@ -92,7 +100,8 @@ std::vector<Cylinder> evenly_firing_cylinders(const EngineLayout& layout) {
     Cylinder& c = cylinders[static_cast<std::size_t>(i)];
     const bool second = i >= in_bank;
     c.bank_angle = (second ? -0.5 : 0.5) * between_banks;
-    c.position = (0.5 * (in_bank - 1) - i % in_bank) * layout.spacing + (two_banks ? (second ? -0.5 : 0.5) * layout.bank_offset : 0);
+    c.position = (0.5 * (in_bank - 1) - i % in_bank) * layout.spacing +
+        (two_banks ? (second ? -0.5 : 0.5) * layout.bank_offset : 0);
   }
   for (std::size_t k = 0; k < order.size(); ++k) {
     Cylinder& c = cylinders[static_cast<std::size_t>(order[k] - 1)];

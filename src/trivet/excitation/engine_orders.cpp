@@ -37,7 +37,8 @@ class Balance {
     const double force = size_.head<3>().maxCoeff(), moment = size_.tail<3>().maxCoeff();
     for (Eigen::Index i = 0; i < 6; ++i) {
       const double limit = cancelled * (i < 3 ? force : moment);
-      result(i) = {std::abs(result(i).real()) <= limit ? 0 : result(i).real(), std::abs(result(i).imag()) <= limit ? 0 : result(i).imag()};
+      result(i) = {std::abs(result(i).real()) <= limit ? 0 : result(i).real(),
+                   std::abs(result(i).imag()) <= limit ? 0 : result(i).imag()};
     }
     return result;
   }
@@ -56,7 +57,8 @@ bool is_harmonic(const Engine& engine, double order) {
 
 std::vector<Order> inertia_orders(const Engine& engine, int highest) {
   refuse_errors(check(engine, "engine"));
-  const std::vector<double> a = inertia_coefficients(engine.rod_ratio, highest), g = inertia_torque_coefficients(engine.rod_ratio, highest);
+  const std::vector<double> a = inertia_coefficients(engine.rod_ratio, highest),
+                            g = inertia_torque_coefficients(engine.rod_ratio, highest);
   const double oscillating = engine.oscillating_mass * engine.crank_radius;
   const double rotating = engine.rotating_mass * engine.crank_radius - engine.counterweight;
   std::vector<Order> orders;
@@ -84,15 +86,17 @@ std::vector<Order> gas_orders(const Engine& engine, const std::vector<TorqueHarm
   refuse_errors(check(engine, "engine"));
   for (std::size_t i = 0; i < engine.cylinders.size(); ++i)
     if (std::isnan(engine.cylinders[i].firing_angle))
-      throw foundation::InvalidInput(fmt::format("engine: cylinder {} has no firing angle, so its gas torque has no phase", i + 1));
+      throw foundation::InvalidInput(
+          fmt::format("engine: cylinder {} has no firing angle, so its gas torque has no phase", i + 1));
   std::map<double, Order> orders;
   for (const TorqueHarmonic& harmonic : one_cylinder) {
     require_not_negative(harmonic.order, "order of the gas torque", "");
     if (!is_harmonic(engine, harmonic.order))
-      throw foundation::InvalidInput(fmt::format("gas torque of order {}: with {} strokes orders are multiples of {}", harmonic.order,
-                                                 engine.strokes, engine.strokes == 4 ? "½" : "1"));
+      throw foundation::InvalidInput(fmt::format("gas torque of order {}: with {} strokes orders are multiples of {}",
+                                                 harmonic.order, engine.strokes, engine.strokes == 4 ? "½" : "1"));
     require_finite(std::abs(harmonic.torque), "gas torque", "N m");
-    if (orders.count(harmonic.order)) throw foundation::InvalidInput(fmt::format("gas torque of order {} is given twice", harmonic.order));
+    if (orders.count(harmonic.order))
+      throw foundation::InvalidInput(fmt::format("gas torque of order {} is given twice", harmonic.order));
     Balance balance;
     for (const Cylinder& c : engine.cylinders) {
       ComplexVector6 moment = ComplexVector6::Zero();

@@ -42,19 +42,22 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
   foundation::Problems problems;
   const std::vector<double>&phi = trace.angles, &p = trace.pressures;
   if (phi.size() != p.size())
-    problems.error(subject, fmt::format("{} angles and {} pressures", phi.size(), p.size()), "each angle has one pressure",
-                   "complete the rows");
+    problems.error(subject, fmt::format("{} angles and {} pressures", phi.size(), p.size()),
+                   "each angle has one pressure", "complete the rows");
   if (phi.size() < 3)
-    problems.error(subject, fmt::format("{} points", phi.size()), "a trace has three or more", "give the pressure over a whole cycle");
+    problems.error(subject, fmt::format("{} points", phi.size()), "a trace has three or more",
+                   "give the pressure over a whole cycle");
   for (const auto* column : {&phi, &p})
     for (std::size_t i = 0; i < column->size(); ++i)
       if (!std::isfinite((*column)[i])) {
-        problems.error(subject, fmt::format("row {}: {}", i + 1, (*column)[i]), "numbers must be finite", "fill the gap or remove the row");
+        problems.error(subject, fmt::format("row {}: {}", i + 1, (*column)[i]), "numbers must be finite",
+                       "fill the gap or remove the row");
         break;
       }
   for (std::size_t i = 1; i < phi.size() && !problems.has_errors(); ++i)
     if (!(phi[i] > phi[i - 1]))
-      problems.error(subject, fmt::format("row {}: {:.6g}° after {:.6g}°", i + 1, phi[i] * 180 / pi, phi[i - 1] * 180 / pi),
+      problems.error(subject,
+                     fmt::format("row {}: {:.6g}° after {:.6g}°", i + 1, phi[i] * 180 / pi, phi[i - 1] * 180 / pi),
                      "angles must increase", "sort the rows and remove repeats");
   if (problems.has_errors()) return problems;
   const double gap = cycle - (phi.back() - phi.front());
@@ -62,16 +65,19 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
     problems.error(subject, fmt::format("{:.6g}° from first to last", (phi.back() - phi.front()) * 180 / pi),
                    fmt::format("a cycle has {:.6g}°", cycle * 180 / pi), "cut the trace to one cycle");
   if (gap > largest_gap)
-    problems.error(subject, fmt::format("{:.6g}° from first to last", (phi.back() - phi.front()) * 180 / pi),
-                   fmt::format("a cycle has {:.6g}°, and more than 30° would be closed by a straight line", cycle * 180 / pi),
-                   "complete the trace, or set the strokes of the engine");
+    problems.error(
+        subject, fmt::format("{:.6g}° from first to last", (phi.back() - phi.front()) * 180 / pi),
+        fmt::format("a cycle has {:.6g}°, and more than 30° would be closed by a straight line", cycle * 180 / pi),
+        "complete the trace, or set the strokes of the engine");
   if (std::abs(gap) <= accepted_overlap && p.back() != p.front())
-    problems.warning(subject, fmt::format("{:.6g} Pa at the start of the cycle and {:.6g} Pa at its end", p.front(), p.back()),
+    problems.warning(subject,
+                     fmt::format("{:.6g} Pa at the start of the cycle and {:.6g} Pa at its end", p.front(), p.back()),
                      "a periodic pressure returns to its start; here it jumps", "average cycles, or mend the end");
   return problems;
 }
 
-std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engine& engine, double bore, double highest_order) {
+std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engine& engine, double bore,
+                                          double highest_order) {
   refuse_errors(check(engine, "engine"));
   refuse_errors(check(trace, engine.cycle(), "pressure"));
   require_positive(bore, "bore", "m");
@@ -82,7 +88,9 @@ std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engi
   std::vector<Complex> pressure;
   for (int k = 0; k <= highest + terms * per_turn; ++k)
     pressure.push_back(fourier_coefficient(trace, engine.cycle(), static_cast<double>(k) / per_turn));
-  const auto at = [&](int k) { return k >= 0 ? pressure[static_cast<std::size_t>(k)] : std::conj(pressure[static_cast<std::size_t>(-k)]); };
+  const auto at = [&](int k) {
+    return k >= 0 ? pressure[static_cast<std::size_t>(k)] : std::conj(pressure[static_cast<std::size_t>(-k)]);
+  };
   const double force_radius = pi * bore * bore / 4 * engine.crank_radius;
   std::vector<TorqueHarmonic> harmonics;
   for (int k = 0; k <= highest; ++k) {

@@ -104,7 +104,8 @@ std::array<WeightedAxis, 3> health_axes() { return {{{Weighting::Wd, 1.4}, {Weig
 
 double vibration_total_value(std::span<const double> accelerations, std::span<const double> factors) {
   if (accelerations.size() != factors.size())
-    throw foundation::InvalidInput(fmt::format("{} accelerations and {} factors: each has one", accelerations.size(), factors.size()));
+    throw foundation::InvalidInput(
+        fmt::format("{} accelerations and {} factors: each has one", accelerations.size(), factors.size()));
   double sum = 0;
   for (std::size_t i = 0; i < accelerations.size(); ++i) sum += std::pow(factors[i] * accelerations[i], 2);
   return std::sqrt(sum);

@@ -21,7 +21,8 @@ enum class Weighting {
   Wm   ///< all directions, in buildings
 };
 
-/// Corner frequencies [Hz] and quality factors of H = H_h H_l H_t H_s; infinity where a part is missing. Q₁ = Q₂ = 1/√2.
+/// Corner frequencies [Hz] and quality factors of H = H_h H_l H_t H_s; infinity where a part is missing. Q₁ = Q₂ =
+/// 1/√2.
 struct WeightingParameters {
   double f1, f2;          ///< band limit: high pass and low pass of second order
   double f3, f4, q4;      ///< transition from acceleration to velocity
@@ -30,8 +31,8 @@ struct WeightingParameters {
 };
 [[nodiscard]] WeightingParameters parameters(Weighting weighting);
 
-/// H(s) as a ratio of two polynomials, coefficients of s⁰, s¹ …, s in rad/s: stable, and 0 at ω = 0 and ∞, so that weighted mean squares
-/// can be integrated exactly.
+/// H(s) as a ratio of two polynomials, coefficients of s⁰, s¹ …, s in rad/s: stable, and 0 at ω = 0 and ∞, so that
+/// weighted mean squares can be integrated exactly.
 struct RationalTransfer {
   std::vector<double> numerator;
   std::vector<double> denominator;
@@ -57,6 +58,7 @@ struct WeightedAxis {
 [[nodiscard]] std::array<WeightedAxis, 3> health_axes();
 
 /// √Σ (k a)²: of weighted accelerations [m/s²] per axis, or of the total values of several points.
-[[nodiscard]] double vibration_total_value(std::span<const double> weighted_accelerations, std::span<const double> factors);
+[[nodiscard]] double vibration_total_value(std::span<const double> weighted_accelerations,
+                                           std::span<const double> factors);
 
 }  // namespace trivet::excitation

@@ -37,7 +37,9 @@ Signal rounded_step(double amplitude, double rise, double at) {
   return one_piece({at, 0, 0, amplitude / 2 * kappa * kappa, kappa}, rise, amplitude);
 }
 
-Signal rectangular(double amplitude, double duration, double start) { return one_piece({start, amplitude}, duration, 0); }
+Signal rectangular(double amplitude, double duration, double start) {
+  return one_piece({start, amplitude}, duration, 0);
+}
 
 Signal half_sine(double amplitude, double duration, double start) {
   const double kappa = pi / duration;
@@ -65,12 +67,15 @@ Signal trapezoid(double amplitude, double rise, double hold, double fall, double
   return signal;
 }
 
-Signal triangle(double amplitude, double rise, double fall, double start) { return trapezoid(amplitude, rise, 0, fall, start); }
+Signal triangle(double amplitude, double rise, double fall, double start) {
+  return trapezoid(amplitude, rise, 0, fall, start);
+}
 
 Signal sine_burst(double amplitude, double angular_frequency, double cycles, double start) {
   require_positive(angular_frequency, "angular frequency", "rad/s");
   require_positive(cycles, "cycles", "");
-  return one_piece({start, 0, amplitude * angular_frequency, 0, angular_frequency}, 2 * pi * cycles / angular_frequency, 0);
+  return one_piece({start, 0, amplitude * angular_frequency, 0, angular_frequency}, 2 * pi * cycles / angular_frequency,
+                   0);
 }
 
 }  // namespace trivet::excitation

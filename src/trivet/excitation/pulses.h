@@ -3,8 +3,8 @@
 
 #include "trivet/excitation/signal.h"
 
-/// The usual steps and pulses. `amplitude` is the peak value, of any unit and sign, times are in s. All throw foundation::InvalidInput for
-/// numbers that are not finite, and for durations that are not > 0.
+/// The usual steps and pulses. `amplitude` is the peak value, of any unit and sign, times are in s. All throw
+/// foundation::InvalidInput for numbers that are not finite, and for durations that are not > 0.
 namespace trivet::excitation {
 
 /// 0, then `amplitude` for ever.
@@ -33,7 +33,8 @@ namespace trivet::excitation {
   return triangle(amplitude, duration, 0, start);
 }
 
-/// amplitude sin(ω s) for a number of cycles > 0, then zero (with a jump unless the cycles are whole or half). ω > 0 [rad/s].
+/// amplitude sin(ω s) for a number of cycles > 0, then zero (with a jump unless the cycles are whole or half). ω > 0
+/// [rad/s].
 [[nodiscard]] Signal sine_burst(double amplitude, double angular_frequency, double cycles, double start = 0);
 
 }  // namespace trivet::excitation

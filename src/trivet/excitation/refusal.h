@@ -5,7 +5,8 @@
 
 #include "trivet/foundation/problems.h"
 
-/// Preconditions of this floor's functions: each throws foundation::InvalidInput that names thing, value with unit, and rule.
+/// Preconditions of this floor's functions: each throws foundation::InvalidInput that names thing, value with unit, and
+/// rule.
 namespace trivet::excitation {
 
 void require_finite(double value, std::string_view thing, std::string_view unit);

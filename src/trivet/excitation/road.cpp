@@ -18,16 +18,18 @@ constexpr double class_a_mean = 16e-6;         // [m³]; each further class is f
 }  // namespace
 
 RoadRoughness road_class(char letter) {
-  if (letter < 'A' || letter > 'H') throw foundation::InvalidInput(fmt::format("road class '{}': ISO 8608 has the classes A to H", letter));
+  if (letter < 'A' || letter > 'H')
+    throw foundation::InvalidInput(fmt::format("road class '{}': ISO 8608 has the classes A to H", letter));
   return {.roughness = class_a_mean * std::pow(4, letter - 'A')};
 }
 
 Spectrum road_spectrum(const RoadRoughness& road, double speed) {
   require_positive(road.roughness, "roughness of a road", "m³");
   require_finite(road.waviness, "waviness of a road", "");
-  if (!(road.wave_number_from > 0 && road.wave_number_from < road.wave_number_to) || !std::isfinite(road.wave_number_to))
-    throw foundation::InvalidInput(
-        fmt::format("road: wave numbers {:.6g} … {:.6g} 1/m, must be > 0 and ascend", road.wave_number_from, road.wave_number_to));
+  if (!(road.wave_number_from > 0 && road.wave_number_from < road.wave_number_to) ||
+      !std::isfinite(road.wave_number_to))
+    throw foundation::InvalidInput(fmt::format("road: wave numbers {:.6g} … {:.6g} 1/m, must be > 0 and ascend",
+                                               road.wave_number_from, road.wave_number_to));
   require_positive(speed, "speed", "m/s");
   const double radians_per_wave_number = 2 * std::numbers::pi * speed;
   const auto density = [&](double n) {

@@ -5,14 +5,17 @@
 
 namespace trivet::excitation {
 
-/// The roughness of a road track after ISO 8608: G_d(n) = G_d(n₀) (n/n₀)^{−w} over the wave number n in cycles per metre, n₀ = 0.1 1/m.
+/// The roughness of a road track after ISO 8608: G_d(n) = G_d(n₀) (n/n₀)^{−w} over the wave number n in cycles per
+/// metre, n₀ = 0.1 1/m.
 struct RoadRoughness {
-  double roughness = 0;                                    ///< G_d(n₀) [m³] > 0
-  double waviness = 2;                                     ///< w
-  double wave_number_from = 0.011, wave_number_to = 2.83;  ///< [1/m], 0 < from < to: the range that the classes of ISO 8608 are stated for
+  double roughness = 0;  ///< G_d(n₀) [m³] > 0
+  double waviness = 2;   ///< w
+  double wave_number_from = 0.011,
+         wave_number_to = 2.83;  ///< [1/m], 0 < from < to: the range that the classes of ISO 8608 are stated for
 };
 
-/// The geometric mean of a class, 'A' (very good) to 'H': 16e-6 m³ · 4^k. The limits of a class are a factor of 2 above and below.
+/// The geometric mean of a class, 'A' (very good) to 'H': 16e-6 m³ · 4^k. The limits of a class are a factor of 2 above
+/// and below.
 /// @throws foundation::InvalidInput for another letter
 [[nodiscard]] RoadRoughness road_class(char letter);
 

@@ -28,25 +28,30 @@ foundation::Problems check(const Samples& samples, const std::string& subject) {
   foundation::Problems problems;
   const std::vector<double>&t = samples.times, &u = samples.values;
   if (t.size() != u.size())
-    problems.error(subject, fmt::format("{} times and {} values", t.size(), u.size()), "each time has one value", "complete the rows");
-  if (t.size() < 2) problems.error(subject, fmt::format("{} samples", t.size()), "a time history has two or more", "add rows");
+    problems.error(subject, fmt::format("{} times and {} values", t.size(), u.size()), "each time has one value",
+                   "complete the rows");
+  if (t.size() < 2)
+    problems.error(subject, fmt::format("{} samples", t.size()), "a time history has two or more", "add rows");
   for (const auto* column : {&t, &u})
     for (std::size_t i = 0; i < column->size(); ++i)
       if (!std::isfinite((*column)[i])) {
-        problems.error(subject, fmt::format("row {}: the {} is {}", i + 1, column == &t ? "time" : "value", (*column)[i]),
+        problems.error(subject,
+                       fmt::format("row {}: the {} is {}", i + 1, column == &t ? "time" : "value", (*column)[i]),
                        "numbers must be finite", "fill the gap or remove the row");
         break;
       }
   if (!problems.has_errors()) check_times(problems, subject, t);
   if (problems.has_errors()) return problems;
   if (u.front() != 0)
-    problems.warning(subject, fmt::format("the first value is {:.6g}", u.front()), "the signal is zero before it and jumps there",
+    problems.warning(subject, fmt::format("the first value is {:.6g}", u.front()),
+                     "the signal is zero before it and jumps there",
                      "begin with zero, or remove the mean, if no jump is meant");
   if (u.back() != 0) {
     const bool held = samples.afterwards == Samples::Afterwards::hold;
     problems.warning(subject, fmt::format("the last value is {:.6g}", u.back()),
                      held ? "the last value is held" : "the signal jumps to zero after it",
-                     held ? "end with zero, or ask for zero afterwards, if it should not last" : "end with zero if no jump is meant");
+                     held ? "end with zero, or ask for zero afterwards, if it should not last"
+                          : "end with zero if no jump is meant");
   }
   return problems;
 }
@@ -56,9 +61,10 @@ Signal from_samples(const Samples& samples) {
   Signal signal;
   signal.pieces.reserve(samples.times.size());
   for (std::size_t i = 0; i + 1 < samples.times.size(); ++i)
-    signal.pieces.push_back(
-        {samples.times[i], samples.values[i], (samples.values[i + 1] - samples.values[i]) / (samples.times[i + 1] - samples.times[i])});
-  signal.pieces.push_back({samples.times.back(), samples.afterwards == Samples::Afterwards::hold ? samples.values.back() : 0});
+    signal.pieces.push_back({samples.times[i], samples.values[i],
+                             (samples.values[i + 1] - samples.values[i]) / (samples.times[i + 1] - samples.times[i])});
+  signal.pieces.push_back(
+      {samples.times.back(), samples.afterwards == Samples::Afterwards::hold ? samples.values.back() : 0});
   require_valid(signal);  // two times so close that the rate overflows
   return signal;
 }

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t terms = 28;
 using Series = std::array<double, terms>;
 
-/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot reach outside are left alone: between its ends a
-/// function leaves their straight line by at most |f″|/8.
+/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot reach outside are left alone:
+/// between its ends a function leaves their straight line by at most |f″|/8.
 void widen(double& smallest, double& largest, const Series& c) {
   double end = 0, bound = 0;
   for (std::size_t k = 0; k < terms; ++k) {
@@ -54,7 +54,9 @@ class Oscillator {
   void follow(const Piece& piece, double duration, Range& absolute) {
     const double steps = std::max(1.0, std::ceil(duration * std::max(omega_, piece.kappa)));
     if (steps > most_steps)
-      throw foundation::NotComputable("shock spectrum: an oscillator turns more than a million radians within one piece of the signal; lower the upper end of the band");
+      throw foundation::NotComputable(
+          "shock spectrum: an oscillator turns more than a million radians within one piece of the signal; lower the "
+          "upper end of the band");
     const double h = duration / steps;
     for (double i = 0; i < steps; ++i) advance(base_series(piece, i * h, h), h, absolute);
   }
@@ -66,8 +68,8 @@ class Oscillator {
     for (double tau = 0; tau < period + 1; ++tau) {
       const double amplitude = std::hypot(y_ + base, rate_);  // its energy only falls
       const double reach = (1 + 2 * zeta_) * amplitude;
-      if (base + reach <= absolute.largest && base - reach >= absolute.smallest && -base + amplitude <= relative_.largest &&
-          -base - amplitude >= relative_.smallest)
+      if (base + reach <= absolute.largest && base - reach >= absolute.smallest &&
+          -base + amplitude <= relative_.largest && -base - amplitude >= relative_.smallest)
         return;
       advance(constant, 1 / omega_, absolute);
     }
@@ -109,8 +111,8 @@ class Oscillator {
 
 }  // namespace
 
-std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<double>& angular_frequencies, double zeta,
-                                          const foundation::Progress& progress) {
+std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<double>& angular_frequencies,
+                                          double zeta, const foundation::Progress& progress) {
   require_valid(base);
   require_damping_ratio(zeta);
   for (const double omega : angular_frequencies) require_positive(omega, "natural frequency", "rad/s");
@@ -123,13 +125,14 @@ std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<
     Range primary, residual;
     for (std::size_t i = 0; i + 1 < base.pieces.size(); ++i) {
       const double done = static_cast<double>(i) / static_cast<double>(base.pieces.size());
-      foundation::report_progress(progress, "shock response spectrum",
-                                  (static_cast<double>(spectrum.size()) + done) / static_cast<double>(angular_frequencies.size()));
+      foundation::report_progress(
+          progress, "shock response spectrum",
+          (static_cast<double>(spectrum.size()) + done) / static_cast<double>(angular_frequencies.size()));
       oscillator.follow(base.pieces[i], base.pieces[i + 1].start - base.pieces[i].start, primary);
     }
     if (!base.pieces.empty()) oscillator.ring_out(base.pieces.back().value, residual);
-    spectrum.push_back(
-        {omega, primary.largest, primary.smallest, residual.largest, residual.smallest, oscillator.largest_relative() / (omega * omega)});
+    spectrum.push_back({omega, primary.largest, primary.smallest, residual.largest, residual.smallest,
+                        oscillator.largest_relative() / (omega * omega)});
   }
   return spectrum;
 }

@@ -13,8 +13,8 @@
 namespace trivet::excitation {
 namespace {
 
-/// C_n(s) = sⁿ Σ_k (−κ²s²)ᵏ/(n + 2k)!, n = 0 … 4 (Stumpff functions): cos κs, sin κs/κ, (1 − cos κs)/κ² and so on, C′_{n+1} = C_n.
-/// Powers of s where κ = 0. The recurrence loses digits for small κs, where the series takes over.
+/// C_n(s) = sⁿ Σ_k (−κ²s²)ᵏ/(n + 2k)!, n = 0 … 4 (Stumpff functions): cos κs, sin κs/κ, (1 − cos κs)/κ² and so on,
+/// C′_{n+1} = C_n. Powers of s where κ = 0. The recurrence loses digits for small κs, where the series takes over.
 std::array<double, 5> stumpff(double kappa, double s) {
   const double x = kappa * kappa * s * s;
   std::array<double, 5> c{};
@@ -49,8 +49,8 @@ SignalState state_on(const Piece& p, double s) {
 }
 
 std::ptrdiff_t piece_at(const Signal& signal, double t) {
-  const auto after =
-      std::upper_bound(signal.pieces.begin(), signal.pieces.end(), t, [](double time, const Piece& p) { return time < p.start; });
+  const auto after = std::upper_bound(signal.pieces.begin(), signal.pieces.end(), t,
+                                      [](double time, const Piece& p) { return time < p.start; });
   return after - signal.pieces.begin() - 1;
 }
 
@@ -74,7 +74,9 @@ SignalIntegrals integrals(const Signal& signal, double t) {
 }
 
 SignalIntegrals integrals_on(const Piece& p, double s) {
-  if (p.kappa == 0) return {s * (p.value + s / 2 * (p.rate + s / 3 * p.curvature)), s * s / 2 * (p.value + s / 3 * (p.rate + s / 4 * p.curvature))};
+  if (p.kappa == 0)
+    return {s * (p.value + s / 2 * (p.rate + s / 3 * p.curvature)),
+            s * s / 2 * (p.value + s / 3 * (p.rate + s / 4 * p.curvature))};
   const auto c = stumpff(p.kappa, s);
   return {p.value * s + p.rate * c[2] + p.curvature * c[3], p.value * s * s / 2 + p.rate * c[3] + p.curvature * c[4]};
 }
@@ -95,12 +97,13 @@ Signal scaled(Signal signal, double factor) {
 void require_valid(const Signal& signal) {
   for (std::size_t i = 0; i < signal.pieces.size(); ++i) {
     const Piece& p = signal.pieces[i];
-    for (const double number : {p.start, p.value, p.rate, p.curvature}) require_finite(number, "a number in a piece of a signal", "");
+    for (const double number : {p.start, p.value, p.rate, p.curvature})
+      require_finite(number, "a number in a piece of a signal", "");
     require_not_negative(p.kappa, "κ of a piece of a signal", "rad/s");
     if (i > 0 && !(p.start > signal.pieces[i - 1].start))
       throw foundation::InvalidInput(
-          fmt::format("piece {} of a signal starts at {:.9g} s, the one before at {:.9g} s: starts must increase", i + 1, p.start,
-                      signal.pieces[i - 1].start));
+          fmt::format("piece {} of a signal starts at {:.9g} s, the one before at {:.9g} s: starts must increase",
+                      i + 1, p.start, signal.pieces[i - 1].start));
   }
 }
 

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-/// What excites a machine, as physics alone: time histories, spectra, engines, weightings. Nothing here reads files or solves systems.
+/// What excites a machine, as physics alone: time histories, spectra, engines, weightings. Nothing here reads files or
+/// solves systems.
 namespace trivet::excitation {
 
 /// u on one piece, counted from its start: u‴ = −κ²u′, so κ = 0 is a parabola and κ > 0 a sine about any mean.
@@ -14,7 +15,8 @@ struct Piece {
   double kappa = 0;                           ///< κ ≥ 0 [rad/s]
 };
 
-/// A time history of exact pieces: zero before the first, each piece up to the start of the next, the last one for ever. It may jump.
+/// A time history of exact pieces: zero before the first, each piece up to the start of the next, the last one for
+/// ever. It may jump.
 struct Signal {
   std::vector<Piece> pieces;  ///< starts increase
 };
@@ -33,7 +35,8 @@ struct SignalState {
 /// Index of the piece that holds at time t, or −1 before the first.
 [[nodiscard]] std::ptrdiff_t piece_at(const Signal& signal, double t);
 
-/// ∫u and ∬u from before the first piece up to t, in closed form: of an acceleration pulse the net change of velocity and the displacement.
+/// ∫u and ∬u from before the first piece up to t, in closed form: of an acceleration pulse the net change of velocity
+/// and the displacement.
 struct SignalIntegrals {
   double once = 0;   ///< [unit s]
   double twice = 0;  ///< [unit s²]

@@ -16,7 +16,8 @@ constexpr double negligible = 1e-18;
 
 void require_rod_ratio(double lambda) {
   if (!(lambda > 0 && lambda < 1))
-    throw foundation::InvalidInput(fmt::format("rod ratio λ = {:.6g}: crank radius over length of the rod must be > 0 and < 1", lambda));
+    throw foundation::InvalidInput(
+        fmt::format("rod ratio λ = {:.6g}: crank radius over length of the rod must be > 0 and < 1", lambda));
 }
 
 /// √(1 − λ² sin²φ) = α |1 + q e^{2iφ}|.

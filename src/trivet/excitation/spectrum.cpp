@@ -18,7 +18,8 @@ using foundation::two_pi;
 
 double density_of(const SpectrumPiece& p, double omega) {
   const double factor = p.factor == 0 ? 1 : std::pow(omega, p.factor);
-  if (p.linear) return factor * (p.density_from + (p.density_to - p.density_from) * ((omega - p.from) / (p.to - p.from)));
+  if (p.linear)
+    return factor * (p.density_from + (p.density_to - p.density_from) * ((omega - p.from) / (p.to - p.from)));
   return factor * p.density_from * std::pow(omega / p.from, p.exponent());
 }
 
@@ -30,12 +31,14 @@ double power_integral(double p, double reference, double a, double b) {
 }
 
 double mean_square_of(const SpectrumPiece& p, double a, double b) {
-  if (!p.linear) return p.density_from * std::pow(p.from, p.factor) * power_integral(p.exponent() + p.factor, p.from, a, b);
+  if (!p.linear)
+    return p.density_from * std::pow(p.from, p.factor) * power_integral(p.exponent() + p.factor, p.from, a, b);
   const double slope = (p.density_to - p.density_from) / (p.to - p.from), at_a = p.density_from + slope * (a - p.from);
   if (p.factor == 0) return (at_a + 0.5 * slope * (b - a)) * (b - a);
   const double scale = std::pow(b, p.factor);
   return scale *
-         ((p.density_from - slope * p.from) * power_integral(p.factor, b, a, b) + slope * b * power_integral(p.factor + 1, b, a, b));
+      ((p.density_from - slope * p.from) * power_integral(p.factor, b, a, b) +
+       slope * b * power_integral(p.factor + 1, b, a, b));
 }
 
 }  // namespace
@@ -47,7 +50,8 @@ double SpectrumPiece::exponent() const {
 double density(const Spectrum& spectrum, double omega) {
   const auto& pieces = spectrum.pieces;
   if (pieces.empty() || !(omega >= pieces.front().from && omega <= pieces.back().to)) return 0;
-  const auto after = std::upper_bound(pieces.begin(), pieces.end(), omega, [](double w, const SpectrumPiece& p) { return w < p.from; });
+  const auto after = std::upper_bound(pieces.begin(), pieces.end(), omega,
+                                      [](double w, const SpectrumPiece& p) { return w < p.from; });
   const SpectrumPiece& piece = *(after - 1);
   return omega <= piece.to ? density_of(piece, omega) : 0;
 }
@@ -63,7 +67,8 @@ std::vector<double> breakpoints(const Spectrum& spectrum) {
 
 double mean_square(const Spectrum& spectrum, double from, double to) {
   if (!(from <= to))
-    throw foundation::InvalidInput(fmt::format("mean square from {:.6g} to {:.6g} rad/s: the band must not be reversed", from, to));
+    throw foundation::InvalidInput(
+        fmt::format("mean square from {:.6g} to {:.6g} rad/s: the band must not be reversed", from, to));
   double sum = 0;
   for (const SpectrumPiece& piece : spectrum.pieces) {
     const double a = std::max(from, piece.from), b = std::min(to, piece.to);
@@ -78,7 +83,8 @@ double rms(const Spectrum& spectrum) { return std::sqrt(mean_square(spectrum)); 
 
 Spectrum differentiated(Spectrum spectrum, int times) {
   if (times < 0 && !spectrum.pieces.empty() && spectrum.from() == 0)
-    throw foundation::InvalidInput("a spectrum that begins at 0 Hz cannot be integrated: its displacement has no finite mean square");
+    throw foundation::InvalidInput(
+        "a spectrum that begins at 0 Hz cannot be integrated: its displacement has no finite mean square");
   for (SpectrumPiece& p : spectrum.pieces) {
     if (p.linear) {
       p.factor += 2 * times;
@@ -108,24 +114,28 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
   foundation::Problems problems;
   const std::vector<double>&f = table.frequencies_hz, &s = table.densities_per_hz;
   if (f.size() != s.size())
-    problems.error(subject, fmt::format("{} frequencies and {} densities", f.size(), s.size()), "each frequency has one density",
-                   "complete the rows");
+    problems.error(subject, fmt::format("{} frequencies and {} densities", f.size(), s.size()),
+                   "each frequency has one density", "complete the rows");
   if (f.size() < 2) problems.error(subject, fmt::format("{} rows", f.size()), "a spectrum has two or more", "add rows");
   const bool logarithmic = table.interpolation == SpectrumTable::Interpolation::logarithmic;
   for (std::size_t i = 0; i < std::min(f.size(), s.size()); ++i) {
     const std::string row = fmt::format("row {}", i + 1);
     if (!std::isfinite(f[i]) || !std::isfinite(s[i]))
-      problems.error(subject, fmt::format("{}: {} Hz, {}", row, f[i], s[i]), "numbers must be finite", "fill the gap or remove the row");
+      problems.error(subject, fmt::format("{}: {} Hz, {}", row, f[i], s[i]), "numbers must be finite",
+                     "fill the gap or remove the row");
     if (s[i] < 0)
       problems.error(subject, fmt::format("{}: density {:.6g} at {:.6g} Hz", row, s[i], f[i]),
                      "a power spectral density is a mean square per hertz and cannot be negative",
                      "check whether the table holds decibels");
     if (f[i] < 0 || (logarithmic && f[i] == 0))
-      problems.error(subject, fmt::format("{}: frequency {:.6g} Hz", row, f[i]),
-                     logarithmic ? "logarithmic interpolation needs frequencies > 0" : "a one-sided spectrum has frequencies ≥ 0",
-                     logarithmic ? "begin above zero, or choose linear interpolation" : "fold the negative half onto the positive one");
+      problems.error(
+          subject, fmt::format("{}: frequency {:.6g} Hz", row, f[i]),
+          logarithmic ? "logarithmic interpolation needs frequencies > 0" : "a one-sided spectrum has frequencies ≥ 0",
+          logarithmic ? "begin above zero, or choose linear interpolation"
+                      : "fold the negative half onto the positive one");
     if (i > 0 && f[i] <= f[i - 1])
-      problems.error(subject, fmt::format("{}: {:.6g} Hz after {:.6g} Hz", row, f[i], f[i - 1]), "frequencies must increase",
+      problems.error(subject, fmt::format("{}: {:.6g} Hz after {:.6g} Hz", row, f[i], f[i - 1]),
+                     "frequencies must increase",
                      f[i] == f[i - 1] ? "a jump needs two frequencies, however close" : "sort the rows");
   }
   if (!problems.has_errors() && std::all_of(s.begin(), s.end(), [](double x) { return x == 0; }))

@@ -8,8 +8,8 @@
 
 namespace trivet::excitation {
 
-/// One piece of a power spectral density between two frequencies: ω^`factor` times a power law through its two ends, or times a straight
-/// line.
+/// One piece of a power spectral density between two frequencies: ω^`factor` times a power law through its two ends, or
+/// times a straight line.
 struct SpectrumPiece {
   double from = 0, to = 0;  ///< [rad/s], 0 ≤ from < to; a power law has from > 0
   double density_from = 0;  ///< at `from`, without the factor
@@ -21,8 +21,8 @@ struct SpectrumPiece {
   [[nodiscard]] double exponent() const;
 };
 
-/// One-sided power spectral density over angular frequency, [unit²/(rad/s)]: mean square = ∫₀^∞ S dω. Zero outside its pieces.
-/// A density per hertz is S(f) = 2π S(ω).
+/// One-sided power spectral density over angular frequency, [unit²/(rad/s)]: mean square = ∫₀^∞ S dω. Zero outside its
+/// pieces. A density per hertz is S(f) = 2π S(ω).
 struct Spectrum {
   std::vector<SpectrumPiece> pieces;  ///< ascending, without overlap
 
@@ -54,7 +54,8 @@ struct Spectrum {
 /// A table of a spectral density over frequency in Hz, [unit²/Hz].
 struct SpectrumTable {
   enum class Interpolation {
-    logarithmic,  ///< straight lines over log f and log S; a piece with a zero at one end is a straight line over f and S instead
+    logarithmic,  ///< straight lines over log f and log S; a piece with a zero at one end is a straight line over f and
+                  ///< S instead
     linear        ///< straight lines over f and S
   };
   std::vector<double> frequencies_hz;
@@ -62,8 +63,9 @@ struct SpectrumTable {
   Interpolation interpolation = Interpolation::logarithmic;
 };
 
-/// Errors: unequal counts, fewer than two rows, not finite, negative density, negative frequency or zero with logarithmic interpolation,
-/// frequencies that do not increase, nothing but zeros. Warning: a piece with a zero at one end that is therefore linear.
+/// Errors: unequal counts, fewer than two rows, not finite, negative density, negative frequency or zero with
+/// logarithmic interpolation, frequencies that do not increase, nothing but zeros. Warning: a piece with a zero at one
+/// end that is therefore linear.
 [[nodiscard]] foundation::Problems check(const SpectrumTable& table, const std::string& subject);
 
 /// @throws foundation::InvalidInput with the first error of `check`

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double most_parabolas = 6e6;  // 240 MB of pieces, and as many steps in time
 
-/// Two parabolas of length g through values and rates at both ends miss a function by at most (2/81) |u‴| g³ between them.
+/// Two parabolas of length g through values and rates at both ends miss a function by at most (2/81) |u‴| g³ between
+/// them.
 constexpr double two_parabolas_error = 2.0 / 81;
 
 void require_valid_sweep(const Sweep& s) {
@@ -22,9 +23,11 @@ void require_valid_sweep(const Sweep& s) {
   require_finite(s.phase, "phase of a sweep", "rad");
   require_finite(s.start, "start of a sweep", "s");
   require_positive(s.duration, "duration of a sweep", "s");
-  const bool logarithmic = s.law == Sweep::Law::logarithmic, run_up = s.amplitude_law == Sweep::Amplitude::speed_squared;
+  const bool logarithmic = s.law == Sweep::Law::logarithmic,
+             run_up = s.amplitude_law == Sweep::Amplitude::speed_squared;
   (logarithmic ? require_positive : require_not_negative)(s.from, "first frequency of a sweep", "rad/s");
-  (logarithmic || run_up || s.from == 0 ? require_positive : require_not_negative)(s.to, "last frequency of a sweep", "rad/s");
+  (logarithmic || run_up || s.from == 0 ? require_positive : require_not_negative)(s.to, "last frequency of a sweep",
+                                                                                   "rad/s");
 }
 
 /// φ, ω, ω̇, ω̈ at s.
@@ -37,8 +40,10 @@ Phase phase_of(const Sweep& sweep, double s) {
     const double rate = (sweep.to - sweep.from) / sweep.duration;
     return {sweep.phase + s * (sweep.from + rate * s / 2), sweep.from + rate * s, rate, 0};
   }
-  const double growth = std::log(sweep.to / sweep.from) / sweep.duration, x = growth * s, omega = sweep.from * std::exp(x);
-  return {sweep.phase + sweep.from * s * (x == 0 ? 1 : std::expm1(x) / x), omega, omega * growth, omega * growth * growth};
+  const double growth = std::log(sweep.to / sweep.from) / sweep.duration, x = growth * s,
+               omega = sweep.from * std::exp(x);
+  return {sweep.phase + sweep.from * s * (x == 0 ? 1 : std::expm1(x) / x), omega, omega * growth,
+          omega * growth * growth};
 }
 
 double local_amplitude(const Sweep& sweep, double s) {
@@ -73,7 +78,8 @@ SignalState sweep_state(const Sweep& sweep, double s) {
     a1 = 2 * scale * p.omega * p.rate;
     a2 = 2 * scale * (p.rate * p.rate + p.omega * p.second_rate);
   }
-  return {a * sine, a1 * sine + a * p.omega * cosine, a2 * sine + (2 * a1 * p.omega + a * p.rate) * cosine - a * p.omega * p.omega * sine};
+  return {a * sine, a1 * sine + a * p.omega * cosine,
+          a2 * sine + (2 * a1 * p.omega + a * p.rate) * cosine - a * p.omega * p.omega * sine};
 }
 
 Signal sweep_signal(const Sweep& sweep, double tolerance) {
@@ -82,19 +88,21 @@ Signal sweep_signal(const Sweep& sweep, double tolerance) {
     throw foundation::InvalidInput(fmt::format("sweep: tolerance {:.3g}, must be between 1e-12 and 0.1", tolerance));
   const double radians_per_piece = std::cbrt(0.9 * tolerance / two_parabolas_error);
   if (const double count = phase_of(sweep, sweep.duration).angle / radians_per_piece; count > most_parabolas)
-    throw foundation::NotComputable(
-        fmt::format("a sweep of {:.3g} cycles takes {:.2g} parabolas at a tolerance of {:.1g}; the most is {:.1g}",
-                    (phase_of(sweep, sweep.duration).angle - sweep.phase) / 6.283185307179586, count, tolerance, most_parabolas));
+    throw foundation::NotComputable(fmt::format(
+        "a sweep of {:.3g} cycles takes {:.2g} parabolas at a tolerance of {:.1g}; the most is {:.1g}",
+        (phase_of(sweep, sweep.duration).angle - sweep.phase) / 6.283185307179586, count, tolerance, most_parabolas));
   Signal signal;
   for (double s = 0; s < sweep.duration;) {
     const double left = sweep.duration - s;
     const auto evenly = [&](double g) { return left / (2 * std::max(1.0, std::ceil(left / (2 * g)))); };
     const auto fastest = [&](double g) { return std::max(phase_of(sweep, s).omega, phase_of(sweep, s + 2 * g).omega); };
     double g = left / 2;
-    for (int i = 0; i < 2; ++i) g = evenly(std::min(left / 2, radians_per_piece / fastest(i == 0 && fastest(0) > 0 ? 0 : g)));
+    for (int i = 0; i < 2; ++i)
+      g = evenly(std::min(left / 2, radians_per_piece / fastest(i == 0 && fastest(0) > 0 ? 0 : g)));
     auto pair = two_parabolas(sweep, s, g);
     const double shortest = 1e-9 * sweep.duration;  // no sweep within most_parabolas needs shorter ones
-    while (error_of(sweep, pair, s, g) > 0.9 * tolerance * std::max(local_amplitude(sweep, s), local_amplitude(sweep, s + 2 * g)))
+    while (error_of(sweep, pair, s, g) >
+           0.9 * tolerance * std::max(local_amplitude(sweep, s), local_amplitude(sweep, s + 2 * g)))
       if (pair = two_parabolas(sweep, s, g = evenly(0.7 * g)); !(g > shortest))
         throw foundation::NotComputable(fmt::format(
             "a sweep is not followed by parabolas at {:.4g} s of its duration: look at its frequencies and amplitude",

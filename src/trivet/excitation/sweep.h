@@ -5,7 +5,8 @@
 
 namespace trivet::excitation {
 
-/// A sine whose frequency runs from one value to another: u = a(t) sin φ(t), φ̇ = ω(t), φ = `phase` at the start; zero afterwards.
+/// A sine whose frequency runs from one value to another: u = a(t) sin φ(t), φ̇ = ω(t), φ = `phase` at the start; zero
+/// afterwards.
 struct Sweep {
   enum class Law { linear, logarithmic };  ///< ω rises by equal amounts, or by equal ratios, in equal times
   enum class Amplitude {
@@ -24,9 +25,9 @@ struct Sweep {
 /// The sweep itself, for 0 ≤ s ≤ duration after its start.
 [[nodiscard]] SignalState sweep_state(const Sweep& sweep, double s);
 
-/// The sweep as parabolas, continuous with its rate: value and rate are exact at every second joint, and between them the value is off by
-/// at most `tolerance` of the local amplitude (the rate by about 4 tolerance^(2/3) of amplitude times frequency). tolerance in [1e-12,
-/// 0.1]; 1e-5 takes about 85 parabolas per cycle.
+/// The sweep as parabolas, continuous with its rate: value and rate are exact at every second joint, and between them
+/// the value is off by at most `tolerance` of the local amplitude (the rate by about 4 tolerance^(2/3) of amplitude
+/// times frequency). tolerance in [1e-12, 0.1]; 1e-5 takes about 85 parabolas per cycle.
 /// @throws foundation::InvalidInput for numbers out of range, foundation::NotComputable above twenty million parabolas
 [[nodiscard]] Signal sweep_signal(const Sweep& sweep, double tolerance = 1e-5);
 

@@ -21,13 +21,16 @@ Matrix12 scaled_difference(const Matrix12& a, const Matrix12& b) {
   return (a - b).cwiseAbs().cwiseQuotient(scale * scale.transpose());
 }
 
-SolidStiffness condense_with(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, TetPressure pressure,
-                             const CondensationOptions& options, const foundation::Progress& progress) {
+SolidStiffness condense_with(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame,
+                             TetPressure pressure, const CondensationOptions& options,
+                             const foundation::Progress& progress) {
   Solid solid(mesh, materials, pressure);
   require_memory(solid, false, options);
-  const Solid::Linearised result = solid.linearise(solid.rest(frame.point_n, frame.point_k), false, foundation::thread_count(options.threads), progress);
+  const Solid::Linearised result = solid.linearise(solid.rest(frame.point_n, frame.point_k), false,
+                                                   foundation::thread_count(options.threads), progress);
   if (result.singular || result.negative_pivots != 0)
-    throw foundation::NotComputable("the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
+    throw foundation::NotComputable(
+        "the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
   const Matrix12 all_motions = in_element_axes(result.tangent, frame.axes);
   const Eigen::Vector3d arm = frame.axes.transpose() * (frame.point_k - frame.point_n);
   SolidStiffness stiffness{.unknowns = solid.unknowns().count, .elements = static_cast<int>(mesh.elements.cols())};
@@ -48,12 +51,13 @@ Matrix12 in_element_axes(const Matrix12& c, const Eigen::Matrix3d& axes) {
 void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options) {
   if (solid.bytes(recoverable) > options.memory_limit)
     throw foundation::InvalidInput(
-        fmt::format("the mesh with {} unknowns needs about {:.1f} GB, the limit is {:.1f} GB: take a coarser mesh or raise the limit",
+        fmt::format("the mesh with {} unknowns needs about {:.1f} GB, the limit is {:.1f} GB: take a coarser mesh or "
+                    "raise the limit",
                     solid.unknowns().count, solid.bytes(recoverable) * 1e-9, options.memory_limit * 1e-9));
 }
 
-SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, const CondensationOptions& options,
-                        const foundation::Progress& progress) {
+SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame,
+                        const CondensationOptions& options, const foundation::Progress& progress) {
   require_sound(mesh, materials);
   SolidStiffness stiffness = condense_with(mesh, materials, frame, TetPressure::constant, options, progress);
   if (mesh.kind == Mesh::Kind::hex27) return stiffness;
@@ -66,9 +70,12 @@ SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials
   return stiffness;
 }
 
-SolidStiffness condense(const Mesh& fine, const Mesh& coarse, double refinement, const std::vector<Material>& materials, const ElementFrame& frame,
-                        const CondensationOptions& options, const foundation::Progress& progress) {
-  if (!(refinement > 1)) throw foundation::InvalidInput(fmt::format("refinement {}; the fine mesh must have the smaller elements (ratio > 1)", refinement));
+SolidStiffness condense(const Mesh& fine, const Mesh& coarse, double refinement, const std::vector<Material>& materials,
+                        const ElementFrame& frame, const CondensationOptions& options,
+                        const foundation::Progress& progress) {
+  if (!(refinement > 1))
+    throw foundation::InvalidInput(
+        fmt::format("refinement {}; the fine mesh must have the smaller elements (ratio > 1)", refinement));
   const SolidStiffness rough = condense(coarse, materials, frame, options, progress);
   SolidStiffness stiffness = condense(fine, materials, frame, options, progress);
   stiffness.relative_error = scaled_difference(stiffness.stiffness, rough.stiffness) / (refinement - 1);

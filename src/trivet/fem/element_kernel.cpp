@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mixed displacement–pressure elements, total Lagrangian: Π(u, p) = ∫ W(F) + p (J − 1) − p²/(2κ) dV. A pressure of the element's own is
-// p = κ Σ ψ M⁻¹ ∫ψ (J − 1), so that κ Gᵀ M⁻¹ G with G = ∫ψ ∂J/∂u joins the tangent and no pressure unknown remains.
+// Mixed displacement–pressure elements, total Lagrangian: Π(u, p) = ∫ W(F) + p (J − 1) − p²/(2κ) dV. A pressure of the
+// element's own is p = κ Σ ψ M⁻¹ ∫ψ (J − 1), so that κ Gᵀ M⁻¹ G with G = ∫ψ ∂J/∂u joins the tangent and no pressure
+// unknown remains.
 #include "trivet/fem/element_kernel.h"
 
 #include <Eigen/LU>
@@ -30,15 +31,13 @@ const ReferenceTables<Element>& tables() {
   return t;
 }
 
-/// Pressure functions: 1 and the three centred coordinates (hexahedron), 1 (tetrahedron), or the barycentric coordinates.
+/// Pressure functions: 1 and the three centred coordinates (hexahedron), 1 (tetrahedron), or the barycentric
+/// coordinates.
 template <typename Element, int Modes>
 Eigen::Matrix<double, Modes, 1> pressure_functions(int point, const Eigen::Vector3d& from_centre, double size) {
-  if constexpr (Modes == 1)
-    return Eigen::Matrix<double, 1, 1>(1.0);
-  else if constexpr (Element::nodes == 10)
-    return Element::barycentric(point);
-  else
-    return Eigen::Vector4d(1, from_centre.x() / size, from_centre.y() / size, from_centre.z() / size);
+  if constexpr (Modes == 1) return Eigen::Matrix<double, 1, 1>(1.0);
+  else if constexpr (Element::nodes == 10) return Element::barycentric(point);
+  else return Eigen::Vector4d(1, from_centre.x() / size, from_centre.y() / size, from_centre.z() / size);
 }
 
 /// One element: geometry at its points, deformation there, and the integrals of J − 1 against the pressure functions.
@@ -46,7 +45,7 @@ template <typename Element, int Modes>
 struct Kernel {
   static constexpr int N = Element::nodes, P = Element::points;
   using Gradients = Eigen::Matrix<double, 3 * P, N>;
-  Gradients gradients;                               ///< ∂N/∂X: three rows per point
+  Gradients gradients;  ///< ∂N/∂X: three rows per point
   Eigen::Matrix<double, P, 1> weights;
   std::array<Eigen::Matrix3d, P> deformation;
   std::array<Eigen::Matrix<double, Modes, 1>, P> functions;
@@ -86,7 +85,8 @@ struct Kernel {
   }
 
   /// Everything but the dependence of the pressure on the displacement.
-  void add_solid(const Material& material, const Eigen::Matrix<double, Modes, 1>& pressure, bool deformed, ElementSystem& system) const {
+  void add_solid(const Material& material, const Eigen::Matrix<double, Modes, 1>& pressure, bool deformed,
+                 ElementSystem& system) const {
     std::array<StressAndTangent, P> law;
     for (std::size_t p = 0; p < P; ++p)
       law[p] = !deformed && p > 0 ? law[0] : stress_and_tangent(material, deformation[p], functions[p].dot(pressure));
@@ -96,7 +96,8 @@ struct Kernel {
       for (int p = 0; p < P; ++p)
         scaled.template middleRows<3>(3 * p) = weights(p) * gradients.template middleRows<3>(3 * p);
       Eigen::Matrix<double, 3 * P, 1> stress;
-      for (int p = 0; p < P; ++p) stress.template segment<3>(3 * p) = law[static_cast<std::size_t>(p)].stress.row(i).transpose();
+      for (int p = 0; p < P; ++p)
+        stress.template segment<3>(3 * p) = law[static_cast<std::size_t>(p)].stress.row(i).transpose();
       system.force.segment<N>(i * N).noalias() += scaled.transpose() * stress;
       for (int j = i; j < 3; ++j) {
         for (int p = 0; p < P; ++p) {
@@ -115,7 +116,8 @@ struct Kernel {
 };
 
 template <typename Element, int Modes>
-ElementSystem condensed_pressure(const Eigen::Matrix3Xd& nodes, const Material& material, const Eigen::Matrix3Xd* displacement) {
+ElementSystem condensed_pressure(const Eigen::Matrix3Xd& nodes, const Material& material,
+                                 const Eigen::Matrix3Xd* displacement) {
   constexpr int N = Element::nodes;
   const Eigen::Matrix<double, 3, N> x = nodes, u = displacement ? *displacement : Eigen::Matrix3Xd::Zero(3, N);
   const Kernel<Element, Modes> kernel(x, displacement ? &u : nullptr);
@@ -130,8 +132,8 @@ ElementSystem condensed_pressure(const Eigen::Matrix3Xd& nodes, const Material& 
 }
 
 /// Taylor–Hood: the pressures of the corners stay unknowns, p-rows ∫ψ (J − 1) − M p/κ.
-ElementSystem continuous_pressure(const Eigen::Matrix3Xd& nodes, const Material& material, const Eigen::Matrix3Xd* displacement,
-                                  const Eigen::Vector4d& pressure) {
+ElementSystem continuous_pressure(const Eigen::Matrix3Xd& nodes, const Material& material,
+                                  const Eigen::Matrix3Xd* displacement, const Eigen::Vector4d& pressure) {
   const Eigen::Matrix<double, 3, 10> x = nodes, u = displacement ? *displacement : Eigen::Matrix3Xd::Zero(3, 10);
   const Kernel<Tet10, 4> kernel(x, displacement ? &u : nullptr);
   ElementSystem system{Eigen::MatrixXd::Zero(34, 34), Eigen::VectorXd::Zero(34), kernel.inverted};
@@ -157,11 +159,13 @@ ElementVolume volume(const Eigen::Matrix3Xd& nodes) {
 
 }  // namespace
 
-ElementSystem element_system(Mesh::Kind kind, TetPressure tet_pressure, const Eigen::Matrix3Xd& nodes, const Material& material,
-                             const Eigen::Matrix3Xd* displacement, const Eigen::Vector4d* pressure) {
+ElementSystem element_system(Mesh::Kind kind, TetPressure tet_pressure, const Eigen::Matrix3Xd& nodes,
+                             const Material& material, const Eigen::Matrix3Xd* displacement,
+                             const Eigen::Vector4d* pressure) {
   if (kind == Mesh::Kind::hex27) return condensed_pressure<Hex27, 4>(nodes, material, displacement);
   if (tet_pressure == TetPressure::constant) return condensed_pressure<Tet10, 1>(nodes, material, displacement);
-  return continuous_pressure(nodes, material, displacement, pressure ? *pressure : Eigen::Vector4d(Eigen::Vector4d::Zero()));
+  return continuous_pressure(nodes, material, displacement,
+                             pressure ? *pressure : Eigen::Vector4d(Eigen::Vector4d::Zero()));
 }
 
 ElementVolume element_volume(Mesh::Kind kind, const Eigen::Matrix3Xd& nodes) {

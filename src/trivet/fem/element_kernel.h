@@ -9,8 +9,8 @@
 
 namespace trivet::fem {
 
-/// Internal forces and their derivative for one element. Unknowns: u_x of all nodes, u_y, u_z, then the pressures of the four corners
-/// if they are unknowns of the mesh. Forces in N, pressures in Pa.
+/// Internal forces and their derivative for one element. Unknowns: u_x of all nodes, u_y, u_z, then the pressures of
+/// the four corners if they are unknowns of the mesh. Forces in N, pressures in Pa.
 struct ElementSystem {
   Eigen::MatrixXd tangent;
   Eigen::VectorXd force;
@@ -18,8 +18,9 @@ struct ElementSystem {
 };
 
 /// @param displacement, pressure  of the element's nodes and corners; nullptr means the undeformed element
-[[nodiscard]] ElementSystem element_system(Mesh::Kind kind, TetPressure tet_pressure, const Eigen::Matrix3Xd& nodes, const Material& material,
-                                           const Eigen::Matrix3Xd* displacement, const Eigen::Vector4d* pressure);
+[[nodiscard]] ElementSystem element_system(Mesh::Kind kind, TetPressure tet_pressure, const Eigen::Matrix3Xd& nodes,
+                                           const Material& material, const Eigen::Matrix3Xd* displacement,
+                                           const Eigen::Vector4d* pressure);
 
 /// Volume [m³] and the smallest determinant of the element's map over its integration points.
 struct ElementVolume {

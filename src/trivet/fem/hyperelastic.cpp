@@ -30,26 +30,32 @@ struct Invariant {
 };
 
 /// J^power times an invariant; `inverse` is F^-T.
-Invariant scaled(const Invariant& plain, double power, double j, const Vector9& inverse, const Matrix9& inverse_crossed) {
+Invariant scaled(const Invariant& plain, double power, double j, const Vector9& inverse,
+                 const Matrix9& inverse_crossed) {
   const double s = std::pow(j, power);
   const Matrix9 mixed = plain.first * inverse.transpose();
   return {s * plain.value, s * (plain.first + power * plain.value * inverse),
-          s * (plain.second + power * (mixed + mixed.transpose()) +
+          s *
+              (plain.second + power * (mixed + mixed.transpose()) +
                power * plain.value * (power * inverse * inverse.transpose() - inverse_crossed))};
 }
 
-Invariant first_invariant(const Eigen::Matrix3d& f) { return {f.squaredNorm(), 2 * as_vector(f), 2 * Matrix9::Identity()}; }
+Invariant first_invariant(const Eigen::Matrix3d& f) {
+  return {f.squaredNorm(), 2 * as_vector(f), 2 * Matrix9::Identity()};
+}
 
 Invariant second_invariant(const Eigen::Matrix3d& f) {
   const Eigen::Matrix3d c = f.transpose() * f, b = f * f.transpose(), fc = f * c;
   const double i1 = c.trace();
   const Vector9 v = as_vector(f);
-  Invariant result{0.5 * (i1 * i1 - c.squaredNorm()), 2 * (i1 * v - as_vector(fc)), 4 * v * v.transpose() - 2 * crossed(f)};
+  Invariant result{0.5 * (i1 * i1 - c.squaredNorm()), 2 * (i1 * v - as_vector(fc)),
+                   4 * v * v.transpose() - 2 * crossed(f)};
   for (int I = 0; I < 3; ++I)
     for (int J = 0; J < 3; ++J)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          result.second(i + 3 * I, j + 3 * J) += 2 * ((i == j && I == J ? i1 : 0) - (i == j ? c(I, J) : 0) - (I == J ? b(i, j) : 0));
+          result.second(i + 3 * I, j + 3 * J) +=
+              2 * ((i == j && I == J ? i1 : 0) - (i == j ? c(I, J) : 0) - (I == J ? b(i, j) : 0));
   return result;
 }
 
@@ -70,7 +76,8 @@ StressAndTangent stress_and_tangent(const Material& material, const Eigen::Matri
 
   const Invariant i1 = scaled(first_invariant(f), -2.0 / 3, j, inverse, inverse_crossed);
   const double e = i1.value - 3;
-  const double slope = material.c10 + 2 * material.c20 * e + 3 * material.c30 * e * e, curvature = 2 * material.c20 + 6 * material.c30 * e;
+  const double slope = material.c10 + 2 * material.c20 * e + 3 * material.c30 * e * e,
+               curvature = 2 * material.c20 + 6 * material.c30 * e;
   Vector9 stress = slope * i1.first;
   Matrix9 tangent = slope * i1.second + curvature * i1.first * i1.first.transpose();
   if (material.c01 != 0) {

@@ -7,8 +7,9 @@
 
 namespace trivet::fem {
 
-/// Hyperelastic solid W = C10 (Ī1−3) + C01 (Ī2−3) + C20 (Ī1−3)² + C30 (Ī1−3)³ + κ/2 (J−1)² with the isochoric invariants
-/// Ī1 = J^(−2/3) tr C, Ī2 = J^(−4/3) (tr²C − tr C²)/2. At small strain: shear modulus G = 2 (C10 + C01), bulk modulus κ. All in Pa.
+/// Hyperelastic solid W = C10 (Ī1−3) + C01 (Ī2−3) + C20 (Ī1−3)² + C30 (Ī1−3)³ + κ/2 (J−1)² with the isochoric
+/// invariants Ī1 = J^(−2/3) tr C, Ī2 = J^(−4/3) (tr²C − tr C²)/2. At small strain: shear modulus G = 2 (C10 + C01),
+/// bulk modulus κ. All in Pa.
 struct Material {
   double c10 = 0, c01 = 0, c20 = 0, c30 = 0;
   double bulk_modulus = 0;
@@ -25,8 +26,8 @@ struct Material {
 [[nodiscard]] inline double shear_modulus(const Material& material) { return 2 * (material.c10 + material.c01); }
 [[nodiscard]] double poisson_ratio(const Material& material);
 
-/// What is wrong with these constants: finite numbers, G > 0, κ > 0, Poisson's ratio in (−1, 0.5) and not so near to 0.5 that double
-/// precision is lost (κ/G ≤ 1e8).
+/// What is wrong with these constants: finite numbers, G > 0, κ > 0, Poisson's ratio in (−1, 0.5) and not so near to
+/// 0.5 that double precision is lost (κ/G ≤ 1e8).
 [[nodiscard]] foundation::Problems check(const Material& material);
 
 }  // namespace trivet::fem

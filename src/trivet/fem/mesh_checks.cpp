@@ -23,40 +23,49 @@ bool check_shape(const Mesh& mesh, Problems& problems) {
     return false;
   }
   if (mesh.elements.rows() != expected) {
-    problems.error("mesh", fmt::format("{} nodes per element", mesh.elements.rows()), fmt::format("this kind of element has {}", expected), "mesh with second-order elements");
+    problems.error("mesh", fmt::format("{} nodes per element", mesh.elements.rows()),
+                   fmt::format("this kind of element has {}", expected), "mesh with second-order elements");
     return false;
   }
   const auto outside = [&](int node) { return node < 0 || node >= mesh.nodes.cols(); };
   const bool wrong_node = std::any_of(mesh.elements.data(), mesh.elements.data() + mesh.elements.size(), outside) ||
-                          std::any_of(mesh.plate_n.begin(), mesh.plate_n.end(), outside) || std::any_of(mesh.plate_k.begin(), mesh.plate_k.end(), outside);
+      std::any_of(mesh.plate_n.begin(), mesh.plate_n.end(), outside) ||
+      std::any_of(mesh.plate_k.begin(), mesh.plate_k.end(), outside);
   if (wrong_node)
-    problems.error("mesh", "a node number without node", fmt::format("node numbers are 0 … {}", mesh.nodes.cols() - 1), "check the mesh file");
-  if (!mesh.nodes.allFinite()) problems.error("mesh", "a coordinate that is no finite number", "coordinates are finite, in m", "check the mesh file");
+    problems.error("mesh", "a node number without node", fmt::format("node numbers are 0 … {}", mesh.nodes.cols() - 1),
+                   "check the mesh file");
+  if (!mesh.nodes.allFinite())
+    problems.error("mesh", "a coordinate that is no finite number", "coordinates are finite, in m",
+                   "check the mesh file");
   return !problems.has_errors();
 }
 
 void check_materials(const Mesh& mesh, const std::vector<Material>& materials, Problems& problems) {
   if (static_cast<Eigen::Index>(mesh.material.size()) != mesh.elements.cols())
-    problems.error("material", fmt::format("{} material numbers for {} elements", mesh.material.size(), mesh.elements.cols()),
+    problems.error("material",
+                   fmt::format("{} material numbers for {} elements", mesh.material.size(), mesh.elements.cols()),
                    "every element has one material", "give each solid of the file a material");
   for (std::size_t e = 0; e < mesh.material.size(); ++e)
     if (mesh.material[e] < 0 || static_cast<std::size_t>(mesh.material[e]) >= materials.size()) {
-      problems.error("material", fmt::format("element {} has material {}", e, mesh.material[e]), fmt::format("{} materials are given", materials.size()),
-                     "give each solid of the file a material");
+      problems.error("material", fmt::format("element {} has material {}", e, mesh.material[e]),
+                     fmt::format("{} materials are given", materials.size()), "give each solid of the file a material");
       break;
     }
   for (std::size_t m = 0; m < materials.size(); ++m) {
     Problems found = check(materials[m]);
-    for (foundation::Problem& problem : found.list()) problem.subject = fmt::format("materials[{}].{}", m, problem.subject);
+    for (foundation::Problem& problem : found.list())
+      problem.subject = fmt::format("materials[{}].{}", m, problem.subject);
     problems.add(found);
   }
 }
 
 void check_plates(const Mesh& mesh, Problems& problems) {
   if (mesh.plate_n.empty())
-    problems.error("plate_n", "no nodes", "plate N must be bonded to a face of the solid", "check which face is named, and where it lies");
+    problems.error("plate_n", "no nodes", "plate N must be bonded to a face of the solid",
+                   "check which face is named, and where it lies");
   if (mesh.plate_k.empty())
-    problems.error("plate_k", "no nodes", "plate K must be bonded to a face of the solid", "check which face is named, and where it lies");
+    problems.error("plate_k", "no nodes", "plate K must be bonded to a face of the solid",
+                   "check which face is named, and where it lies");
   std::vector<char> on_n(static_cast<std::size_t>(mesh.nodes.cols()), 0);
   for (const int node : mesh.plate_n) on_n[static_cast<std::size_t>(node)] = 1;
   int shared = 0, example = 0;
@@ -66,7 +75,8 @@ void check_plates(const Mesh& mesh, Problems& problems) {
       example = node;
     }
   if (shared > 0)
-    problems.error("plate_k", fmt::format("{} nodes belong to plate N too, one at {}", shared, place(mesh.nodes.col(example))),
+    problems.error("plate_k",
+                   fmt::format("{} nodes belong to plate N too, one at {}", shared, place(mesh.nodes.col(example))),
                    "the plates have no point in common", "name faces that do not touch");
 }
 
@@ -86,12 +96,15 @@ void check_elements(const Mesh& mesh, Problems& problems) {
   }
   if (inverted == 0) return;
   if (!(volume > 0)) {
-    problems.error("mesh", fmt::format("a volume of {:.3g} m³", volume), "a solid has a volume > 0", "check the dimensions and the orientation of the elements");
+    problems.error("mesh", fmt::format("a volume of {:.3g} m³", volume), "a solid has a volume > 0",
+                   "check the dimensions and the orientation of the elements");
     return;
   }
-  problems.error("mesh", fmt::format("{} of {} elements are flat or turned inside out, element {} at {}", inverted, mesh.elements.cols(), example,
-                                     place(mesh.nodes.col(mesh.elements(0, example)))),
-                 "the map of every element has a positive determinant", "mesh finer where the surface is curved, or remove slivers from the shape");
+  problems.error("mesh",
+                 fmt::format("{} of {} elements are flat or turned inside out, element {} at {}", inverted,
+                             mesh.elements.cols(), example, place(mesh.nodes.col(mesh.elements(0, example)))),
+                 "the map of every element has a positive determinant",
+                 "mesh finer where the surface is curved, or remove slivers from the shape");
 }
 
 /// Pieces of the solid, as the smallest node number reached from each node.
@@ -99,7 +112,9 @@ std::vector<int> pieces(const Mesh& mesh) {
   std::vector<int> parent(static_cast<std::size_t>(mesh.nodes.cols()));
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int node) {
-    while (parent[static_cast<std::size_t>(node)] != node) node = parent[static_cast<std::size_t>(node)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(node)])];
+    while (parent[static_cast<std::size_t>(node)] != node)
+      node = parent[static_cast<std::size_t>(node)] =
+          parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(node)])];
     return node;
   };
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
@@ -120,18 +135,24 @@ void check_pieces(const Mesh& mesh, Problems& problems) {
   bool joined = false;
   for (std::size_t node = 0; node < piece.size(); ++node) {
     if (!used[node]) {
-      problems.error("mesh", fmt::format("node {} at {} belongs to no element", node, place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
+      problems.error("mesh",
+                     fmt::format("node {} at {} belongs to no element", node,
+                                 place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
                      "every node belongs to an element", "leave out points that only serve the drawing");
       return;
     }
     if (piece[node] != static_cast<int>(node)) continue;
     joined = joined || bonds[node] == 3;
     if (bonds[node] == 0)
-      problems.error("mesh", fmt::format("the piece with the point {} hangs on no plate", place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
-                     "every piece of the solid is joined to a plate", "join the solids of the file, so that they share their faces");
+      problems.error("mesh",
+                     fmt::format("the piece with the point {} hangs on no plate",
+                                 place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
+                     "every piece of the solid is joined to a plate",
+                     "join the solids of the file, so that they share their faces");
   }
   if (!joined && !mesh.plate_n.empty() && !mesh.plate_k.empty())
-    problems.error("mesh", "no piece reaches from plate N to plate K", "the solid joins its plates", "join the solids of the file, so that they share their faces");
+    problems.error("mesh", "no piece reaches from plate N to plate K", "the solid joins its plates",
+                   "join the solids of the file, so that they share their faces");
 }
 
 }  // namespace

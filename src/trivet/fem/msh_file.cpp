@@ -109,8 +109,8 @@ foundation::Expected<MshFile> read_msh(const std::filesystem::path& file) {
     return parse(text);
   } catch (const Malformed&) {
     Problems problems;
-    problems.error("mesh", fmt::format("{} of {} bytes is no mesh", file.filename().string(), text.size()), "a text file in gmsh's format 2.2 is wanted",
-                   "look whether the disk is full");
+    problems.error("mesh", fmt::format("{} of {} bytes is no mesh", file.filename().string(), text.size()),
+                   "a text file in gmsh's format 2.2 is wanted", "look whether the disk is full");
     return tl::unexpected(problems);
   }
 }

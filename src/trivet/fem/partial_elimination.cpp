@@ -7,8 +7,10 @@
 namespace trivet::fem {
 namespace {
 
-constexpr Eigen::Index block_size = 48;  ///< wide enough for the matrix product, narrow enough for the unblocked factorization
-constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();  ///< of a pivot, against its diagonal before elimination
+constexpr Eigen::Index block_size =
+    48;  ///< wide enough for the matrix product, narrow enough for the unblocked factorization
+constexpr double round_off =
+    16 * std::numeric_limits<double>::epsilon();  ///< of a pivot, against its diagonal before elimination
 
 }  // namespace
 
@@ -36,7 +38,8 @@ void recover_leading(const Eigen::MatrixXd& multipliers, Eigen::VectorXd& values
   if (count == 0) return;
   for (Eigen::Index first = (count - 1) / block_size * block_size; first >= 0; first -= block_size) {
     const Eigen::Index width = std::min(block_size, count - first), rest = values.size() - first - width;
-    values.segment(first, width) = -multipliers.block(first + width, first, rest, width).transpose() * values.tail(rest);
+    values.segment(first, width) =
+        -multipliers.block(first + width, first, rest, width).transpose() * values.tail(rest);
   }
 }
 

@@ -11,8 +11,9 @@ struct Pivots {
   bool singular = false;
 };
 
-/// Eliminates the first `count` unknowns of the symmetric matrix given by its lower triangle: its lower right corner becomes the Schur
-/// complement, its first columns the multipliers below each diagonal block that `recover_leading` needs.
+/// Eliminates the first `count` unknowns of the symmetric matrix given by its lower triangle: its lower right corner
+/// becomes the Schur complement, its first columns the multipliers below each diagonal block that `recover_leading`
+/// needs.
 Pivots eliminate_leading(Eigen::MatrixXd& matrix, Eigen::Index count);
 
 /// The eliminated unknowns from the others, in place: `values` holds the others behind the first `multipliers.cols()`.

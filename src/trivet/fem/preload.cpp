@@ -34,9 +34,15 @@ struct Equilibrium {
 /// The part of the load between two balanced states, by Newton's method on free nodes and plate together.
 class Newton {
  public:
-  Newton(const Mesh& mesh, Solid& solid, const ElementFrame& frame, const Preload& preload, const PreloadOptions& options,
-         const foundation::Progress& progress, PreloadedStiffness& record)
-      : mesh_(mesh), solid_(solid), frame_(frame), preload_(preload), options_(options), progress_(progress), record_(record) {}
+  Newton(const Mesh& mesh, Solid& solid, const ElementFrame& frame, const Preload& preload,
+         const PreloadOptions& options, const foundation::Progress& progress, PreloadedStiffness& record)
+      : mesh_(mesh),
+        solid_(solid),
+        frame_(frame),
+        preload_(preload),
+        options_(options),
+        progress_(progress),
+        record_(record) {}
 
   /// Goes from the balanced state `at` by the part `part` of the load to the whole part `target`; false if that fails.
   bool advance(Equilibrium& at, double part, double target, Solid::Linearised& linearised) {
@@ -110,7 +116,8 @@ class Newton {
     double left = now.unbalance * now.unbalance;
     for (int i = 0; i < 6; ++i)
       if (preload_.is_load[static_cast<std::size_t>(i)]) left += std::pow(lacking(i) / (i < 3 ? 1 : size), 2);
-    const double scale = now.wrench.segment<3>(6).norm() + now.wrench.segment<3>(9).norm() / size + load(target).head<3>().norm();
+    const double scale =
+        now.wrench.segment<3>(6).norm() + now.wrench.segment<3>(9).norm() / size + load(target).head<3>().norm();
     return left == 0 ? 0 : std::sqrt(left) / scale;
   }
 
@@ -123,45 +130,52 @@ class Newton {
   PreloadedStiffness& record_;
 };
 
-void describe(const Equilibrium& at, const Solid::Linearised& linearised, const ElementFrame& frame, PreloadedStiffness& result) {
+void describe(const Equilibrium& at, const Solid::Linearised& linearised, const ElementFrame& frame,
+              PreloadedStiffness& result) {
   const Matrix6 axes = spatial::both_blocks(frame.axes);
   result.stiffness = in_element_axes(linearised.tangent, frame.axes);
   result.preload << axes.transpose() * linearised.wrench.head<6>(), axes.transpose() * linearised.wrench.tail<6>();
   result.arm = frame.axes.transpose() * (at.state.point_k - at.state.point_n);
   const Eigen::AngleAxisd turned(at.turn);
-  result.motion << frame.axes.transpose() * (at.state.point_k - frame.point_k), frame.axes.transpose() * (turned.angle() * turned.axis());
+  result.motion << frame.axes.transpose() * (at.state.point_k - frame.point_k),
+      frame.axes.transpose() * (turned.angle() * turned.axis());
   result.negative_eigenvalues = linearised.negative_pivots;
 }
 
 }  // namespace
 
-PreloadedStiffness preloaded_stiffness(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame, const Preload& preload,
-                                       const PreloadOptions& options, const foundation::Progress& progress) {
+PreloadedStiffness preloaded_stiffness(const Mesh& mesh, const std::vector<Material>& materials,
+                                       const ElementFrame& frame, const Preload& preload, const PreloadOptions& options,
+                                       const foundation::Progress& progress) {
   constexpr double smallest_part = 1.0 / 256;
   require_sound(mesh, materials);
   if (!preload.value.allFinite() || options.steps < 1)
-    throw foundation::InvalidInput(fmt::format("preload in {} steps: it must be finite and have at least one step", options.steps));
+    throw foundation::InvalidInput(
+        fmt::format("preload in {} steps: it must be finite and have at least one step", options.steps));
   Solid solid(mesh, materials, options.tet_pressure);
   require_memory(solid, true, options.condensation);
 
   PreloadedStiffness result;
   Equilibrium at{solid.rest(frame.point_n, frame.point_k)};
-  Solid::Linearised linearised = solid.linearise(at.state, false, foundation::thread_count(options.condensation.threads), progress);
+  Solid::Linearised linearised =
+      solid.linearise(at.state, false, foundation::thread_count(options.condensation.threads), progress);
   if (linearised.singular || linearised.negative_pivots != 0)
-    throw foundation::NotComputable("the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
+    throw foundation::NotComputable(
+        "the solid is not held by its plates: a part of it can move freely, or elements have collapsed");
   Newton newton(mesh, solid, frame, preload, options, progress, result);
   double part = 1.0 / options.steps;
   while (result.reached < 1 - 1e-12 && part >= smallest_part) {
     part = std::min(part, 1 - result.reached);
-    if (newton.advance(at, part, result.reached + part, linearised))
-      result.reached += part;
-    else
-      part /= 2;
+    if (newton.advance(at, part, result.reached + part, linearised)) result.reached += part;
+    else part /= 2;
   }
   result.converged = result.reached >= 1 - 1e-12;
   if (!result.converged)
-    result.why_not = fmt::format("no balance beyond {:.1f} % of the preload: the solid buckles, its elements turn inside out, or the mesh is too coarse for "
-                                 "the strains; take a smaller preload or a finer mesh", 100 * result.reached);
+    result.why_not = fmt::format(
+        "no balance beyond {:.1f} % of the preload: the solid buckles, its elements turn inside out, or the mesh is "
+        "too coarse for "
+        "the strains; take a smaller preload or a finer mesh",
+        100 * result.reached);
   describe(at, linearised, frame, result);
   return result;
 }

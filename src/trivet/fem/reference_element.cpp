@@ -10,16 +10,19 @@ std::array<int, 3> gauss_index(int point) { return {point % 3, point / 3 % 3, po
 double gauss_place(int i) { return (i - 1) * std::sqrt(0.6); }
 double gauss_weight(int i) { return i == 1 ? 8.0 / 9 : 5.0 / 9; }
 
-double parabola(int node, double x) { return node == 0 ? 0.5 * x * (x - 1) : node == 1 ? 1 - x * x : 0.5 * x * (x + 1); }
+double parabola(int node, double x) {
+  return node == 0 ? 0.5 * x * (x - 1) : node == 1 ? 1 - x * x : 0.5 * x * (x + 1);
+}
 double parabola_slope(int node, double x) { return node == 0 ? x - 0.5 : node == 1 ? -2 * x : x + 0.5; }
 
 }  // namespace
 
 const std::array<std::array<int, 3>, 27>& Hex27::lattice() {
-  static constexpr std::array<std::array<int, 3>, 27> places{{
-      {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2},                                              // corners
-      {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {2, 2, 1}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2}, {2, 1, 2}, {1, 2, 2},  // edges
-      {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {1, 1, 1}}};                                                       // faces, centre
+  static constexpr std::array<std::array<int, 3>, 27> places{
+      {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2},  // corners
+       {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {2, 2, 1}, {0, 2, 1},
+       {1, 0, 2}, {0, 1, 2}, {2, 1, 2}, {1, 2, 2},                                     // edges
+       {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {1, 1, 1}}};  // faces, centre
   return places;
 }
 
@@ -44,7 +47,8 @@ Eigen::Matrix<double, 27, 1> Hex27::values(int point) {
   Eigen::Matrix<double, 27, 1> result;
   for (int a = 0; a < 27; ++a) {
     result(a) = 1;
-    for (std::size_t k = 0; k < 3; ++k) result(a) *= parabola(lattice()[static_cast<std::size_t>(a)][k], gauss_place(g[k]));
+    for (std::size_t k = 0; k < 3; ++k)
+      result(a) *= parabola(lattice()[static_cast<std::size_t>(a)][k], gauss_place(g[k]));
   }
   return result;
 }
@@ -70,7 +74,8 @@ Eigen::Matrix<double, 10, 1> Tet10::values(int point) {
   const Eigen::Vector4d l = barycentric(point);
   Eigen::Matrix<double, 10, 1> n;
   n.head<4>() = l.array() * (2 * l.array() - 1);
-  for (int e = 0; e < 6; ++e) n(4 + e) = 4 * l(edges()[static_cast<std::size_t>(e)][0]) * l(edges()[static_cast<std::size_t>(e)][1]);
+  for (int e = 0; e < 6; ++e)
+    n(4 + e) = 4 * l(edges()[static_cast<std::size_t>(e)][0]) * l(edges()[static_cast<std::size_t>(e)][1]);
   return n;
 }
 

@@ -24,12 +24,15 @@ std::array<int, 9> lattice(auto node) {
   return quad;
 }
 
-/// Factor on the radius of nodes on a circle, so that `around` parabolic arcs keep its polar moment of area, on which torsion hangs.
+/// Factor on the radius of nodes on a circle, so that `around` parabolic arcs keep its polar moment of area, on which
+/// torsion hangs.
 double radius_factor(int around) {
   const double half = std::numbers::pi / around, sagitta = 1 - std::cos(half);
   double moment = 0;  // ∫ r² (x dy − y dx) over half an arc, Gauss–Legendre
-  constexpr std::array<double, 5> places{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683, 0.906179845938664};
-  constexpr std::array<double, 5> weights{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366, 0.236926885056189};
+  constexpr std::array<double, 5> places{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
+                                         0.906179845938664};
+  constexpr std::array<double, 5> weights{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,
+                                          0.236926885056189};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double t = places[i], x = 1 - sagitta * t * t, y = std::sin(half) * t;
     moment += weights[i] * (x * x + y * y) * (x * std::sin(half) + y * 2 * sagitta * t);
@@ -72,9 +75,11 @@ Section rectangle(const std::vector<double>& x, const std::vector<double>& y) {
   const int nx = static_cast<int>(xs.size()), ny = static_cast<int>(ys.size());
   section.points.resize(2, nx * ny);
   for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) section.points.col(i + nx * j) << xs[static_cast<std::size_t>(i)], ys[static_cast<std::size_t>(j)];
+    for (int i = 0; i < nx; ++i)
+      section.points.col(i + nx * j) << xs[static_cast<std::size_t>(i)], ys[static_cast<std::size_t>(j)];
   for (int j = 0; j + 2 < ny; j += 2)
-    for (int i = 0; i + 2 < nx; i += 2) section.quads.push_back(lattice([&](int a, int b) { return i + a + nx * (j + b); }));
+    for (int i = 0; i + 2 < nx; i += 2)
+      section.quads.push_back(lattice([&](int a, int b) { return i + a + nx * (j + b); }));
   return section;
 }
 
@@ -88,7 +93,8 @@ Section disc(double radius, int core, const std::vector<double>& to_rim) {
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) section.points.col(i + side * j) = core_point(radius, parameter(i), parameter(j));
   for (int j = 0; j + 2 < side; j += 2)
-    for (int i = 0; i + 2 < side; i += 2) section.quads.push_back(lattice([&](int a, int b) { return i + a + side * (j + b); }));
+    for (int i = 0; i + 2 < side; i += 2)
+      section.quads.push_back(lattice([&](int a, int b) { return i + a + side * (j + b); }));
 
   // Once around the core, counter-clockwise from its corner (−1, −1).
   std::vector<int> boundary;
@@ -102,12 +108,14 @@ Section disc(double radius, int core, const std::vector<double>& to_rim) {
   };
   for (int t = 0; t < around; ++t) {
     const double angle = -0.75 * std::numbers::pi + 2 * std::numbers::pi * t / around;
-    const Eigen::Vector2d inside = section.points.col(node(0, t)), rim = radius * radius_factor(around / 2) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d inside = section.points.col(node(0, t)),
+                          rim = radius * radius_factor(around / 2) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     for (int layer = 1; layer <= layers; ++layer)
       section.points.col(node(layer, t)) = inside + levels[static_cast<std::size_t>(layer)] * (rim - inside);
   }
   for (int t = 0; t < around; t += 2)
-    for (int layer = 0; layer < layers; layer += 2) section.quads.push_back(lattice([&](int a, int b) { return node(layer + a, t + b); }));
+    for (int layer = 0; layer < layers; layer += 2)
+      section.quads.push_back(lattice([&](int a, int b) { return node(layer + a, t + b); }));
   return section;
 }
 
@@ -120,13 +128,15 @@ Section ring(double inner_radius, double outer_radius, int around, const std::ve
   for (int t = 0; t < count; ++t) {
     const double angle = 2 * std::numbers::pi * t / count;
     for (int layer = 0; layer < layers; ++layer)
-      section.points.col(node(layer, t)) = radius_factor(around) * (inner_radius + levels[static_cast<std::size_t>(layer)] * (outer_radius - inner_radius)) *
-                                           Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      section.points.col(node(layer, t)) = radius_factor(around) *
+          (inner_radius + levels[static_cast<std::size_t>(layer)] * (outer_radius - inner_radius)) *
+          Eigen::Vector2d(std::cos(angle), std::sin(angle));
     section.inner.push_back(node(0, t));
     section.outer.push_back(node(layers - 1, t));
   }
   for (int t = 0; t < count; t += 2)
-    for (int layer = 0; layer + 2 < layers; layer += 2) section.quads.push_back(lattice([&](int a, int b) { return node(layer + a, t + b); }));
+    for (int layer = 0; layer + 2 < layers; layer += 2)
+      section.quads.push_back(lattice([&](int a, int b) { return node(layer + a, t + b); }));
   return section;
 }
 

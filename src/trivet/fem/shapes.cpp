@@ -15,8 +15,8 @@
 namespace trivet::fem {
 namespace {
 
-/// Size of the smallest element at a bonded rim, over the smallest dimension of the rubber there, at level 1. With 1/level²
-/// the error of the singular edge falls at least as fast as that of the inside.
+/// Size of the smallest element at a bonded rim, over the smallest dimension of the rubber there, at level 1. With
+/// 1/level² the error of the singular edge falls at least as fast as that of the inside.
 constexpr double rim_fraction = 0.3;
 
 /// Hexahedra of one shape: some million unknowns, minutes of work and a few gigabytes.
@@ -24,10 +24,11 @@ constexpr double most_hexahedra = 40'000;
 
 double rim_size(int level) { return rim_fraction / (level * level); }
 
-
 void require_positive(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw foundation::InvalidInput(fmt::format("{} = {} m; it must be > 0", name, value));
-  if (!foundation::is_part_size(value)) throw foundation::InvalidInput(fmt::format("{} = {:.6g} m; {}", name, value, foundation::part_size_rule));
+  if (!(value > 0) || !std::isfinite(value))
+    throw foundation::InvalidInput(fmt::format("{} = {} m; it must be > 0", name, value));
+  if (!foundation::is_part_size(value))
+    throw foundation::InvalidInput(fmt::format("{} = {:.6g} m; {}", name, value, foundation::part_size_rule));
 }
 
 double thinnest_rubber(const std::vector<Layer>& layers) {
@@ -43,29 +44,35 @@ double thinnest_rubber(const std::vector<Layer>& layers) {
 /// Counted before the mesh is made.
 void require_room(double quads, double intervals) {
   if (quads * intervals > most_hexahedra)
-    throw foundation::InvalidInput(fmt::format("{:.3g} finite elements ({} over the section, {} over the height); at most {:.0f} are computed: lower mesh_level, take fewer layers, or use the closed formulas",
-                                               quads * intervals, quads, intervals, most_hexahedra));
+    throw foundation::InvalidInput(
+        fmt::format("{:.3g} finite elements ({} over the section, {} over the height); at most {:.0f} are computed: "
+                    "lower mesh_level, take fewer layers, or use the closed formulas",
+                    quads * intervals, quads, intervals, most_hexahedra));
 }
 
-/// Elements from the middle to a free edge `distance` away: more where the rubber is thin, so that sizes grow by at most about 2.
+/// Elements from the middle to a free edge `distance` away: more where the rubber is thin, so that sizes grow by at
+/// most about 2.
 int toward_edge(int level, double distance, double thickness) {
   return level + static_cast<int>(std::ceil(0.5 * level * std::log2(std::max(1.0, 0.5 * distance / thickness))));
 }
 
-/// Rubber this thin against its half width works by its pressure, a parabola across and constant over the thickness: elements go
-/// there, and one quadratic element or two over half the thickness carry the parabola of the flow.
+/// Rubber this thin against its half width works by its pressure, a parabola across and constant over the thickness:
+/// elements go there, and one quadratic element or two over half the thickness carry the parabola of the flow.
 bool is_thin(double half_width, double thickness) { return half_width > 4 * thickness; }
 
 struct Levels {
-  std::vector<double> z;       ///< ends of the elements [m]
-  std::vector<int> material;   ///< per interval
+  std::vector<double> z;      ///< ends of the elements [m]
+  std::vector<int> material;  ///< per interval
 };
 
 Levels along_axis(const std::vector<Layer>& layers, int level, double half_width) {
   Levels levels{{0.0}, {}};
   for (const Layer& layer : layers) {
-    const double start = levels.z.back(), smallest = rim_size(level) * std::min(layer.thickness, half_width) / layer.thickness;
-    const auto places = layer.metal ? std::vector<double>{0, 1} : graded_to_both(2 * (is_thin(half_width, layer.thickness) ? (level + 1) / 2 : level), smallest);
+    const double start = levels.z.back(),
+                 smallest = rim_size(level) * std::min(layer.thickness, half_width) / layer.thickness;
+    const auto places = layer.metal
+        ? std::vector<double>{0, 1}
+        : graded_to_both(2 * (is_thin(half_width, layer.thickness) ? (level + 1) / 2 : level), smallest);
     for (std::size_t i = 1; i < places.size(); ++i) {
       levels.z.push_back(start + places[i] * layer.thickness);
       levels.material.push_back(layer.material);
@@ -90,7 +97,8 @@ Mesh extruded(const Section& section, const Levels& levels) {
     for (const auto& quad : section.quads) {
       for (std::size_t a = 0; a < 27; ++a) {
         const auto [i, j, k] = Hex27::lattice()[a];
-        mesh.elements(static_cast<Eigen::Index>(a), e) = quad[static_cast<std::size_t>(i + 3 * j)] + points * (2 * layer + k);
+        mesh.elements(static_cast<Eigen::Index>(a), e) =
+            quad[static_cast<std::size_t>(i + 3 * j)] + points * (2 * layer + k);
       }
       mesh.material.push_back(levels.material[static_cast<std::size_t>(layer)]);
       ++e;
@@ -110,7 +118,8 @@ Mesh mesh_of(const Disc& shape, int level) {
   require_positive("diameter", shape.diameter);
   const double radius = shape.diameter / 2, thin = thinnest_rubber(shape.layers);
   const int count = toward_edge(level, radius, thin);
-  const Section section = disc(radius, is_thin(radius, thin) ? 2 * level : level, graded_to_one(count, 2 * rim_size(level) * std::min(thin / radius, 1.0)));
+  const Section section = disc(radius, is_thin(radius, thin) ? 2 * level : level,
+                               graded_to_one(count, 2 * rim_size(level) * std::min(thin / radius, 1.0)));
   Mesh result = extruded(section, along_axis(shape.layers, level, radius));
   bond_ends(result, section);
   return result;
@@ -138,9 +147,12 @@ Mesh mesh_of(const Bush& shape, int level) {
   require_positive("outer_diameter", shape.outer_diameter);
   require_positive("length", shape.length);
   if (!(shape.inner_diameter < shape.outer_diameter))
-    throw foundation::InvalidInput(fmt::format("inner_diameter = {} m, outer_diameter = {} m; the inner must be the smaller", shape.inner_diameter, shape.outer_diameter));
+    throw foundation::InvalidInput(
+        fmt::format("inner_diameter = {} m, outer_diameter = {} m; the inner must be the smaller", shape.inner_diameter,
+                    shape.outer_diameter));
   const double wall = (shape.outer_diameter - shape.inner_diameter) / 2;
-  const Section section = ring(shape.inner_diameter / 2, shape.outer_diameter / 2, 4 + 2 * level, graded_to_both(2 * level, rim_size(level)));
+  const Section section = ring(shape.inner_diameter / 2, shape.outer_diameter / 2, 4 + 2 * level,
+                               graded_to_both(2 * level, rim_size(level)));
   Levels levels{across(shape.length, wall, level), {}};
   levels.material.assign(levels.z.size() - 1, shape.material);
   Mesh result = extruded(section, levels);
@@ -161,7 +173,8 @@ double total_thickness(const std::vector<Layer>& layers) {
 }  // namespace
 
 std::vector<Layer> sandwich_layers(int rubber_count, double rubber_thickness, double metal_thickness) {
-  if (rubber_count < 1) throw foundation::InvalidInput(fmt::format("{} rubber layers; a sandwich needs at least one", rubber_count));
+  if (rubber_count < 1)
+    throw foundation::InvalidInput(fmt::format("{} rubber layers; a sandwich needs at least one", rubber_count));
   std::vector<Layer> layers{{.thickness = rubber_thickness, .material = 0}};
   for (int i = 1; i < rubber_count; ++i) {
     layers.push_back({.thickness = metal_thickness, .material = 1, .metal = true});
@@ -182,11 +195,12 @@ ElementFrame frame(const Shape& shape) {
   return result;
 }
 
-SolidStiffness condense(const Shape& shape, const std::vector<Material>& materials, int level, const CondensationOptions& options,
-                        const foundation::Progress& progress) {
+SolidStiffness condense(const Shape& shape, const std::vector<Material>& materials, int level,
+                        const CondensationOptions& options, const foundation::Progress& progress) {
   const Mesh fine = mesh(shape, level);
   if (level == 1) return condense(fine, materials, frame(shape), options, progress);
-  return condense(fine, mesh(shape, level - 1), static_cast<double>(level) / (level - 1), materials, frame(shape), options, progress);
+  return condense(fine, mesh(shape, level - 1), static_cast<double>(level) / (level - 1), materials, frame(shape),
+                  options, progress);
 }
 
 }  // namespace trivet::fem

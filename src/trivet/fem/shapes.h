@@ -9,14 +9,16 @@
 
 namespace trivet::fem {
 
-/// One layer of a stack along e3, bonded to its neighbours. A metal layer gets one element over its thickness, a rubber layer a graded mesh.
+/// One layer of a stack along e3, bonded to its neighbours. A metal layer gets one element over its thickness, a rubber
+/// layer a graded mesh.
 struct Layer {
   double thickness = 0;  ///< [m] > 0
   int material = 0;      ///< index into the list of materials
   bool metal = false;
 };
 
-/// Cylinder about e3 from plate N at z = 0 to plate K at the total thickness of its layers: one layer is a disc, several a sandwich.
+/// Cylinder about e3 from plate N at z = 0 to plate K at the total thickness of its layers: one layer is a disc,
+/// several a sandwich.
 struct Disc {
   double diameter = 0;  ///< [m] > 0
   std::vector<Layer> layers;
@@ -36,7 +38,8 @@ using Shape = std::variant<Disc, Block, Bush>;
 /// Rubber layers of equal thickness (material 0) with metal plates between them (material 1).
 [[nodiscard]] std::vector<Layer> sandwich_layers(int rubber_count, double rubber_thickness, double metal_thickness);
 
-/// Graded mesh of hexahedra; the number of elements grows about as level³. `level` ≥ 1; 3 meets the bonded cylinder within 0.1 %.
+/// Graded mesh of hexahedra; the number of elements grows about as level³. `level` ≥ 1; 3 meets the bonded cylinder
+/// within 0.1 %.
 /// @throws InvalidInput for dimensions that are not > 0 or an inner diameter that is not below the outer
 [[nodiscard]] Mesh mesh(const Shape& shape, int level);
 
@@ -46,7 +49,8 @@ using Shape = std::variant<Disc, Block, Bush>;
 inline constexpr int default_level = 3;
 
 /// Stiffness of a shape on a mesh of this level, its error estimated from the next coarser one.
-[[nodiscard]] SolidStiffness condense(const Shape& shape, const std::vector<Material>& materials, int level = default_level,
-                                      const CondensationOptions& options = {}, const foundation::Progress& progress = {});
+[[nodiscard]] SolidStiffness condense(const Shape& shape, const std::vector<Material>& materials,
+                                      int level = default_level, const CondensationOptions& options = {},
+                                      const foundation::Progress& progress = {});
 
 }  // namespace trivet::fem

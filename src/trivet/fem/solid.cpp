@@ -59,12 +59,15 @@ Solid::State Solid::rest(const Eigen::Vector3d& point_n, const Eigen::Vector3d& 
 
 Eigen::MatrixXd Solid::element_matrix(int element, const State& state, Gathered& gathered) const {
   const Eigen::Index nodes = mesh_.elements.rows(), all = 3 * nodes + (unknowns_.pressure.empty() ? 0 : 4);
-  const Eigen::Matrix3Xd x = columns(mesh_.nodes, mesh_.elements, element), u = columns(state.displacement, mesh_.elements, element);
+  const Eigen::Matrix3Xd x = columns(mesh_.nodes, mesh_.elements, element),
+                         u = columns(state.displacement, mesh_.elements, element);
   Eigen::Vector4d pressure = Eigen::Vector4d::Zero();
   for (std::size_t c = 0; c < 4 && !unknowns_.pressure.empty(); ++c)
-    pressure(static_cast<Eigen::Index>(c)) = state.unknown_pressures(unknowns_.pressure[static_cast<std::size_t>(element)][c]);
+    pressure(static_cast<Eigen::Index>(c)) =
+        state.unknown_pressures(unknowns_.pressure[static_cast<std::size_t>(element)][c]);
   const Material& material = materials_[static_cast<std::size_t>(mesh_.material[static_cast<std::size_t>(element)])];
-  const ElementSystem system = element_system(mesh_.kind, tet_pressure_, x, material, u.isZero(0) ? nullptr : &u, &pressure);
+  const ElementSystem system =
+      element_system(mesh_.kind, tet_pressure_, x, material, u.isZero(0) ? nullptr : &u, &pressure);
   gathered.forces.col(element) = system.force;
   gathered.inverted[static_cast<std::size_t>(element)] = system.inverted;
 
@@ -96,14 +99,19 @@ Eigen::MatrixXd Solid::element_matrix(int element, const State& state, Gathered&
   return result;
 }
 
-Solid::Linearised Solid::linearise(const State& state, bool recoverable, int threads, const foundation::Progress& progress) {
+Solid::Linearised Solid::linearise(const State& state, bool recoverable, int threads,
+                                   const foundation::Progress& progress) {
   const Eigen::Index nodes = mesh_.elements.rows();
   Gathered gathered{Eigen::MatrixXd::Zero(3 * nodes + (unknowns_.pressure.empty() ? 0 : 4), mesh_.elements.cols()),
                     std::vector<char>(element_unknowns_.size(), 0)};
-  const auto condensed = substructuring_->condense([&](int e) { return element_matrix(e, state, gathered); }, recoverable, threads, progress);
+  const auto condensed = substructuring_->condense([&](int e) { return element_matrix(e, state, gathered); },
+                                                   recoverable, threads, progress);
 
-  Linearised result{.tangent = condensed.matrix.topLeftCorner<12, 12>(), .reaction = condensed.matrix.col(12).head<12>(),
-                    .wrench = spatial::Vector12::Zero(), .negative_pivots = condensed.negative_pivots - unknowns_.pressure_count, .singular = condensed.singular};
+  Linearised result{.tangent = condensed.matrix.topLeftCorner<12, 12>(),
+                    .reaction = condensed.matrix.col(12).head<12>(),
+                    .wrench = spatial::Vector12::Zero(),
+                    .negative_pivots = condensed.negative_pivots - unknowns_.pressure_count,
+                    .singular = condensed.singular};
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, mesh_.nodes.cols());
   for (int e = 0; e < mesh_.elements.cols(); ++e) {
     result.inverted = result.inverted || gathered.inverted[static_cast<std::size_t>(e)];
@@ -118,7 +126,8 @@ Solid::Linearised Solid::linearise(const State& state, bool recoverable, int thr
       continue;
     }
     const int at = number == Unknowns::on_plate_n ? 0 : 6;
-    const Eigen::Vector3d lever = mesh_.nodes.col(node) + state.displacement.col(node) - (at == 0 ? state.point_n : state.point_k);
+    const Eigen::Vector3d lever =
+        mesh_.nodes.col(node) + state.displacement.col(node) - (at == 0 ? state.point_n : state.point_k);
     result.wrench.segment<3>(at) += force;
     result.wrench.segment<3>(at + 3) += lever.cross(force);
     // Second order of a rotation φ: f · ½ φ × (φ × r), without which turned preload appears as false moments.

@@ -12,8 +12,8 @@
 
 namespace trivet::fem {
 
-/// A meshed solid with its materials and plates, ready to be linearised about any state. The plates move by (u_N, θ_N, u_K, θ_K)
-/// of their present reference points, in the axes of the mesh.
+/// A meshed solid with its materials and plates, ready to be linearised about any state. The plates move by (u_N, θ_N,
+/// u_K, θ_K) of their present reference points, in the axes of the mesh.
 class Solid {
  public:
   Solid(const Mesh& mesh, const std::vector<Material>& materials, TetPressure tet_pressure);
@@ -28,14 +28,16 @@ class Solid {
 
   /// Tangent and internal forces of a state, condensed on the plates.
   struct Linearised {
-    spatial::Matrix12 tangent;       ///< second-order rotation terms of the plates included
-    spatial::Vector12 reaction;      ///< wrench of the plates on the solid, as if the free nodes were in balance after one Newton step
-    spatial::Vector12 wrench;        ///< wrench of the plates on the solid in this very state
-    double unbalance = 0;            ///< root of the summed squares of the forces left on free nodes [N]
-    int negative_pivots = 0;         ///< beyond those that belong to pressures
+    spatial::Matrix12 tangent;  ///< second-order rotation terms of the plates included
+    spatial::Vector12
+        reaction;  ///< wrench of the plates on the solid, as if the free nodes were in balance after one Newton step
+    spatial::Vector12 wrench;  ///< wrench of the plates on the solid in this very state
+    double unbalance = 0;      ///< root of the summed squares of the forces left on free nodes [N]
+    int negative_pivots = 0;   ///< beyond those that belong to pressures
     bool inverted = false, singular = false;
   };
-  [[nodiscard]] Linearised linearise(const State& state, bool recoverable, int threads, const foundation::Progress& progress);
+  [[nodiscard]] Linearised linearise(const State& state, bool recoverable, int threads,
+                                     const foundation::Progress& progress);
 
   /// Newton correction of the free unknowns for a small motion of the plates; after a recoverable linearisation.
   [[nodiscard]] Eigen::VectorXd correction(const spatial::Vector12& plate_motion) const;

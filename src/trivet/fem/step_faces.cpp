@@ -48,7 +48,8 @@ Mesh 2;
 Save "faces.msh";
 )";
 
-tl::unexpected<Problems> refused(const std::string& subject, const std::string& finding, const std::string& rule, const std::string& remedy) {
+tl::unexpected<Problems> refused(const std::string& subject, const std::string& finding, const std::string& rule,
+                                 const std::string& remedy) {
   Problems problems;
   problems.error(subject, finding, rule, remedy);
   return tl::unexpected(problems);
@@ -63,7 +64,8 @@ std::vector<double> read_volumes(std::istream& stream) {
 }
 
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::abs(x - y) <= same_volume * x; });
+  return a.size() == b.size() &&
+      std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::abs(x - y) <= same_volume * x; });
 }
 
 /// Points of each face of a mesh, by the face's number.
@@ -92,7 +94,8 @@ struct Fulfils {
     return (direction.transpose() * face.points).minCoeff() >= most - tolerance;
   }
   bool operator()(const FacesInBox& box, const StepFace& face) const {
-    return (face.low.array() >= box.low.array() - tolerance).all() && (face.high.array() <= box.high.array() + tolerance).all();
+    return (face.low.array() >= box.low.array() - tolerance).all() &&
+        (face.high.array() <= box.high.array() + tolerance).all();
   }
   bool operator()(const FacesOnCylinder& cylinder, const StepFace& face) const {
     const Eigen::Vector3d axis = cylinder.axis.normalized();
@@ -109,15 +112,21 @@ std::string words(const FaceSelection& selection, const StepFaces& all) {
   struct Words {
     const StepFaces& all;
     std::string operator()(const FurthestFaces& s) const {
-      return fmt::format("no plane face normal to ({:.4g}, {:.4g}, {:.4g}) at the solid's end there", s.direction.x(), s.direction.y(), s.direction.z());
+      return fmt::format("no plane face normal to ({:.4g}, {:.4g}, {:.4g}) at the solid's end there", s.direction.x(),
+                         s.direction.y(), s.direction.z());
     }
     std::string operator()(const FacesInBox& s) const {
-      return fmt::format("no face between ({:.4g}, {:.4g}, {:.4g}) m and ({:.4g}, {:.4g}, {:.4g}) m", s.low.x(), s.low.y(), s.low.z(), s.high.x(), s.high.y(), s.high.z());
+      return fmt::format("no face between ({:.4g}, {:.4g}, {:.4g}) m and ({:.4g}, {:.4g}, {:.4g}) m", s.low.x(),
+                         s.low.y(), s.low.z(), s.high.x(), s.high.y(), s.high.z());
     }
-    std::string operator()(const FacesOnCylinder& s) const { return fmt::format("no face on the cylinder of radius {:.6g} m", s.radius); }
+    std::string operator()(const FacesOnCylinder& s) const {
+      return fmt::format("no face on the cylinder of radius {:.6g} m", s.radius);
+    }
     std::string operator()(const FacesByNumber& s) const {
       for (const int number : s.numbers)
-        if (std::none_of(all.faces.begin(), all.faces.end(), [&](const StepFace& face) { return face.number == number; })) return fmt::format("no face {}", number);
+        if (std::none_of(all.faces.begin(), all.faces.end(),
+                         [&](const StepFace& face) { return face.number == number; }))
+          return fmt::format("no face {}", number);
       return "no face is named";
     }
   };
@@ -136,8 +145,8 @@ std::string list_of(const StepFaces& all) {
   std::string list;
   for (std::size_t i = 0; i < std::min(all.faces.size(), faces_told); ++i) {
     const StepFace& face = all.faces[i];
-    list += fmt::format("{}{} at ({:.4g}, {:.4g}, {:.4g}) m with {:.4g} m²", i > 0 ? ", " : "", face.number, told(face.centre.x()), told(face.centre.y()),
-                        told(face.centre.z()), face.area);
+    list += fmt::format("{}{} at ({:.4g}, {:.4g}, {:.4g}) m with {:.4g} m²", i > 0 ? ", " : "", face.number,
+                        told(face.centre.x()), told(face.centre.y()), told(face.centre.z()), face.area);
   }
   return all.faces.size() > faces_told ? list + fmt::format(" and {} more", all.faces.size() - faces_told) : list;
 }
@@ -158,20 +167,27 @@ If (#solids() > 1)
 EndIf
 )";
 
-foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, double scale, const foundation::Progress& progress) {
-  if (!(scale > 0) || !std::isfinite(scale)) throw foundation::InvalidInput(fmt::format("scale = {}; must be > 0", scale));
+foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, double scale,
+                                           const foundation::Progress& progress) {
+  if (!(scale > 0) || !std::isfinite(scale))
+    throw foundation::InvalidInput(fmt::format("scale = {}; must be > 0", scale));
   const foundation::TemporaryFolder folder;
   // Joining keeps the solids and their order unless they overlap; the volumes before and after tell.
   const std::string script = std::string(volumes_script) + joining_script + volumes_script + faces_script;
-  const auto done = solids::run_gmsh({.step_file = file, .folder = folder.path(), .script = script, .task = "reading STEP"}, progress);
+  const auto done = solids::run_gmsh(
+      {.step_file = file, .folder = folder.path(), .script = script, .task = "reading STEP"}, progress);
   if (!done) return tl::unexpected(done.error());
 
   std::ifstream stream(folder.path() / "faces.txt");
   const std::vector<double> apart = read_volumes(stream), joined = read_volumes(stream);
-  if (apart.empty()) return refused("file", fmt::format("{}: holds no solid", file.string()), "a mount is a solid body", "export the part as a solid body");
+  if (apart.empty())
+    return refused("file", fmt::format("{}: holds no solid", file.string()), "a mount is a solid body",
+                   "export the part as a solid body");
   if (!same(apart, joined))
-    return refused("file", fmt::format("{}: {} solids become {} when joined: they overlap", file.string(), apart.size(), joined.size()),
-                   "solids may touch but not overlap", "cut them in the CAD program so that they touch");
+    return refused(
+        "file",
+        fmt::format("{}: {} solids become {} when joined: they overlap", file.string(), apart.size(), joined.size()),
+        "solids may touch but not overlap", "cut them in the CAD program so that they touch");
   const auto mesh = read_msh(folder.path() / "faces.msh");
   if (!mesh) return tl::unexpected(mesh.error());
 
@@ -190,17 +206,20 @@ foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, do
     face.high = face.points.rowwise().maxCoeff();
     all.faces.push_back(face);
   }
-  std::sort(all.faces.begin(), all.faces.end(), [](const StepFace& a, const StepFace& b) { return a.number < b.number; });
+  std::sort(all.faces.begin(), all.faces.end(),
+            [](const StepFace& a, const StepFace& b) { return a.number < b.number; });
   return all;
 }
 
-foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& all, const FaceSelection& selection, const std::string& subject) {
+foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& all, const FaceSelection& selection,
+                                                              const std::string& subject) {
   const Fulfils fulfils{all, same_place * diagonal(all)};
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < all.faces.size(); ++i)
     if (std::visit([&](const auto& wanted) { return fulfils(wanted, all.faces[i]); }, selection)) chosen.push_back(i);
   if (chosen.empty() || !all_numbers_exist(selection, all))
-    return refused(subject, words(selection, all), fmt::format("a plate is bonded to faces of the solid: {}", list_of(all)),
+    return refused(subject, words(selection, all),
+                   fmt::format("a plate is bonded to faces of the solid: {}", list_of(all)),
                    "name its faces by number, box, cylinder or direction");
   return chosen;
 }

@@ -13,11 +13,11 @@ namespace trivet::fem {
 
 /// One face of the solids in a STEP file, in the file's frame.
 struct StepFace {
-  int number = 0;           ///< from 1, the same for the same file
-  double area = 0;          ///< [m²], exact
-  Eigen::Vector3d centre;   ///< [m] of its area
+  int number = 0;             ///< from 1, the same for the same file
+  double area = 0;            ///< [m²], exact
+  Eigen::Vector3d centre;     ///< [m] of its area
   Eigen::Vector3d low, high;  ///< [m] bounds of its points
-  Eigen::Matrix3Xd points;  ///< [m] on it, from a coarse mesh of second order
+  Eigen::Matrix3Xd points;    ///< [m] on it, from a coarse mesh of second order
 };
 
 struct StepFaces {
@@ -26,9 +26,10 @@ struct StepFaces {
   double volume = 0;  ///< [m³] of all solids, exact
 };
 
-/// Faces of all solids of a STEP file after solids that touch have been joined (their common face is one face). `scale` multiplies all
-/// lengths. Problems: what solids::run_gmsh finds; solids that overlap.
-[[nodiscard]] foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, double scale = 1, const foundation::Progress& progress = {});
+/// Faces of all solids of a STEP file after solids that touch have been joined (their common face is one face). `scale`
+/// multiplies all lengths. Problems: what solids::run_gmsh finds; solids that overlap.
+[[nodiscard]] foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, double scale = 1,
+                                                         const foundation::Progress& progress = {});
 
 /// The lines for gmsh that join touching solids. Numbers of faces are those after it.
 extern const char* const joining_script;
@@ -51,9 +52,10 @@ struct FacesByNumber {
 };
 using FaceSelection = std::variant<FurthestFaces, FacesInBox, FacesOnCylinder, FacesByNumber>;
 
-/// The faces that a selection names, as indices into `faces`. None, or a number that is not there, is a problem with the subject `subject`,
-/// which lists the faces there are.
-[[nodiscard]] foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& all, const FaceSelection& selection,
+/// The faces that a selection names, as indices into `faces`. None, or a number that is not there, is a problem with
+/// the subject `subject`, which lists the faces there are.
+[[nodiscard]] foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& all,
+                                                                            const FaceSelection& selection,
                                                                             const std::string& subject);
 
 }  // namespace trivet::fem

@@ -19,17 +19,22 @@ namespace {
 using foundation::Problems;
 
 constexpr double one_millimetre = 1e-3;
-constexpr double most_elements = 1e6;      // some 4 million unknowns: more than a direct solver holds in a few gigabytes
+constexpr double most_elements = 1e6;  // some 4 million unknowns: more than a direct solver holds in a few gigabytes
 constexpr double volume_of_element = 0.118;  // regular tetrahedron, over its cubed edge
 
 Problems problems_of(const StepMeshOptions& options) {
   Problems problems;
   const auto must_be = [&](const char* name, double value, bool good, const char* rule) {
-    if (!good) problems.error(name, std::isnan(value) ? "not given" : fmt::format("{:.6g}", value), rule, "give a length with its unit");
+    if (!good)
+      problems.error(name, std::isnan(value) ? "not given" : fmt::format("{:.6g}", value), rule,
+                     "give a length with its unit");
   };
-  must_be("size", options.size, options.size > 0 && std::isfinite(options.size), "the edge of the elements must be > 0");
-  must_be("rim_size", options.rim_size, options.rim_size >= 0 && !(options.rim_size > options.size), "must be between 0 and size; 0 means size/4");
-  must_be("rim_distance", options.rim_distance, options.rim_distance >= 0 && std::isfinite(options.rim_distance), "must be ≥ 0; 0 means twice the size");
+  must_be("size", options.size, options.size > 0 && std::isfinite(options.size),
+          "the edge of the elements must be > 0");
+  must_be("rim_size", options.rim_size, options.rim_size >= 0 && !(options.rim_size > options.size),
+          "must be between 0 and size; 0 means size/4");
+  must_be("rim_distance", options.rim_distance, options.rim_distance >= 0 && std::isfinite(options.rim_distance),
+          "must be ≥ 0; 0 means twice the size");
   must_be("scale", options.scale, options.scale > 0 && std::isfinite(options.scale), "must be > 0");
   must_be("time_limit", options.time_limit, options.time_limit > 0, "must be > 0");
   return problems;
@@ -41,12 +46,15 @@ std::string numbers(const std::vector<StepFace>& faces) {
   return list;
 }
 
-/// Twelve elements around a full turn of any curved surface, or second-order elements turn over there. The size grows from the outer rims of the bonded faces of each plate (edges inside one plate are no rims).
+/// Twelve elements around a full turn of any curved surface, or second-order elements turn over there. The size grows
+/// from the outer rims of the bonded faces of each plate (edges inside one plate are no rims).
 std::string script(const StepMesh& step, const StepMeshOptions& options) {
   const double unit = one_millimetre * options.scale;
-  const double size = options.size / unit, rim_size = (options.rim_size > 0 ? options.rim_size : options.size / 4) / unit,
+  const double size = options.size / unit,
+               rim_size = (options.rim_size > 0 ? options.rim_size : options.size / 4) / unit,
                distance = (options.rim_distance > 0 ? options.rim_distance : 2 * options.size) / unit;
-  return joining_script + fmt::format(R"(
+  return joining_script +
+      fmt::format(R"(
 rims() = Abs(CombinedBoundary{{ Surface{{ {} }}; }});
 rims() += Abs(CombinedBoundary{{ Surface{{ {} }}; }});
 points = 20;
@@ -74,7 +82,7 @@ Mesh.SaveAll = 1;
 Mesh 3;
 Save "mesh.msh";
 )",
-                     numbers(step.faces_n), numbers(step.faces_k), rim_size, rim_size, rim_size, size, distance);
+                  numbers(step.faces_n), numbers(step.faces_k), rim_size, rim_size, rim_size, size, distance);
 }
 
 Eigen::Vector3d centre_of(const std::vector<StepFace>& faces) {
@@ -96,7 +104,8 @@ std::vector<int> nodes_on(const MshFile& file, const std::vector<StepFace>& face
   for (const StepFace& face : faces) wanted.insert(face.number);
   for (std::size_t t = 0; t < file.face.size(); ++t)
     if (wanted.contains(file.face[t]))
-      for (int k = 0; k < 6; ++k) nodes.insert(renumbered[static_cast<std::size_t>(file.triangles(k, static_cast<Eigen::Index>(t)))]);
+      for (int k = 0; k < 6; ++k)
+        nodes.insert(renumbered[static_cast<std::size_t>(file.triangles(k, static_cast<Eigen::Index>(t)))]);
   return {nodes.begin(), nodes.end()};
 }
 
@@ -115,7 +124,8 @@ Mesh mesh_of(const MshFile& file, const StepMesh& step, double unit) {
   mesh.nodes = unit * file.nodes(Eigen::all, kept);
   mesh.elements = file.tetrahedra.unaryExpr([&](int node) { return renumbered[static_cast<std::size_t>(node)]; });
   const std::set<int> solids(file.solid.begin(), file.solid.end());
-  for (const int solid : file.solid) mesh.material.push_back(static_cast<int>(std::distance(solids.begin(), solids.find(solid))));
+  for (const int solid : file.solid)
+    mesh.material.push_back(static_cast<int>(std::distance(solids.begin(), solids.find(solid))));
   mesh.plate_n = nodes_on(file, step.faces_n, renumbered);
   mesh.plate_k = nodes_on(file, step.faces_k, renumbered);
   return mesh;
@@ -124,40 +134,54 @@ Mesh mesh_of(const MshFile& file, const StepMesh& step, double unit) {
 void check_count(const StepFaces& all, const StepMeshOptions& options, Problems& problems) {
   const double count = all.volume / (volume_of_element * std::pow(options.size, 3));
   if (count > most_elements)
-    problems.error("size", fmt::format("{:.4g} m, for {:.4g} m³ some {:.2g} elements", options.size, all.volume, count),
-                   fmt::format("at most some {:.2g} elements can be computed", most_elements),
-                   fmt::format("take a size above {:.3g} m", std::cbrt(all.volume / (volume_of_element * most_elements))));
+    problems.error(
+        "size", fmt::format("{:.4g} m, for {:.4g} m³ some {:.2g} elements", options.size, all.volume, count),
+        fmt::format("at most some {:.2g} elements can be computed", most_elements),
+        fmt::format("take a size above {:.3g} m", std::cbrt(all.volume / (volume_of_element * most_elements))));
 }
 
 void check_apart(const StepMesh& step, Problems& problems) {
   for (const StepFace& n : step.faces_n)
     for (const StepFace& k : step.faces_k)
       if (n.number == k.number)
-        problems.error("plate_k", fmt::format("face {} is bonded to plate N too", k.number), "a face belongs to one plate", "name other faces");
+        problems.error("plate_k", fmt::format("face {} is bonded to plate N too", k.number),
+                       "a face belongs to one plate", "name other faces");
 }
 
 }  // namespace
 
-foundation::Expected<StepMesh> mesh_step(const std::filesystem::path& file, const StepMeshOptions& options, const foundation::Progress& progress) {
+foundation::Expected<StepMesh> mesh_step(const std::filesystem::path& file, const StepMeshOptions& options,
+                                         const foundation::Progress& progress) {
   Problems problems = problems_of(options);
   if (problems.has_errors()) return tl::unexpected(problems);
   const auto all = step_faces(file, options.scale, progress);
   if (!all) return tl::unexpected(all.error());
-  const auto chosen_n = selected_faces(*all, options.plate_n, "plate_n"), chosen_k = selected_faces(*all, options.plate_k, "plate_k");
+  const auto chosen_n = selected_faces(*all, options.plate_n, "plate_n"),
+             chosen_k = selected_faces(*all, options.plate_k, "plate_k");
   if (!chosen_n) problems.add(chosen_n.error());
   if (!chosen_k) problems.add(chosen_k.error());
   check_count(*all, options, problems);
   if (problems.has_errors()) return tl::unexpected(problems);
 
-  StepMesh step{.mesh = {}, .faces_n = taken(*all, *chosen_n), .faces_k = taken(*all, *chosen_k), .centre_n = {}, .centre_k = {}, .solids = all->solids, .volume = all->volume};
+  StepMesh step{.mesh = {},
+                .faces_n = taken(*all, *chosen_n),
+                .faces_k = taken(*all, *chosen_k),
+                .centre_n = {},
+                .centre_k = {},
+                .solids = all->solids,
+                .volume = all->volume};
   step.centre_n = centre_of(step.faces_n);
   step.centre_k = centre_of(step.faces_k);
   check_apart(step, problems);
   if (problems.has_errors()) return tl::unexpected(problems);
 
   const foundation::TemporaryFolder folder;
-  const auto done = solids::run_gmsh(
-      {.step_file = file, .folder = folder.path(), .script = script(step, options), .task = "meshing STEP", .time_limit = options.time_limit}, progress);
+  const auto done = solids::run_gmsh({.step_file = file,
+                                      .folder = folder.path(),
+                                      .script = script(step, options),
+                                      .task = "meshing STEP",
+                                      .time_limit = options.time_limit},
+                                     progress);
   if (!done) return tl::unexpected(done.error());
   const auto msh = read_msh(folder.path() / "mesh.msh");
   if (!msh) return tl::unexpected(msh.error());

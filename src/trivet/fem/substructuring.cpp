@@ -15,7 +15,8 @@ constexpr int smallest_part = 4;  ///< elements: below, joining costs more than 
 
 }  // namespace
 
-Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, const Eigen::Matrix3Xd& centres, int first_retained, int retained_count)
+Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, const Eigen::Matrix3Xd& centres,
+                               int first_retained, int retained_count)
     : element_unknowns_(std::move(element_unknowns)), first_retained_(first_retained), retained_count_(retained_count) {
   const int count = static_cast<int>(element_unknowns_.size());
   order_.resize(element_unknowns_.size());
@@ -34,7 +35,8 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
   operations_ = parts_[0].operations;
 }
 
-/// Cuts a range of elements at the widest gap near the middle of its longest side, so that layers of a regular mesh stay whole.
+/// Cuts a range of elements at the widest gap near the middle of its longest side, so that layers of a regular mesh
+/// stay whole.
 int Substructuring::cut(int first, int last, const Eigen::Matrix3Xd& centres) {
   const auto begin = order_.begin() + first, end = order_.begin() + last;
   Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
@@ -48,7 +50,8 @@ int Substructuring::cut(int first, int last, const Eigen::Matrix3Xd& centres) {
   const int count = last - first, margin = std::max(1, (35 * count) / 100);
   int best = first + count / 2;
   const auto gap = [&](int at) {
-    return centres(axis, order_[static_cast<std::size_t>(at)]) - centres(axis, order_[static_cast<std::size_t>(at - 1)]);
+    return centres(axis, order_[static_cast<std::size_t>(at)]) -
+        centres(axis, order_[static_cast<std::size_t>(at - 1)]);
   };
   const double clear = 1.05 * gap(best) + 1e-9 * (high - low).maxCoeff();
   for (int away = 1; away <= count / 2 - margin; ++away)
@@ -89,12 +92,13 @@ void Substructuring::number(int index) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
   const auto inside = [&](int unknown) {
     return unknown < first_retained_ && first_touch_[static_cast<std::size_t>(unknown)] >= part.first_element &&
-           last_touch_[static_cast<std::size_t>(unknown)] < part.last_element;
+        last_touch_[static_cast<std::size_t>(unknown)] < part.last_element;
   };
   part.condensed = static_cast<int>(std::stable_partition(all.begin(), all.end(), inside) - all.begin());
   part.unknowns = std::move(all);
   const double k = part.condensed, b = static_cast<double>(part.unknowns.size()) - k;
-  part.operations += k * (b * b / 2 + b * k / 2 + k * k / 6) + 1e5 * (part.left < 0 ? part.last_element - part.first_element : 0);
+  part.operations +=
+      k * (b * b / 2 + b * k / 2 + k * k / 6) + 1e5 * (part.left < 0 ? part.last_element - part.first_element : 0);
   if (part.left >= 0) place_children(index);
 }
 
@@ -119,7 +123,9 @@ double Substructuring::bytes(bool recoverable) const {
     largest = std::max(largest, n * n);
     if (part.left >= 0 && n * n > deepest) deepest = n * n;
   }
-  return 8 * ((recoverable ? factors : 0) + largest + 2 * deepest);  // the largest front, and boundaries waiting for their neighbours
+  return 8 *
+      ((recoverable ? factors : 0) + largest +
+       2 * deepest);  // the largest front, and boundaries waiting for their neighbours
 }
 
 struct Substructuring::Run {
@@ -153,7 +159,8 @@ Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, 
   } else {
     const bool split = threads > 1 && part.operations > 1e6;
     std::future<Eigen::MatrixXd> other;
-    if (split) other = std::async(std::launch::async, [&] { return condense_part(part.right, run, threads / 2, false); });
+    if (split)
+      other = std::async(std::launch::async, [&] { return condense_part(part.right, run, threads / 2, false); });
     Eigen::MatrixXd left, right;
     try {
       left = condense_part(part.left, run, split ? threads - threads / 2 : threads, reports);
@@ -181,7 +188,8 @@ Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, 
   return front.bottomRightCorner(n - k, n - k);
 }
 
-Substructuring::Condensed Substructuring::condense(const ElementMatrix& element_matrix, bool recoverable, int threads, const foundation::Progress& progress) {
+Substructuring::Condensed Substructuring::condense(const ElementMatrix& element_matrix, bool recoverable, int threads,
+                                                   const foundation::Progress& progress) {
   Run run{.element_matrix = element_matrix, .recoverable = recoverable, .progress = progress, .total = operations_};
   const Eigen::MatrixXd boundary = condense_part(0, run, std::max(1, threads), true);
   Condensed result{Eigen::MatrixXd::Zero(retained_count_, retained_count_), run.negative_pivots, run.singular};
@@ -190,7 +198,8 @@ Substructuring::Condensed Substructuring::condense(const ElementMatrix& element_
     for (std::size_t j = 0; j <= i; ++j) {
       const int row = root.unknowns[i + static_cast<std::size_t>(root.condensed)] - first_retained_;
       const int column = root.unknowns[j + static_cast<std::size_t>(root.condensed)] - first_retained_;
-      result.matrix(row, column) = result.matrix(column, row) = boundary(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      result.matrix(row, column) = result.matrix(column, row) =
+          boundary(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
     }
   return result;
 }

@@ -9,14 +9,16 @@
 
 namespace trivet::fem {
 
-/// Static condensation of a symmetric system of many elements on its retained unknowns, by recursive substructuring: the solid is
-/// halved again and again, each part is condensed on its boundary, and boundaries are joined pairwise. Exact in exact arithmetic.
-/// The pivots need not be positive, only nonzero, in any order: positive definite and quasi-definite (mixed) systems.
+/// Static condensation of a symmetric system of many elements on its retained unknowns, by recursive substructuring:
+/// the solid is halved again and again, each part is condensed on its boundary, and boundaries are joined pairwise.
+/// Exact in exact arithmetic. The pivots need not be positive, only nonzero, in any order: positive definite and
+/// quasi-definite (mixed) systems.
 class Substructuring {
  public:
   /// @param element_unknowns  per element the numbers of its unknowns; those ≥ `first_retained` are retained
   /// @param centres  per element a point [m], which decides how the solid is halved
-  Substructuring(std::vector<std::vector<int>> element_unknowns, const Eigen::Matrix3Xd& centres, int first_retained, int retained_count);
+  Substructuring(std::vector<std::vector<int>> element_unknowns, const Eigen::Matrix3Xd& centres, int first_retained,
+                 int retained_count);
 
   [[nodiscard]] double operations() const { return operations_; }  ///< multiplications of one condensation
   [[nodiscard]] double bytes(bool recoverable) const;              ///< working memory of one condensation
@@ -25,26 +27,27 @@ class Substructuring {
   using ElementMatrix = std::function<Eigen::MatrixXd(int element)>;
 
   struct Condensed {
-    Eigen::MatrixXd matrix;     ///< on the retained unknowns
-    int negative_pivots = 0;    ///< negative eigenvalues of the condensed part (Sylvester)
-    bool singular = false;      ///< a pivot vanished: part of the solid is not held
+    Eigen::MatrixXd matrix;   ///< on the retained unknowns
+    int negative_pivots = 0;  ///< negative eigenvalues of the condensed part (Sylvester)
+    bool singular = false;    ///< a pivot vanished: part of the solid is not held
   };
   /// @param recoverable  keep the factors, so that `recover` can give the condensed unknowns
   /// The answer does not depend on `threads`.
-  [[nodiscard]] Condensed condense(const ElementMatrix& element_matrix, bool recoverable, int threads, const foundation::Progress& progress);
+  [[nodiscard]] Condensed condense(const ElementMatrix& element_matrix, bool recoverable, int threads,
+                                   const foundation::Progress& progress);
 
   /// All unknowns from the retained ones, after a recoverable condensation of a system without load on the others.
   [[nodiscard]] Eigen::VectorXd recover(const Eigen::VectorXd& retained) const;
 
  private:
   struct Part {
-    int first_element = 0, last_element = 0;   ///< range in order_
-    int left = -1, right = -1;                 ///< parts; −1: a leaf
-    std::vector<int> unknowns = {};            ///< those to be condensed here, then the boundary, each ascending
+    int first_element = 0, last_element = 0;  ///< range in order_
+    int left = -1, right = -1;                ///< parts; −1: a leaf
+    std::vector<int> unknowns = {};           ///< those to be condensed here, then the boundary, each ascending
     int condensed = 0;
-    std::vector<int> place_in_parent = {};     ///< of the boundary unknowns
-    double operations = 0;                     ///< with all parts below
-    Eigen::MatrixXd factors = {};              ///< first `condensed` columns of the eliminated front
+    std::vector<int> place_in_parent = {};  ///< of the boundary unknowns
+    double operations = 0;                  ///< with all parts below
+    Eigen::MatrixXd factors = {};           ///< first `condensed` columns of the eliminated front
   };
   struct Run;
 
@@ -52,12 +55,13 @@ class Substructuring {
   int cut(int first, int last, const Eigen::Matrix3Xd& centres);
   void number(int part);
   void place_children(int part);
-  Eigen::MatrixXd condense_part(int part, Run& run, int threads, bool reports);  ///< only the calling thread reports progress
+  Eigen::MatrixXd condense_part(int part, Run& run, int threads,
+                                bool reports);  ///< only the calling thread reports progress
 
   std::vector<std::vector<int>> element_unknowns_;
   int first_retained_, retained_count_;
-  std::vector<int> order_;                          ///< elements, part by part
-  std::vector<int> first_touch_, last_touch_;       ///< per unknown: range of places in order_ of the elements that have it
+  std::vector<int> order_;                     ///< elements, part by part
+  std::vector<int> first_touch_, last_touch_;  ///< per unknown: range of places in order_ of the elements that have it
   std::vector<Part> parts_;
   double operations_ = 0;
 };

@@ -20,7 +20,8 @@ Unknowns number_unknowns(const Mesh& mesh, TetPressure tet_pressure) {
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
     auto& corners = unknowns.pressure.emplace_back();
     for (int c = 0; c < 4; ++c) {
-      const auto [place, is_new] = numbers.try_emplace({mesh.elements(c, e), mesh.material[static_cast<std::size_t>(e)]}, unknowns.count);
+      const auto [place, is_new] =
+          numbers.try_emplace({mesh.elements(c, e), mesh.material[static_cast<std::size_t>(e)]}, unknowns.count);
       unknowns.count += is_new;
       corners[static_cast<std::size_t>(c)] = place->second;
     }

@@ -20,7 +20,7 @@ struct Command {
   std::vector<std::string> arguments = {};
   std::filesystem::path folder = {};          ///< working folder of the program; empty: ours
   std::vector<std::string> environment = {};  ///< "NAME=value", added to ours or in place of it
-  double time_limit = 3600;              ///< [s] > 0; then the program is ended
+  double time_limit = 3600;                   ///< [s] > 0; then the program is ended
   std::string task = {};                      ///< what progress reports while it runs
 };
 
@@ -31,9 +31,9 @@ struct CommandOutcome {
   [[nodiscard]] bool succeeded() const { return end == End::exited && code == 0; }
 };
 
-/// Runs a program to its end, without standard input. Progress is reported ten times a second, as the fraction 0 because a program does
-/// not say how far it is; if it throws, if the time is over, or if the program prints more than 100 MB, the program and all that it started are
-/// ended first. They also end when this process ends, by SIGKILL too.
+/// Runs a program to its end, without standard input. Progress is reported ten times a second, as the fraction 0
+/// because a program does not say how far it is; if it throws, if the time is over, or if the program prints more than
+/// 100 MB, the program and all that it started are ended first. They also end when this process ends, by SIGKILL too.
 /// @throws std::system_error if the program cannot be started
 [[nodiscard]] CommandOutcome run(const Command& command, const Progress& progress = {});
 

@@ -40,10 +40,10 @@ FolderHandle::Kind FolderHandle::kind(const std::string& name) const {
   struct stat status;
   if (fstatat(descriptor_, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
     return errno == ENOENT ? Kind::none : Kind::other;
-  return S_ISREG(status.st_mode)   ? Kind::file
-         : S_ISDIR(status.st_mode) ? Kind::folder
-         : S_ISLNK(status.st_mode) ? Kind::link
-                                   : Kind::other;
+  return S_ISREG(status.st_mode) ? Kind::file
+      : S_ISDIR(status.st_mode)  ? Kind::folder
+      : S_ISLNK(status.st_mode)  ? Kind::link
+                                 : Kind::other;
 }
 
 std::vector<std::string> FolderHandle::names() const {
@@ -89,8 +89,8 @@ bool FolderHandle::is_same_file(const std::string& name, const FolderHandle& oth
                                 const std::string& other_name) const {
   struct stat one, two;
   return fstatat(descriptor_, name.c_str(), &one, AT_SYMLINK_NOFOLLOW) == 0 &&
-         fstatat(other.descriptor_, other_name.c_str(), &two, AT_SYMLINK_NOFOLLOW) == 0 && one.st_dev == two.st_dev &&
-         one.st_ino == two.st_ino;
+      fstatat(other.descriptor_, other_name.c_str(), &two, AT_SYMLINK_NOFOLLOW) == 0 && one.st_dev == two.st_dev &&
+      one.st_ino == two.st_ino;
 }
 
 const char* words(FolderHandle::Kind kind) {

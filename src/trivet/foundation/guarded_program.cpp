@@ -31,8 +31,8 @@ struct Program {
   const char* folder;
 };
 
-/// What the guard keeps open. Everything else would keep pipes of other threads alive; `ends_of_owner` must close in any
-/// case, or the guard would not see the end of its owner.
+/// What the guard keeps open. Everything else would keep pipes of other threads alive; `ends_of_owner` must close in
+/// any case, or the guard would not see the end of its owner.
 struct Descriptors {
   int output, report, lifeline;
   std::array<int, 2> ends_of_owner;
@@ -95,7 +95,7 @@ void wait_for_either(pid_t program, int lifeline) {
 }
 
 [[noreturn]] void guard(const Program& program, const Descriptors& open_ones) {
-  setpgid(0, 0);  // what is sent to our group (Ctrl-C, a time limit) must not end the guard first
+  setpgid(0, 0);             // what is sent to our group (Ctrl-C, a time limit) must not end the guard first
   signal(SIGCHLD, SIG_DFL);  // if it was ignored, the kernel would reap the program and its exit code would be lost
   close_others(open_ones);
   const pid_t own = getpid();
@@ -147,7 +147,8 @@ GuardedProgram::GuardedProgram(const char* path, char* const* arguments, char* c
   {
     const BlockedSignals blocked;
     child = fork();
-    if (child == 0) guard({path, arguments, environment, folder}, {output, report[1], lifeline[0], {report[0], lifeline[1]}});
+    if (child == 0)
+      guard({path, arguments, environment, folder}, {output, report[1], lifeline[0], {report[0], lifeline[1]}});
   }
   const int reason = errno;
   close(report[1]);

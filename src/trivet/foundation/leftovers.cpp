@@ -94,10 +94,8 @@ void remove_leftovers() noexcept {
   for (const auto& program : registry().programs) close(program.lifeline);
   for (const auto& program : registry().programs) wait_for(program.guard);
   for (auto folder = registry().folders.rbegin(); folder != registry().folders.rend(); ++folder)
-    if (folder->removal == RegisteredFolder::Removal::with_contents)
-      remove_insistently(folder->path);
-    else
-      rmdir(folder->path.c_str());
+    if (folder->removal == RegisteredFolder::Removal::with_contents) remove_insistently(folder->path);
+    else rmdir(folder->path.c_str());
 }
 
 }  // namespace trivet::foundation

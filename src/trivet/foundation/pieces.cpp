@@ -11,9 +11,12 @@
 
 namespace trivet::foundation {
 
-int thread_count(int wanted) { return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int thread_count(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
-void for_each_piece(std::size_t count, const PieceOptions& options, const std::function<void(std::size_t, std::size_t)>& work) {
+void for_each_piece(std::size_t count, const PieceOptions& options,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
   const std::size_t size = std::max<std::size_t>(1, options.size), pieces = (count + size - 1) / size;
   std::atomic<std::size_t> next = 0, done = 0;
   std::exception_ptr failure;
@@ -25,7 +28,9 @@ void for_each_piece(std::size_t count, const PieceOptions& options, const std::f
       for (piece = next++; piece < pieces; piece = next++) {
         work(piece * size, std::min(count, (piece + 1) * size));
         ++done;
-        if (reports) report_progress(options.progress, options.task, static_cast<double>(done.load()) / static_cast<double>(pieces));
+        if (reports)
+          report_progress(options.progress, options.task,
+                          static_cast<double>(done.load()) / static_cast<double>(pieces));
       }
     } catch (...) {
       next = pieces;

@@ -21,10 +21,10 @@ std::uint32_t byte(std::string_view text, std::size_t at) { return static_cast<u
 Character character_at(std::string_view text, std::size_t at) {
   const std::uint32_t lead = byte(text, at);
   if (lead < 0x80) return {lead};
-  const std::size_t bytes = lead >= 0xC2 && lead < 0xE0   ? 2
-                            : lead >= 0xE0 && lead < 0xF0 ? 3
-                            : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                          : 0;
+  const std::size_t bytes = lead >= 0xC2 && lead < 0xE0 ? 2
+      : lead >= 0xE0 && lead < 0xF0                     ? 3
+      : lead >= 0xF0 && lead < 0xF5                     ? 4
+                                                        : 0;
   if (bytes == 0) return {lead, 1, false};
   std::uint32_t code = lead & (0x7Fu >> bytes);
   for (std::size_t i = 1; i < bytes; ++i) {
@@ -41,8 +41,8 @@ Character character_at(std::string_view text, std::size_t at) {
 /// not admit.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F ||
-         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF || code == 0xFFFE ||
-         code == 0xFFFF;
+      (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF || code == 0xFFFE ||
+      code == 0xFFFF;
 }
 
 }  // namespace
@@ -62,14 +62,11 @@ std::string on_one_line(std::string_view text) {
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
     const Character c = character_at(text, at);
-    if (!c.sound)
-      line += fmt::format("\\x{:02x}", c.code);
-    else if (c.code == '\n')
-      line += "\\n";
+    if (!c.sound) line += fmt::format("\\x{:02x}", c.code);
+    else if (c.code == '\n') line += "\\n";
     else if (is_control(c.code))
       line += c.code < 0x100 ? fmt::format("\\x{:02x}", c.code) : fmt::format("\\u{:04x}", c.code);
-    else
-      line += text.substr(at, c.bytes);
+    else line += text.substr(at, c.bytes);
     at += c.bytes;
   }
   return line;
@@ -87,7 +84,9 @@ std::optional<std::string> unprintable(std::string_view text, bool one_line) {
 }
 
 std::string path_key(std::string_view name) {
-  const auto is_bare = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
+  const auto is_bare = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
   if (!name.empty() && std::all_of(name.begin(), name.end(), is_bare)) return std::string(name);
   std::string text = "\"";
   for (const char c : name) {

@@ -30,7 +30,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string place(const Origin& origin) { return origin.line > 0 ? origin.source + ":" + std::to_string(origin.line) : origin.source; }
+std::string place(const Origin& origin) {
+  return origin.line > 0 ? origin.source + ":" + std::to_string(origin.line) : origin.source;
+}
 
 std::string message(const Problem& problem) {
   std::string text;
@@ -44,7 +46,8 @@ std::string message(const Problem& problem) {
 }
 
 Problem& Problems::error(std::string subject, std::string finding, std::string rule, std::string remedy) {
-  return list_.emplace_back(Problem{Severity::error, {}, std::move(subject), std::move(finding), std::move(rule), std::move(remedy)});
+  return list_.emplace_back(
+      Problem{Severity::error, {}, std::move(subject), std::move(finding), std::move(rule), std::move(remedy)});
 }
 
 Problem& Problems::warning(std::string subject, std::string finding, std::string rule, std::string remedy) {
@@ -55,19 +58,28 @@ Problem& Problems::warning(std::string subject, std::string finding, std::string
 void Problems::add(const Problems& others) { list_.insert(list_.end(), others.list_.begin(), others.list_.end()); }
 
 std::size_t Problems::errors() const {
-  return static_cast<std::size_t>(std::count_if(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; }));
+  return static_cast<std::size_t>(
+      std::count_if(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; }));
 }
 
 void Problems::sort_by_origin() {
-  const auto line = [](const Problem& p) { return p.origin.line > 0 ? p.origin.line : std::numeric_limits<int>::max(); };
+  const auto line = [](const Problem& p) {
+    return p.origin.line > 0 ? p.origin.line : std::numeric_limits<int>::max();
+  };
   // Files in the order in which they first occur: the project file, then its data.
   std::vector<std::string> files;
   for (const Problem& p : list_)
     if (std::find(files.begin(), files.end(), p.origin.source) == files.end()) files.push_back(p.origin.source);
-  const auto file = [&](const Problem& p) { return p.origin.line > 0 ? std::find(files.begin(), files.end(), p.origin.source) - files.begin() : std::ptrdiff_t{0}; };
-  std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) { return std::make_pair(file(a), line(a)) < std::make_pair(file(b), line(b)); });
+  const auto file = [&](const Problem& p) {
+    return p.origin.line > 0 ? std::find(files.begin(), files.end(), p.origin.source) - files.begin()
+                             : std::ptrdiff_t{0};
+  };
+  std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) {
+    return std::make_pair(file(a), line(a)) < std::make_pair(file(b), line(b));
+  });
   std::set<std::tuple<Severity, std::string, std::string, std::string>> seen;
-  std::erase_if(list_, [&](const Problem& p) { return !seen.emplace(p.severity, p.subject, p.finding, p.rule).second; });
+  std::erase_if(list_,
+                [&](const Problem& p) { return !seen.emplace(p.severity, p.subject, p.finding, p.rule).second; });
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {

@@ -38,10 +38,11 @@ std::string random_name() {
 
 bool is_such_a_name(const std::string& name) {
   return name.size() == temporary_name_start.size() + random_letters && name.starts_with(temporary_name_start) &&
-         name.find_first_not_of(letters, temporary_name_start.size()) == std::string::npos;
+      name.find_first_not_of(letters, temporary_name_start.size()) == std::string::npos;
 }
 
-/// Opens the mark inside a folder that is no link; `must_be_ours`: and belongs to this user. -1 with errno if there is none.
+/// Opens the mark inside a folder that is no link; `must_be_ours`: and belongs to this user. -1 with errno if there is
+/// none.
 int open_mark(const fs::path& folder, int flags, bool must_be_ours) {
   const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (opened < 0) return -1;

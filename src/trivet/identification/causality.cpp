@@ -17,7 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 using foundation::two_pi;
 
-/// Relaxation times per decade, and decades of them beyond the band: a single relaxation between two times is met to 1e-3.
+/// Relaxation times per decade, and decades of them beyond the band: a single relaxation between two times is met to
+/// 1e-3.
 constexpr int times_per_decade = 12;
 constexpr double decades_beyond = 2;
 
@@ -27,7 +28,8 @@ constexpr double of_the_tolerance = 0.2;
 constexpr double shown = 0.5, hidden = 0.1;
 
 Eigen::VectorXd relaxation_times(const std::vector<double>& frequency) {
-  const double from = -std::log10(frequency.back()) - decades_beyond, to = -std::log10(frequency.front()) + decades_beyond;
+  const double from = -std::log10(frequency.back()) - decades_beyond,
+               to = -std::log10(frequency.front()) + decades_beyond;
   const auto count = static_cast<Eigen::Index>(std::ceil((to - from) * times_per_decade)) + 1;
   return Eigen::VectorXd::LinSpaced(count, from, to).unaryExpr([](double decade) { return std::pow(10, decade); });
 }
@@ -40,7 +42,8 @@ struct Rows {
 
 Rows rows_of(const DynamicStiffnessTable& table) {
   Rows rows;
-  const std::vector<Eigen::Index> chosen = rows_that_follow({table.angular_frequency.begin(), table.angular_frequency.end()}, table.stiffness);
+  const std::vector<Eigen::Index> chosen =
+      rows_that_follow({table.angular_frequency.begin(), table.angular_frequency.end()}, table.stiffness);
   for (const Eigen::Index i : chosen) rows.fitted.push_back(table.angular_frequency(i));
   rows.stiffness = table.stiffness(chosen);
   return rows;
@@ -49,7 +52,8 @@ Rows rows_of(const DynamicStiffnessTable& table) {
 /// Nearest sum of a static stiffness, a dashpot, relaxations and, if there are sections, of these and a mass.
 PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& sections, double enough) {
   const Eigen::VectorXd times = relaxation_times(rows.fitted);
-  const auto count = static_cast<Eigen::Index>(rows.fitted.size()), resonances = static_cast<Eigen::Index>(sections.size());
+  const auto count = static_cast<Eigen::Index>(rows.fitted.size()),
+             resonances = static_cast<Eigen::Index>(sections.size());
   const Eigen::Index first = 2 + times.size();
   Eigen::MatrixXcd columns(count, first + (sections.empty() ? 0 : 1 + 2 * resonances));
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -80,7 +84,8 @@ PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& s
   for (Eigen::Index j = 0; j < resonances; ++j) {
     const double inertial = constants(first + 1 + 2 * j), elastic = constants(first + 2 + 2 * j);
     const Section& section = sections[static_cast<std::size_t>(j)];
-    if (inertial > 0 || elastic > 0) passive.resonances.push_back({section.angular_frequency, section.damping_ratio, inertial, elastic});
+    if (inertial > 0 || elastic > 0)
+      passive.resonances.push_back({section.angular_frequency, section.damping_ratio, inertial, elastic});
   }
   return passive;
 }
@@ -98,7 +103,9 @@ void compare(const DynamicStiffnessTable& table, CausalityCheck& check) {
 bool has_steep_rows(const DynamicStiffnessTable& table) {
   constexpr double steep = 1.0 / 3;
   for (Eigen::Index i = 1; i < table.stiffness.size(); ++i)
-    if (std::abs(table.stiffness(i) - table.stiffness(i - 1)) > steep * std::min(std::abs(table.stiffness(i)), std::abs(table.stiffness(i - 1)))) return true;
+    if (std::abs(table.stiffness(i) - table.stiffness(i - 1)) >
+        steep * std::min(std::abs(table.stiffness(i)), std::abs(table.stiffness(i - 1))))
+      return true;
   return false;
 }
 
@@ -113,7 +120,8 @@ std::string inner_motion(const PassiveStiffness& passive, const DynamicStiffness
     if (!(r.angular_frequency >= w(0) && r.angular_frequency <= w(w.size() - 1))) continue;
     PassiveStiffness alone;
     alone.resonances = {r};
-    if (const double height = std::abs(stiffness_at(alone, r.angular_frequency)); height > strongest) strongest = height, at = r.angular_frequency;
+    if (const double height = std::abs(stiffness_at(alone, r.angular_frequency)); height > strongest)
+      strongest = height, at = r.angular_frequency;
   }
   double as_a_mass = 0;
   for (const double omega : w) as_a_mass = std::max(as_a_mass, std::abs(stiffness_at(massive, omega)));
@@ -122,13 +130,19 @@ std::string inner_motion(const PassiveStiffness& passive, const DynamicStiffness
 }
 
 std::string words(const CausalityCheck& check, const DynamicStiffnessTable& table) {
-  const std::string worst = fmt::format("(worst {:.2g} % at {:.4g} Hz)", 100 * check.misfit(check.worst), table.angular_frequency(check.worst) / two_pi);
+  const std::string worst = fmt::format("(worst {:.2g} % at {:.4g} Hz)", 100 * check.misfit(check.worst),
+                                        table.angular_frequency(check.worst) / two_pi);
   const double share = 100 * check.relative_rms;
   switch (check.kind) {
-    case Causality::relaxing: return fmt::format("k' and k'' belong together within {:.2g} % {}", share, worst);
-    case Causality::resonant: return fmt::format("k' and k'' belong together within {:.2g} % {}{}", share, worst, inner_motion(check.nearest, table));
-    case Causality::too_coarse: return fmt::format("{:.2g} % of k* needs a resonance narrower than the distance of the rows {}", share, worst);
-    case Causality::impossible: break;
+    case Causality::relaxing:
+      return fmt::format("k' and k'' belong together within {:.2g} % {}", share, worst);
+    case Causality::resonant:
+      return fmt::format("k' and k'' belong together within {:.2g} % {}{}", share, worst,
+                         inner_motion(check.nearest, table));
+    case Causality::too_coarse:
+      return fmt::format("{:.2g} % of k* needs a resonance narrower than the distance of the rows {}", share, worst);
+    case Causality::impossible:
+      break;
   }
   return fmt::format("{:.2g} % of k* belongs to no passive, causal element {}", share, worst);
 }
@@ -140,7 +154,8 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
   foundation::Problems problems;
   const Eigen::VectorXd& w = table.angular_frequency;
   if (w.size() != table.stiffness.size() || w.size() < 2) {
-    problems.error("dynamic_stiffness", fmt::format("{} frequencies and {} stiffnesses", w.size(), table.stiffness.size()),
+    problems.error("dynamic_stiffness",
+                   fmt::format("{} frequencies and {} stiffnesses", w.size(), table.stiffness.size()),
                    "a table has at least two rows of both", "complete the table");
     return problems;
   }
@@ -152,31 +167,38 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
       problems.error(subject, "an entry is missing or not finite", "every row has a frequency and a complex stiffness",
                      "leave the row out");
     else if (!(w(i) > 0))
-      problems.error(subject, fmt::format("{:.6g} Hz", w(i) / two_pi), "a frequency is > 0", "leave the static row out");
+      problems.error(subject, fmt::format("{:.6g} Hz", w(i) / two_pi), "a frequency is > 0",
+                     "leave the static row out");
     else if (i > 0 && w(i) == w(i - 1))
       problems.error(subject, fmt::format("{:.6g} Hz stands twice", w(i) / two_pi), "frequencies increase",
                      "average the two rows, or leave one out");
     else if (i > 0 && w(i) < w(i - 1))
-      problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w(i) / two_pi, w(i - 1) / two_pi), "frequencies increase",
-                     "sort the rows");
+      problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w(i) / two_pi, w(i - 1) / two_pi),
+                     "frequencies increase", "sort the rows");
     else if (k == 0.0)
-      problems.error(subject, fmt::format("the stiffness is 0 at {:.6g} Hz", w(i) / two_pi), "a stiffness has a size", "leave the row out");
+      problems.error(subject, fmt::format("the stiffness is 0 at {:.6g} Hz", w(i) / two_pi), "a stiffness has a size",
+                     "leave the row out");
     else if (constexpr double rounding = 1e-9; k.imag() < -rounding * stiffest)
-      problems.warning(subject, fmt::format("negative loss at {:.6g} Hz: k'' = {:.4g} N/m, k' = {:.4g} N/m", w(i) / two_pi, k.imag(),
-                                            k.real()),
-                       "a passive element loses energy (e^{+iωt}: k'' ≥ 0)", "check the sign of the phase, or the noise");
+      problems.warning(subject,
+                       fmt::format("negative loss at {:.6g} Hz: k'' = {:.4g} N/m, k' = {:.4g} N/m", w(i) / two_pi,
+                                   k.imag(), k.real()),
+                       "a passive element loses energy (e^{+iωt}: k'' ≥ 0)",
+                       "check the sign of the phase, or the noise");
   }
   return problems;
 }
 
 std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, double angular_frequency) {
   const foundation::Problems problems = table_problems(table);
-  if (problems.has_errors()) throw foundation::InvalidInput("dynamic stiffness table: " + foundation::message(problems.list().front()));
+  if (problems.has_errors())
+    throw foundation::InvalidInput("dynamic stiffness table: " + foundation::message(problems.list().front()));
   const Eigen::VectorXd& w = table.angular_frequency;
   const Eigen::Index last = w.size() - 1;
   if (!(angular_frequency >= w(0) && angular_frequency <= w(last)))
-    throw foundation::InvalidInput(fmt::format("{:.6g} rad/s, the table holds {:.6g} to {:.6g} rad/s", angular_frequency, w(0), w(last)));
-  const Eigen::Index above = std::max<Eigen::Index>(1, std::lower_bound(w.data(), w.data() + last, angular_frequency) - w.data());
+    throw foundation::InvalidInput(
+        fmt::format("{:.6g} rad/s, the table holds {:.6g} to {:.6g} rad/s", angular_frequency, w(0), w(last)));
+  const Eigen::Index above =
+      std::max<Eigen::Index>(1, std::lower_bound(w.data(), w.data() + last, angular_frequency) - w.data());
   const double share = std::log(angular_frequency / w(above - 1)) / std::log(w(above) / w(above - 1));
   return (1 - share) * table.stiffness(above - 1) + share * table.stiffness(above);
 }
@@ -184,7 +206,8 @@ std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, 
 std::complex<double> stiffness_at(const PassiveStiffness& passive, double angular_frequency) {
   const Complex s(0, angular_frequency);
   Complex k = passive.static_stiffness + passive.viscous_coefficient * s + passive.mass * s * s;
-  for (Eigen::Index j = 0; j < passive.times.size(); ++j) k += passive.branches(j) * s * passive.times(j) / (1.0 + s * passive.times(j));
+  for (Eigen::Index j = 0; j < passive.times.size(); ++j)
+    k += passive.branches(j) * s * passive.times(j) / (1.0 + s * passive.times(j));
   for (const PassiveStiffness::Resonance& r : passive.resonances) {
     const Section section{r.angular_frequency, r.damping_ratio};
     k += s * (r.inertial * inertial_section(section, s) + r.elastic * elastic_section(section, s));
@@ -193,12 +216,14 @@ std::complex<double> stiffness_at(const PassiveStiffness& passive, double angula
 }
 
 std::string remedy(Causality kind) {
-  return kind == Causality::too_coarse ? "measure with a finer step of frequency there; if the step is fine enough, check the phase"
-                                       : "look for a wrong phase, or another temperature or amplitude within the table";
+  return kind == Causality::too_coarse
+      ? "measure with a finer step of frequency there; if the step is fine enough, check the phase"
+      : "look for a wrong phase, or another temperature or amplitude within the table";
 }
 
 foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table, const CausalityOptions& options) {
-  if (!(options.tolerance > 0)) throw foundation::InvalidInput(fmt::format("tolerance = {}, must be > 0", options.tolerance));
+  if (!(options.tolerance > 0))
+    throw foundation::InvalidInput(fmt::format("tolerance = {}, must be > 0", options.tolerance));
   CausalityCheck check;
   check.warnings = table_problems(table);
   if (check.warnings.has_errors()) return tl::make_unexpected(std::move(check.warnings));
@@ -222,7 +247,8 @@ foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& tabl
   }
   check.verdict = words(check, table);
   if (!check.passes)
-    check.warnings.warning("dynamic_stiffness", check.verdict, fmt::format("up to {:.2g} % pass", 100 * options.tolerance), remedy(check.kind));
+    check.warnings.warning("dynamic_stiffness", check.verdict,
+                           fmt::format("up to {:.2g} % pass", 100 * options.tolerance), remedy(check.kind));
   return check;
 }
 

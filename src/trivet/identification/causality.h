@@ -16,9 +16,8 @@ struct DynamicStiffnessTable {
   Eigen::VectorXcd stiffness;
 };
 
-/// What makes a table unusable (errors): columns of different length, fewer than two rows, entries that are not finite, frequencies not >
-/// 0,
-/// not increasing or repeated; and what is doubtful (warning): negative loss.
+/// What makes a table unusable (errors): columns of different length, fewer than two rows, entries that are not finite,
+/// frequencies not > 0, not increasing or repeated; and what is doubtful (warning): negative loss.
 [[nodiscard]] foundation::Problems table_problems(const DynamicStiffnessTable& table);
 
 /// Stiffness between the rows, real and imaginary part linear in ln ω.
@@ -46,21 +45,22 @@ struct CausalityOptions {
   double tolerance = 0.05;
 };
 
-/// What a table has been found to be. `too_coarse`: only a resonance narrower than the distance of its rows explains it.
+/// What a table has been found to be. `too_coarse`: only a resonance narrower than the distance of its rows explains
+/// it.
 enum class Causality { relaxing, resonant, too_coarse, impossible };
 
-/// How far k' and k'' are from belonging together. Causality ties each to the other over all frequencies (Kramers and Kronig); over
-/// a finite band, the nearest passive, causal stiffness takes the place of the integrals. First relaxations alone are tried, then with
-/// internal resonances and inertia as wide as the rows can show.
+/// How far k' and k'' are from belonging together. Causality ties each to the other over all frequencies (Kramers and
+/// Kronig); over a finite band, the nearest passive, causal stiffness takes the place of the integrals. First
+/// relaxations alone are tried, then with internal resonances and inertia as wide as the rows can show.
 struct CausalityCheck {
   Causality kind = Causality::impossible;
   PassiveStiffness nearest;
-  Eigen::VectorXcd fitted;       ///< of `nearest` at the frequencies of the table
-  Eigen::VectorXd misfit;        ///< |fitted − k*|/|k*| per frequency
-  double relative_rms = 0;       ///< of the misfit
-  Eigen::Index worst = 0;        ///< row of the largest misfit
-  bool passes = false;           ///< relaxing or resonant
-  std::string verdict;           ///< a sentence with numbers
+  Eigen::VectorXcd fitted;  ///< of `nearest` at the frequencies of the table
+  Eigen::VectorXd misfit;   ///< |fitted − k*|/|k*| per frequency
+  double relative_rms = 0;  ///< of the misfit
+  Eigen::Index worst = 0;   ///< row of the largest misfit
+  bool passes = false;      ///< relaxing or resonant
+  std::string verdict;      ///< a sentence with numbers
   foundation::Problems warnings;
 };
 
@@ -68,6 +68,7 @@ struct CausalityCheck {
 [[nodiscard]] std::string remedy(Causality kind);
 
 /// @throws InvalidInput if the tolerance is not > 0
-[[nodiscard]] foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table, const CausalityOptions& options = {});
+[[nodiscard]] foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table,
+                                                             const CausalityOptions& options = {});
 
 }  // namespace trivet::identification

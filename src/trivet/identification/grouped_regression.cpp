@@ -29,14 +29,16 @@ Eigen::MatrixXd null_space(const numerics::PivotedQr& qr, Eigen::Index rank) {
   const Eigen::Index count = qr.R.cols();
   Eigen::MatrixXd pivoted(count, count - rank);
   pivoted.topRows(rank) = -qr.R.topRightCorner(rank, count - rank);
-  pivoted.topRows(rank) = qr.R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(pivoted.topRows(rank).eval());
+  pivoted.topRows(rank) =
+      qr.R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(pivoted.topRows(rank).eval());
   pivoted.bottomRows(count - rank).setIdentity();
   return qr.P * pivoted;
 }
 
 Eigen::VectorXd deviations(const Regression& regression, const Eigen::VectorXd& group_scale) {
   Eigen::VectorXd deviation = regression.relative_deviation;
-  for (Eigen::Index r = 0; r < deviation.size(); ++r) deviation(r) *= group_scale(regression.group[static_cast<std::size_t>(r)]);
+  for (Eigen::Index r = 0; r < deviation.size(); ++r)
+    deviation(r) *= group_scale(regression.group[static_cast<std::size_t>(r)]);
   return deviation;
 }
 
@@ -65,7 +67,8 @@ bool solve(const Regression& regression, bool judge_rank, RegressionFit& fit) {
 RegressionFit fit(const Regression& regression) {
   RegressionFit fit;
   Eigen::VectorXd readings = group_sizes(regression, regression.measured);
-  const double stand_in = readings.maxCoeff() > 0 ? (readings.array() > 0).select(readings, readings.maxCoeff()).minCoeff() : 1;
+  const double stand_in =
+      readings.maxCoeff() > 0 ? (readings.array() > 0).select(readings, readings.maxCoeff()).minCoeff() : 1;
   readings = (readings.array() > 0).select(readings, stand_in);  // for a channel that reads null throughout
   const Eigen::VectorXd floor = least_noise * readings;
   fit.group_scale = readings;
@@ -90,7 +93,8 @@ RegressionFit fit(const Regression& regression) {
   return fit;
 }
 
-double half_width(const Regression& regression, const RegressionFit& fit, const Eigen::RowVectorXd& functional, double confidence) {
+double half_width(const Regression& regression, const RegressionFit& fit, const Eigen::RowVectorXd& functional,
+                  double confidence) {
   const Eigen::RowVectorXd sensitivity = functional * fit.influence;
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(regression.groups);
   for (Eigen::Index r = 0; r < sensitivity.size(); ++r)

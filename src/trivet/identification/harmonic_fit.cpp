@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/identification/harmonic_fit.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/identification/harmonic_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,8 @@ double refined(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, doubl
 
 Eigen::MatrixXd harmonic_columns(const Eigen::VectorXd& time, double angular_frequency, int order, int harmonics) {
   const double first = time(0), duration = time(time.size() - 1) - first;
-  const Eigen::ArrayXd along = 2 * (time.array() - first) / duration - 1, phase = angular_frequency * (time.array() - first);
+  const Eigen::ArrayXd along = 2 * (time.array() - first) / duration - 1,
+                       phase = angular_frequency * (time.array() - first);
   Eigen::MatrixXd columns(time.size(), order + 1 + 2 * harmonics);
   columns.col(0).setOnes();
   for (int p = 1; p <= order; ++p) columns.col(p) = columns.col(p - 1).array() * along;
@@ -74,7 +75,8 @@ Eigen::MatrixXd harmonic_columns(const Eigen::VectorXd& time, double angular_fre
 HarmonicFit harmonic_fit(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& signals) {
   HarmonicFit fit;
   const Eigen::MatrixXd normal = columns.transpose() * columns;
-  fit.unit_covariance = numerics::ldlt_solution(normal, Eigen::MatrixXd(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())));
+  fit.unit_covariance =
+      numerics::ldlt_solution(normal, Eigen::MatrixXd(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())));
   fit.coefficients = fit.unit_covariance * (columns.transpose() * signals);
   fit.residuals = signals - columns * fit.coefficients;
   fit.coefficients += fit.unit_covariance * (columns.transpose() * fit.residuals);  // what the normal equations lost
@@ -84,7 +86,8 @@ HarmonicFit harmonic_fit(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& 
   return fit;
 }
 
-std::optional<double> frequency_of(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, int order, int harmonics) {
+std::optional<double> frequency_of(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, int order,
+                                   int harmonics) {
   const Eigen::VectorXd centred = harmonic_fit(harmonic_columns(time, 0, order, 0), signal).residuals.col(0);
   const double size = std::sqrt(centred.squaredNorm() / static_cast<double>(centred.size()));
   if (!(size > 1e-14 * signal.cwiseAbs().maxCoeff())) return std::nullopt;

@@ -7,20 +7,21 @@
 namespace trivet::identification {
 
 /// Columns 1, s … s^order with s = −1 … 1 over the record, then cos nφ, sin nφ, φ = ω(t − t_first), n = 1 … harmonics.
-[[nodiscard]] Eigen::MatrixXd harmonic_columns(const Eigen::VectorXd& time, double angular_frequency, int order, int harmonics);
+[[nodiscard]] Eigen::MatrixXd harmonic_columns(const Eigen::VectorXd& time, double angular_frequency, int order,
+                                               int harmonics);
 
 /// Least squares with what is needed for its uncertainty.
 struct HarmonicFit {
   Eigen::MatrixXd unit_covariance;  ///< (AᵀA)⁻¹
   Eigen::MatrixXd coefficients;     ///< one column per signal
   Eigen::MatrixXd residuals;
-  Eigen::VectorXd noise;            ///< standard deviation of the residuals of each signal
+  Eigen::VectorXd noise;  ///< standard deviation of the residuals of each signal
 };
 [[nodiscard]] HarmonicFit harmonic_fit(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& signals);
 
-/// Angular frequency [rad/s] of the strongest oscillation of a signal, its harmonics and a drift of the given order beside it: counted
-/// from its crossings (or, with fewer than three, tried from 0.6 to 3.4 cycles per record), then refined by least squares. None for
-/// a signal without motion.
+/// Angular frequency [rad/s] of the strongest oscillation of a signal, its harmonics and a drift of the given order
+/// beside it: counted from its crossings (or, with fewer than three, tried from 0.6 to 3.4 cycles per record), then
+/// refined by least squares. None for a signal without motion.
 [[nodiscard]] std::optional<double> frequency_of(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, int order,
                                                  int harmonics);
 

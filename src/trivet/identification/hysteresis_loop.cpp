@@ -34,25 +34,28 @@ foundation::Problems sample_problems(const LoopRecord& record) {
   const std::string subject = fmt::format("loop '{}'", record.name);
   const Eigen::Index count = record.displacement.size();
   if (record.force.size() != count || (record.time.size() != 0 && record.time.size() != count)) {
-    problems.error(subject, fmt::format("{} displacements, {} forces, {} times", count, record.force.size(), record.time.size()),
+    problems.error(subject,
+                   fmt::format("{} displacements, {} forces, {} times", count, record.force.size(), record.time.size()),
                    "each sample has all of them", "make the columns equally long");
     return problems;
   }
   if (count < 2 * fewest_samples_per_cycle)
-    problems.error(subject, fmt::format("{} samples", count), fmt::format("at least {} are needed", 2 * fewest_samples_per_cycle),
-                   "record more");
+    problems.error(subject, fmt::format("{} samples", count),
+                   fmt::format("at least {} are needed", 2 * fewest_samples_per_cycle), "record more");
   const auto report = [&](Eigen::Index sample, const std::string& finding, const char* rule, const char* remedy) {
     problems.error(subject, fmt::format("sample {}: {}", sample + 1, finding), rule, remedy);
   };
   for (Eigen::Index i = 0; i < count && problems.list().size() < 20; ++i) {
     if (!std::isfinite(record.displacement(i)) || !std::isfinite(record.force(i)) ||
         (record.time.size() > 0 && !std::isfinite(record.time(i))))
-      report(i, "a value is missing or not finite", "a loop has a number in every cell", "cut the record there, or leave the row out");
+      report(i, "a value is missing or not finite", "a loop has a number in every cell",
+             "cut the record there, or leave the row out");
     else if (i > 0 && record.time.size() > 0 && !(record.time(i) > record.time(i - 1)))
       report(i, fmt::format("time {} s after {} s", record.time(i), record.time(i - 1)), "time increases",
              "sort the rows, one loop per record");
   }
-  if (!std::isnan(record.angular_frequency) && !(record.angular_frequency > 0 && std::isfinite(record.angular_frequency)))
+  if (!std::isnan(record.angular_frequency) &&
+      !(record.angular_frequency > 0 && std::isfinite(record.angular_frequency)))
     problems.error(subject, fmt::format("angular frequency {} rad/s", record.angular_frequency), "it is > 0",
                    "leave it out if it is not known");
   return problems;
@@ -68,8 +71,8 @@ std::array<double, 5> quantities(const Eigen::VectorXd& x, const Eigen::VectorXd
 }
 
 /// Standard deviations of the quantities, by their sensitivity to each coefficient.
-std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd& f, const Eigen::MatrixXd& unit_covariance,
-                                 const Eigen::VectorXd& noise) {
+std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd& f,
+                                 const Eigen::MatrixXd& unit_covariance, const Eigen::VectorXd& noise) {
   std::array<double, 5> variance{};
   for (int signal = 0; signal < 2; ++signal) {
     const Eigen::VectorXd& of = signal == 0 ? x : f;
@@ -79,7 +82,8 @@ std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd
       const Eigen::VectorXd change = step * Eigen::VectorXd::Unit(of.size(), i);
       const auto up = signal == 0 ? quantities(x + change, f) : quantities(x, f + change);
       const auto down = signal == 0 ? quantities(x - change, f) : quantities(x, f - change);
-      for (std::size_t q = 0; q < 5; ++q) sensitivity(static_cast<Eigen::Index>(q), i) = step > 0 ? (up[q] - down[q]) / (2 * step) : 0;
+      for (std::size_t q = 0; q < 5; ++q)
+        sensitivity(static_cast<Eigen::Index>(q), i) = step > 0 ? (up[q] - down[q]) / (2 * step) : 0;
     }
     for (std::size_t q = 0; q < 5; ++q) {
       const Eigen::RowVectorXd row = sensitivity.row(static_cast<Eigen::Index>(q));
@@ -99,7 +103,8 @@ double cycle_variance_ratio(const Eigen::VectorXd& phase, const HarmonicFit& fit
   std::vector<double> count(cycles);
   for (Eigen::Index i = 0; i < phase.size(); ++i) {
     const auto cycle = std::min(cycles - 1, static_cast<std::size_t>(phase(i) / (2 * pi)));
-    off[cycle] += 2.0 * (fit.residuals(i, 1) - loop.dynamic_stiffness * fit.residuals(i, 0)) * std::polar(1.0, -phase(i));
+    off[cycle] +=
+        2.0 * (fit.residuals(i, 1) - loop.dynamic_stiffness * fit.residuals(i, 0)) * std::polar(1.0, -phase(i));
     count[cycle] += 1;
   }
   const double white = 4 * (std::pow(fit.noise(1), 2) + std::norm(loop.dynamic_stiffness) * std::pow(fit.noise(0), 2));
@@ -127,7 +132,8 @@ void fill(const HarmonicFit& fit, int order, const Eigen::VectorXd& phase, doubl
   loop.displacement_noise = fit.noise(0);
   loop.force_noise = fit.noise(1);
 
-  double freedom = static_cast<double>(std::max<Eigen::Index>(1, fit.residuals.rows() - fit.coefficients.rows())), widening = 1;
+  double freedom = static_cast<double>(std::max<Eigen::Index>(1, fit.residuals.rows() - fit.coefficients.rows())),
+         widening = 1;
   if (loop.cycles >= 4) {
     const double ratio = cycle_variance_ratio(phase, fit, loop), independent = 2.0 * (loop.cycles - 1);
     loop.cycle_scatter = std::sqrt(ratio);
@@ -136,7 +142,8 @@ void fill(const HarmonicFit& fit, int order, const Eigen::VectorXd& phase, doubl
       freedom = independent;
     }
   }
-  const auto value = quantities(x, f), deviation = deviations(x, f, fit.unit_covariance.bottomRightCorner(count, count), fit.noise);
+  const auto value = quantities(x, f),
+             deviation = deviations(x, f, fit.unit_covariance.bottomRightCorner(count, count), fit.noise);
   const double factor = widening * student_quantile(confidence, freedom);
   const auto estimate = [&](std::size_t q) { return Estimate{value[q], factor * deviation[q]}; };
   loop.amplitude = estimate(0);
@@ -145,7 +152,8 @@ void fill(const HarmonicFit& fit, int order, const Eigen::VectorXd& phase, doubl
   loop.loss_factor = estimate(3);
   loop.dynamic_stiffness_deviation = widening * deviation[1];
   if (loop.angular_frequency)
-    loop.viscous_coefficient = Estimate{value[4] / *loop.angular_frequency, factor * deviation[4] / *loop.angular_frequency};
+    loop.viscous_coefficient =
+        Estimate{value[4] / *loop.angular_frequency, factor * deviation[4] / *loop.angular_frequency};
 }
 
 void warn(const LoopRecord& record, LoopFit& loop) {
@@ -155,19 +163,23 @@ void warn(const LoopRecord& record, LoopFit& loop) {
   };
   constexpr double far = 0.05, frequency_differs = 0.02;
   if (loop.stiffness.value < -loop.stiffness.half_width)
-    warning(fmt::format("stiffness {:.4g} N/m", loop.stiffness.value), "the force follows the displacement", "turn the sign of the force");
+    warning(fmt::format("stiffness {:.4g} N/m", loop.stiffness.value), "the force follows the displacement",
+            "turn the sign of the force");
   if (loop.loss_energy.value < -loop.loss_energy.half_width)
-    warning(fmt::format("loss energy {:.4g} J per cycle", loop.loss_energy.value), "a passive element takes energy, none comes out",
+    warning(fmt::format("loss energy {:.4g} J per cycle", loop.loss_energy.value),
+            "a passive element takes energy, none comes out",
             "turn the sign of the force, exchange the columns, or look for a delay between the channels");
   if (loop.displacement_distortion > far)
-    warning(fmt::format("the harmonics of the displacement are {:.0f} % of its fundamental", 100 * loop.displacement_distortion),
+    warning(fmt::format("the harmonics of the displacement are {:.0f} % of its fundamental",
+                        100 * loop.displacement_distortion),
             "amplitude, viscous coefficient and loss factor are meant for a sine",
             "drive by a sine; without time the samples must be equally spaced");
   if (loop.amplitude.half_width > far * loop.amplitude.value)
     warning(fmt::format("amplitude {:.4g} ± {:.2g} m", loop.amplitude.value, loop.amplitude.half_width),
             "the motion should stand out of the noise", "record more cycles");
   if (record.time.size() > 0 && std::abs(*loop.angular_frequency / record.angular_frequency - 1) > frequency_differs)
-    warning(fmt::format("{:.5g} rad/s by the time of the samples, {:.5g} rad/s stated", *loop.angular_frequency, record.angular_frequency),
+    warning(fmt::format("{:.5g} rad/s by the time of the samples, {:.5g} rad/s stated", *loop.angular_frequency,
+                        record.angular_frequency),
             "the two should agree; the samples count", "check the units of time and frequency");
   if (loop.cycles >= 4 && loop.cycle_scatter > 1.5)
     warning(fmt::format("cycles differ {:.1f} times more than noise explains", loop.cycle_scatter),
@@ -187,15 +199,18 @@ foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptio
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
   const Eigen::Index all = record.displacement.size();
-  const Eigen::VectorXd time = record.time.size() > 0 ? record.time : Eigen::VectorXd::LinSpaced(all, 0, static_cast<double>(all - 1));
+  const Eigen::VectorXd time =
+      record.time.size() > 0 ? record.time : Eigen::VectorXd::LinSpaced(all, 0, static_cast<double>(all - 1));
   const auto frequency = frequency_of(time, record.displacement, options.drift_order, options.harmonics);
   if (!frequency) return refuse("the displacement does not change", "a loop needs motion", "check the column");
   const double duration = time(all - 1) - time(0), spacing = duration / static_cast<double>(all - 1);
   const double cycles_in_record = *frequency * (duration + spacing) / (2 * pi);
   const double samples_per_cycle = static_cast<double>(all) / cycles_in_record;
-  constexpr double nearly_whole = 0.02, nearly_one = 0.1;  // of a cycle: scatter of the frequency found, least where there are several
+  constexpr double nearly_whole = 0.02,
+                   nearly_one = 0.1;  // of a cycle: scatter of the frequency found, least where there are several
   if (cycles_in_record < 1 - nearly_one)
-    return refuse(fmt::format("{:.2f} cycles", cycles_in_record), "a loop has at least one whole cycle", "record longer");
+    return refuse(fmt::format("{:.2f} cycles", cycles_in_record), "a loop has at least one whole cycle",
+                  "record longer");
   if (samples_per_cycle < fewest_samples_per_cycle)
     return refuse(fmt::format("{:.1f} samples per cycle", samples_per_cycle),
                   fmt::format("at least {} are needed", fewest_samples_per_cycle), "sample faster");
@@ -211,8 +226,8 @@ foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptio
   const Eigen::VectorXd whole = time.head(used), phase = *frequency * (whole.array() - whole(0));
   Eigen::MatrixXd signals(used, 2);
   signals << record.displacement.head(used), record.force.head(used);
-  fill(harmonic_fit(harmonic_columns(whole, *frequency, options.drift_order, harmonics), signals), options.drift_order, phase,
-       options.confidence, loop);
+  fill(harmonic_fit(harmonic_columns(whole, *frequency, options.drift_order, harmonics), signals), options.drift_order,
+       phase, options.confidence, loop);
   warn(record, loop);
   return loop;
 }

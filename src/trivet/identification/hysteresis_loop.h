@@ -11,7 +11,8 @@
 
 namespace trivet::identification {
 
-/// Force against displacement of one harmonic test, as the rig wrote it: any number of cycles, noisy, drifting, not centred.
+/// Force against displacement of one harmonic test, as the rig wrote it: any number of cycles, noisy, drifting, not
+/// centred.
 struct LoopRecord {
   std::string name;
   Eigen::VectorXd time;          ///< [s], strictly increasing; empty: equally spaced samples
@@ -36,27 +37,27 @@ struct Estimate {
 /// Signals are Re Σ x̂_n e^{inφ}. X = |x̂₁| is the amplitude; W = ∮F dx = π Σ n Im(F̂_n x̂_n*) the loss energy per cycle.
 struct LoopFit {
   std::string name;
-  int cycles = 0;                           ///< whole cycles that were used
-  std::optional<double> angular_frequency;  ///< [rad/s]
-  Estimate amplitude;                       ///< X [m]
-  Estimate loss_energy;                     ///< W [J]
-  Estimate stiffness;                       ///< k = Re(F̂₁/x̂₁) [N/m]
+  int cycles = 0;                               ///< whole cycles that were used
+  std::optional<double> angular_frequency;      ///< [rad/s]
+  Estimate amplitude;                           ///< X [m]
+  Estimate loss_energy;                         ///< W [J]
+  Estimate stiffness;                           ///< k = Re(F̂₁/x̂₁) [N/m]
   std::optional<Estimate> viscous_coefficient;  ///< W/(π ω X²) [N s/m], where ω is known
   Estimate loss_factor;                         ///< W/(π k X²)
   std::complex<double> dynamic_stiffness;       ///< F̂₁/x̂₁ [N/m]
-  double dynamic_stiffness_deviation = 0;       ///< standard deviation of its real part, and of its imaginary part [N/m]
-  Eigen::VectorXcd displacement_harmonics, force_harmonics;      ///< x̂_n, F̂_n, n = 1 …
-  double displacement_distortion = 0, force_distortion = 0;      ///< rms of the higher harmonics over the fundamental
-  double displacement_drift = 0, force_drift = 0;                ///< change of the removed trend over the cycles used [m], [N]
-  double displacement_noise = 0, force_noise = 0;                ///< standard deviation of what is left [m], [N]
+  double dynamic_stiffness_deviation = 0;  ///< standard deviation of its real part, and of its imaginary part [N/m]
+  Eigen::VectorXcd displacement_harmonics, force_harmonics;  ///< x̂_n, F̂_n, n = 1 …
+  double displacement_distortion = 0, force_distortion = 0;  ///< rms of the higher harmonics over the fundamental
+  double displacement_drift = 0, force_drift = 0;  ///< change of the removed trend over the cycles used [m], [N]
+  double displacement_noise = 0, force_noise = 0;  ///< standard deviation of what is left [m], [N]
   /// Scatter of F̂₁/x̂₁ from cycle to cycle over what white noise explains; widens the intervals where significant.
   double cycle_scatter = 1;
   foundation::Problems warnings;
 };
 
-/// Stiffness, loss energy, viscous coefficient and loss factor of a loop, after finding its frequency and removing offset and drift.
-/// Problems: samples that are not finite, columns of different length, time that does not increase, less than one cycle, fewer
-/// than eight samples per cycle, no motion.
+/// Stiffness, loss energy, viscous coefficient and loss factor of a loop, after finding its frequency and removing
+/// offset and drift. Problems: samples that are not finite, columns of different length, time that does not increase,
+/// less than one cycle, fewer than eight samples per cycle, no motion.
 /// @throws InvalidInput if an option is out of its range
 [[nodiscard]] foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptions& options = {});
 

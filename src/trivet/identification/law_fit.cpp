@@ -20,12 +20,17 @@ using Complex = std::complex<double>;
 struct Family {
   const char* name;
   std::vector<const char*> parameters;
-  Complex (*relative_modulus)(const std::vector<double>& values, double angular_frequency);  // values without the stiffness
+  Complex (*relative_modulus)(const std::vector<double>& values,
+                              double angular_frequency);  // values without the stiffness
 };
 
 Complex hysteretic(const std::vector<double>& v, double) { return {1, v[0]}; }
-Complex viscous(const std::vector<double>& v, double w) { return elements::relative_modulus(elements::KelvinVoigt{v[0]}, Complex(w)); }
-Complex zener(const std::vector<double>& v, double w) { return elements::relative_modulus(elements::Zener{v[0], v[1]}, Complex(w)); }
+Complex viscous(const std::vector<double>& v, double w) {
+  return elements::relative_modulus(elements::KelvinVoigt{v[0]}, Complex(w));
+}
+Complex zener(const std::vector<double>& v, double w) {
+  return elements::relative_modulus(elements::Zener{v[0], v[1]}, Complex(w));
+}
 Complex fractional(const std::vector<double>& v, double w) {
   return elements::relative_modulus(elements::FractionalZener{v[0], v[1], v[2]}, Complex(w));
 }
@@ -40,18 +45,19 @@ const std::vector<Family>& families() {
 
 bool is_order(const Family& family, std::size_t i) { return std::string(family.parameters[i]) == "order"; }
 
-double value_of(const Family& family, std::size_t i, double fitted) { return is_order(family,
-                                                                                      i) ? 1 / (1 + std::exp(-fitted)) : std::exp(fitted); }
+double value_of(const Family& family, std::size_t i, double fitted) {
+  return is_order(family, i) ? 1 / (1 + std::exp(-fitted)) : std::exp(fitted);
+}
 
 std::vector<double> values_of(const Family& family, const Eigen::VectorXd& fitted) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < family.parameters.size(); ++i) values.push_back(value_of(family, i,
-                                                                                       fitted(static_cast<Eigen::Index>(i) + 1)));
+  for (std::size_t i = 0; i < family.parameters.size(); ++i)
+    values.push_back(value_of(family, i, fitted(static_cast<Eigen::Index>(i) + 1)));
   return values;
 }
 
-/// Points with their weights, frequencies over their geometric mean ω₀ and stiffnesses over their mean modulus k₀, so that parameters are
-/// near 1.
+/// Points with their weights, frequencies over their geometric mean ω₀ and stiffnesses over their mean modulus k₀, so
+/// that parameters are near 1.
 struct Scaled {
   std::vector<StiffnessPoint> points;
   std::vector<double> weight;
@@ -80,17 +86,20 @@ Eigen::VectorXd residuals(const Scaled& data, const Family& family, const Eigen:
   const std::vector<double> values = values_of(family, fitted);
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(data.points.size()));
   for (std::size_t i = 0; i < data.points.size(); ++i) {
-    const Complex off = std::exp(fitted(0)) * family.relative_modulus(values, data.points[i].angular_frequency) - data.points[i].stiffness;
+    const Complex off = std::exp(fitted(0)) * family.relative_modulus(values, data.points[i].angular_frequency) -
+        data.points[i].stiffness;
     result(2 * static_cast<Eigen::Index>(i)) = data.weight[i] * off.real();
     result(2 * static_cast<Eigen::Index>(i) + 1) = data.weight[i] * off.imag();
   }
   return result;
 }
 
-/// Starting values on a grid: times over the band and a decade beyond, ratios and orders; the stiffness follows linearly.
+/// Starting values on a grid: times over the band and a decade beyond, ratios and orders; the stiffness follows
+/// linearly.
 std::vector<Eigen::VectorXd> starts(const Scaled& data, const Family& family) {
   double low = 1, high = 1;
-  for (const StiffnessPoint& p : data.points) low = std::min(low, p.angular_frequency), high = std::max(high, p.angular_frequency);
+  for (const StiffnessPoint& p : data.points)
+    low = std::min(low, p.angular_frequency), high = std::max(high, p.angular_frequency);
   std::vector<Eigen::VectorXd> result{Eigen::VectorXd::Zero(1)};
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
     std::vector<double> trials;
@@ -136,24 +145,26 @@ LeastSquaresMinimum best_minimum(const Scaled& data, const Family& family) {
                     [](const auto& a, const auto& b) { return a.first < b.first; });
   LeastSquaresMinimum best;
   for (std::size_t i = 0; i < kept; ++i)
-    if (LeastSquaresMinimum one = least_squares_minimum(of, tried[i].second); i == 0 ||
-        one.residuals.squaredNorm() < best.residuals.squaredNorm())
+    if (LeastSquaresMinimum one = least_squares_minimum(of, tried[i].second);
+        i == 0 || one.residuals.squaredNorm() < best.residuals.squaredNorm())
       best = std::move(one);
   return best;
 }
 
 /// Value and interval of fitted coordinate i, back in SI units.
-Parameter parameter(const Scaled& data, const Family& family, const LeastSquaresMinimum& minimum, Eigen::Index i, double factor) {
+Parameter parameter(const Scaled& data, const Family& family, const LeastSquaresMinimum& minimum, Eigen::Index i,
+                    double factor) {
   const double half = factor * std::sqrt(minimum.unit_covariance(i, i)), centre = minimum.parameters(i);
   if (i == 0) {
     const double unit = data.stiffness;
-    return {"stiffness", "N/m", unit * std::exp(centre), unit * std::exp(centre - half), unit * std::exp(centre + half)};
+    return {"stiffness", "N/m", unit * std::exp(centre), unit * std::exp(centre - half),
+            unit * std::exp(centre + half)};
   }
   const auto place = static_cast<std::size_t>(i - 1);
   const std::string name = family.parameters[place];
   const double unit = name == "time" ? 1 / data.frequency : 1;
-  return {name, name == "time" ? "s" : "", unit * value_of(family, place, centre), unit * value_of(family, place, centre - half),
-          unit * value_of(family, place, centre + half)};
+  return {name, name == "time" ? "s" : "", unit * value_of(family, place, centre),
+          unit * value_of(family, place, centre - half), unit * value_of(family, place, centre + half)};
 }
 
 LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, const Family& family, double confidence) {
@@ -165,7 +176,8 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
   LawFit law;
   law.law = family.name;
   law.converged = minimum.converged;
-  for (Eigen::Index i = 0; i < minimum.parameters.size(); ++i) law.parameters.push_back(parameter(data, family, minimum, i, factor));
+  for (Eigen::Index i = 0; i < minimum.parameters.size(); ++i)
+    law.parameters.push_back(parameter(data, family, minimum, i, factor));
   const auto value = [&](std::size_t i) { return law.parameters[i].value; };
   law.stiffness = value(0);
   if (family.relative_modulus == hysteretic) law.loss_factor = value(1);
@@ -173,9 +185,11 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
   else if (family.relative_modulus == zener) law.viscoelastic = elements::Zener{value(1), value(2)};
   else law.viscoelastic = elements::FractionalZener{value(1), value(2), value(3)};
   const double estimated = constants + 1;  // the noise is estimated too
-  law.akaike = count * std::log(squares / count) + 2 * estimated + 2 * estimated * (estimated + 1) / (count - estimated - 1);
+  law.akaike =
+      count * std::log(squares / count) + 2 * estimated + 2 * estimated * (estimated + 1) / (count - estimated - 1);
   double relative = 0;
-  for (const StiffnessPoint& p : points) relative += std::norm(stiffness_at(law, p.angular_frequency) / p.stiffness - 1.0);
+  for (const StiffnessPoint& p : points)
+    relative += std::norm(stiffness_at(law, p.angular_frequency) / p.stiffness - 1.0);
   law.relative_rms = std::sqrt(relative / static_cast<double>(points.size()));
   return law;
 }
@@ -184,22 +198,25 @@ foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
   constexpr std::size_t fewest = 3;
   foundation::Problems problems;
   if (points.size() < fewest)
-    problems.error("dynamic_stiffness", fmt::format("{} points", points.size()), "a law over frequency needs at least three",
-                   "measure at more frequencies");
+    problems.error("dynamic_stiffness", fmt::format("{} points", points.size()),
+                   "a law over frequency needs at least three", "measure at more frequencies");
   Complex sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StiffnessPoint& p = points[i];
     const std::string subject = fmt::format("point {}", i + 1);
     if (!(p.angular_frequency > 0 && std::isfinite(p.angular_frequency)))
-      problems.error(subject, fmt::format("angular frequency {} rad/s", p.angular_frequency), "it is > 0", "leave out static points");
+      problems.error(subject, fmt::format("angular frequency {} rad/s", p.angular_frequency), "it is > 0",
+                     "leave out static points");
     if (!std::isfinite(p.stiffness.real()) || !std::isfinite(p.stiffness.imag()) || std::abs(p.stiffness) == 0)
       problems.error(subject, "the stiffness is null or no number", "every point has one", "leave the point out");
     if (!std::isnan(p.standard_deviation) && !(p.standard_deviation > 0 && std::isfinite(p.standard_deviation)))
-      problems.error(subject, fmt::format("standard deviation {} N/m", p.standard_deviation), "it is > 0", "leave it out");
+      problems.error(subject, fmt::format("standard deviation {} N/m", p.standard_deviation), "it is > 0",
+                     "leave it out");
     sum += p.stiffness;
   }
-  if (!problems.has_errors() && sum.real() <= 0) problems.error("dynamic_stiffness", "the stiffness is negative",
-                                                                "it is > 0 for every law", "turn the sign of the force");
+  if (!problems.has_errors() && sum.real() <= 0)
+    problems.error("dynamic_stiffness", "the stiffness is negative", "it is > 0 for every law",
+                   "turn the sign of the force");
   if (!problems.has_errors() && sum.imag() <= 0)
     problems.error("dynamic_stiffness", "the loss is not positive on the whole", "a passive element loses energy",
                    "check the phase between the channels");
@@ -208,14 +225,15 @@ foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
 
 }  // namespace
 
-std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, bool with_deviations, foundation::Problems& problems) {
+std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, bool with_deviations,
+                                             foundation::Problems& problems) {
   constexpr double same_frequency = 0.01, other_amplitude = 0.1, other_stiffness = 0.05;
   std::vector<StiffnessPoint> points;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const LoopFit& loop = loops[i];
     if (!loop.angular_frequency) {
-      problems.warning(fmt::format("loop '{}'", loop.name), "its frequency is not known", "laws are fitted over frequency",
-                       "give its time or its frequency");
+      problems.warning(fmt::format("loop '{}'", loop.name), "its frequency is not known",
+                       "laws are fitted over frequency", "give its time or its frequency");
       continue;
     }
     StiffnessPoint point{*loop.angular_frequency, loop.dynamic_stiffness};
@@ -223,13 +241,14 @@ std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, 
     points.push_back(point);
     const auto differs = [](double a, double b, double by) { return std::abs(a - b) > by * std::abs(b); };
     for (std::size_t j = 0; j < i; ++j)
-      if (loops[j].angular_frequency && !differs(*loops[j].angular_frequency, *loop.angular_frequency, same_frequency) &&
+      if (loops[j].angular_frequency &&
+          !differs(*loops[j].angular_frequency, *loop.angular_frequency, same_frequency) &&
           differs(loops[j].amplitude.value, loop.amplitude.value, other_amplitude) &&
-              differs(loops[j].stiffness.value, loop.stiffness.value, other_stiffness)) {
+          differs(loops[j].stiffness.value, loop.stiffness.value, other_stiffness)) {
         problems.warning(fmt::format("loop '{}'", loop.name),
                          fmt::format("stiffness {:.4g} N/m at amplitude {:.3g} m, but {:.4g} N/m at {:.3g} m in '{}'",
-                                     loop.stiffness.value, loop.amplitude.value,
-                                     loops[j].stiffness.value, loops[j].amplitude.value, loops[j].name),
+                                     loop.stiffness.value, loop.amplitude.value, loops[j].stiffness.value,
+                                     loops[j].amplitude.value, loops[j].name),
                          "a linear law does not depend on amplitude", "fit each amplitude by itself");
         break;
       }
@@ -259,13 +278,14 @@ foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& 
                                "measure at more frequencies to have it compared");
     }
   }
-  std::sort(ranking.laws.begin(), ranking.laws.end(), [](const LawFit& a, const LawFit& b) { return a.akaike < b.akaike; });
+  std::sort(ranking.laws.begin(), ranking.laws.end(),
+            [](const LawFit& a, const LawFit& b) { return a.akaike < b.akaike; });
   for (LawFit& law : ranking.laws) law.akaike_difference = law.akaike - ranking.laws.front().akaike;
   for (const Parameter& parameter : ranking.laws.front().parameters)
     if (constexpr double open = 100; !(parameter.high < open * parameter.low) && parameter.name != "order")
-      ranking.warnings.warning("dynamic_stiffness", fmt::format("{} of the {} law between {:.3g} and {:.3g} {}", parameter.name,
-                                                                ranking.laws.front().law,
-                                                                parameter.low, parameter.high, parameter.unit),
+      ranking.warnings.warning("dynamic_stiffness",
+                               fmt::format("{} of the {} law between {:.3g} and {:.3g} {}", parameter.name,
+                                           ranking.laws.front().law, parameter.low, parameter.high, parameter.unit),
                                "the band should reach where the parameter shows itself",
                                "measure over a wider band, or take a simpler law");
   return ranking;

@@ -14,14 +14,16 @@ namespace trivet::identification {
 
 /// Dynamic stiffness measured at one frequency.
 struct StiffnessPoint {
-  double angular_frequency = 0;         ///< [rad/s] > 0
-  std::complex<double> stiffness;       ///< k' + ik'' [N/m]
-  /// Of its real and imaginary part each [N/m]. Where any point has none, all points weigh by 1/|k|: equal relative errors.
+  double angular_frequency = 0;    ///< [rad/s] > 0
+  std::complex<double> stiffness;  ///< k' + ik'' [N/m]
+  /// Of its real and imaginary part each [N/m]. Where any point has none, all points weigh by 1/|k|: equal relative
+  /// errors.
   double standard_deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The points of loops whose frequency is known. Their standard deviations are left out unless asked for: the differences between laws are
-/// mostly larger than the noise of one loop. Warns where loops at one frequency and different amplitudes differ in stiffness.
+/// The points of loops whose frequency is known. Their standard deviations are left out unless asked for: the
+/// differences between laws are mostly larger than the noise of one loop. Warns where loops at one frequency and
+/// different amplitudes differ in stiffness.
 [[nodiscard]] std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, bool with_deviations,
                                                            foundation::Problems& problems);
 
@@ -34,27 +36,29 @@ struct Parameter {
 
 /// One law fitted to k*(ω): k(1 + iη) (hysteretic), or stiffness times a viscoelastic law's relative modulus.
 struct LawFit {
-  std::string law;  ///< "hysteretic", "viscous (Kelvin–Voigt)", "Zener", "fractional Zener"
-  double stiffness = 0;                                 ///< [N/m], relaxed (ω → 0) for viscoelastic laws
-  std::optional<double> loss_factor;                    ///< of the hysteretic law
-  std::optional<elements::Viscoelastic> viscoelastic;   ///< of the others
+  std::string law;                    ///< "hysteretic", "viscous (Kelvin–Voigt)", "Zener", "fractional Zener"
+  double stiffness = 0;               ///< [N/m], relaxed (ω → 0) for viscoelastic laws
+  std::optional<double> loss_factor;  ///< of the hysteretic law
+  std::optional<elements::Viscoelastic> viscoelastic;  ///< of the others
   std::vector<Parameter> parameters;
-  double relative_rms = 0;          ///< rms over the points of |k_law − k|/|k|
-  double akaike = 0;                ///< corrected criterion AICc from the weighted residuals; lower is better
-  double akaike_difference = 0;     ///< to the best law: above 10, the data speak clearly against this one
+  double relative_rms = 0;       ///< rms over the points of |k_law − k|/|k|
+  double akaike = 0;             ///< corrected criterion AICc from the weighted residuals; lower is better
+  double akaike_difference = 0;  ///< to the best law: above 10, the data speak clearly against this one
   bool converged = false;
 };
 
 struct LawRanking {
-  std::vector<LawFit> laws;     ///< the best first
+  std::vector<LawFit> laws;       ///< the best first
   foundation::Problems warnings;  ///< laws left out for want of points, intervals that are open
 };
 
 [[nodiscard]] std::complex<double> stiffness_at(const LawFit& law, double angular_frequency);
 
-/// Which law fits k*(ω), and by how much. Problems: fewer than three points (five for the fractional law, which is then left
-/// out), frequencies not > 0, values not finite, nonpositive deviations, a stiffness or loss that is not > 0 on the whole.
+/// Which law fits k*(ω), and by how much. Problems: fewer than three points (five for the fractional law, which is then
+/// left out), frequencies not > 0, values not finite, nonpositive deviations, a stiffness or loss that is not > 0 on
+/// the whole.
 /// @param confidence  of the intervals, in (0, 1)
-[[nodiscard]] foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& points, double confidence = 0.95);
+[[nodiscard]] foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& points,
+                                                           double confidence = 0.95);
 
 }  // namespace trivet::identification

@@ -15,7 +15,7 @@ struct LeastSquaresMinimum {
 
 /// Local minimum of |residuals(parameters)|² by Levenberg and Marquardt's method, central differences for the Jacobian;
 /// parameters should be of the order of 1. A start with residuals that are not finite does not converge.
-[[nodiscard]] LeastSquaresMinimum least_squares_minimum(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
-                                                        const Eigen::VectorXd& start);
+[[nodiscard]] LeastSquaresMinimum least_squares_minimum(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, const Eigen::VectorXd& start);
 
 }  // namespace trivet::identification

@@ -15,9 +15,9 @@ using spatial::Matrix6;
 using spatial::Vector12;
 using spatial::Vector6;
 
-/// One quasi-static reading of a test rig: what both ends were made to do and what it took, in the element's local frame,
-/// order (u_N, θ_N, u_K, θ_K), [m, rad] and [N, N m]. The wrench is what the rig exerts on the element at the end's
-/// reference point; NaN marks a channel that was not measured.
+/// One quasi-static reading of a test rig: what both ends were made to do and what it took, in the element's local
+/// frame, order (u_N, θ_N, u_K, θ_K), [m, rad] and [N, N m]. The wrench is what the rig exerts on the element at the
+/// end's reference point; NaN marks a channel that was not measured.
 struct LoadCase {
   std::string name;
   Vector12 displacement = Vector12::Constant(std::numeric_limits<double>::quiet_NaN());

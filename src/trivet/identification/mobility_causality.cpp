@@ -16,7 +16,8 @@ constexpr double explained_by_noise = 0.1, wrong_phase = 0.4;
 constexpr double clearly_active = 0.5, within_noise = 0.05;
 
 /// Distance from the nearest sum of a mass, a spring, a dashpot and sections, rms over the rows.
-double distance(const std::vector<double>& fitted, const Eigen::VectorXcd& mobility, const std::vector<Section>& sections) {
+double distance(const std::vector<double>& fitted, const Eigen::VectorXcd& mobility,
+                const std::vector<Section>& sections) {
   constexpr double enough = 0.2 * explained_by_noise;
   const auto rows = static_cast<Eigen::Index>(fitted.size()), count = static_cast<Eigen::Index>(sections.size());
   Eigen::MatrixXcd columns(rows, 3 + 2 * count);

@@ -5,8 +5,8 @@
 
 namespace trivet::identification {
 
-/// The passive, stress-free matrix nearest to a given symmetric one. Distances are taken entry by entry over √(C_ii C_jj), where a
-/// diagonal entry below a thousandth of the mean of its kind (translation, rotation) counts as that.
+/// The passive, stress-free matrix nearest to a given symmetric one. Distances are taken entry by entry over √(C_ii
+/// C_jj), where a diagonal entry below a thousandth of the mean of its kind (translation, rotation) counts as that.
 struct SemidefiniteMatrix {
   spatial::Matrix12 stiffness;
   double distance = 0;           ///< Frobenius norm of the change over that of the matrix, scaled

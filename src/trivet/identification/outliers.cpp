@@ -17,14 +17,15 @@ Contradiction worst(const Regression& regression, const RegressionFit& fit, doub
   Contradiction found;
   Eigen::VectorXd limits = Eigen::VectorXd::Zero(regression.groups);
   for (int g = 0; g < regression.groups; ++g)
-    if (fit.group_freedom(g) >= 2) limits(g) = student_quantile(1 - risk / static_cast<double>(fit.residual.size()),
-                                                                fit.group_freedom(g) - 1);
+    if (fit.group_freedom(g) >= 2)
+      limits(g) = student_quantile(1 - risk / static_cast<double>(fit.residual.size()), fit.group_freedom(g) - 1);
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
     const int group = regression.group[static_cast<std::size_t>(r)];
     const double freedom = fit.group_freedom(group) - 1, limit = limits(group);
     if (fit.leverage(r) > judged_below_leverage || limit == 0) continue;
     const double internal = fit.residual(r) / (fit.deviation(r) * std::sqrt(1 - fit.leverage(r)));
-    const double left = std::max(freedom + 1 - internal * internal, 1e-9 * freedom);  // share of the noise that the others have
+    const double left =
+        std::max(freedom + 1 - internal * internal, 1e-9 * freedom);  // share of the noise that the others have
     const double external = internal * std::sqrt(freedom / left);
     if (std::abs(external) / limit > (found.limit > 0 ? std::abs(found.studentised) / found.limit : 0))
       found = {r, fit.residual(r) / (1 - fit.leverage(r)), external, limit};

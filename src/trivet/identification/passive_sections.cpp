@@ -14,12 +14,14 @@ using Complex = std::complex<double>;
 constexpr double per_decade = 24, margin = 30;
 constexpr Eigen::Index most_rows = 120;
 
-/// Least ζω that the rows show around ω: between rows it follows from their distance, outside from how far the band is as well.
+/// Least ζω that the rows show around ω: between rows it follows from their distance, outside from how far the band is
+/// as well.
 double least_half_width(const std::vector<double>& rows, double omega, double share) {
   const std::size_t last = rows.size() - 1;
   if (omega < rows.front()) return share * (rows[1] - rows[0]) - (rows[0] - omega);
   if (omega > rows.back()) return share * (rows[last] - rows[last - 1]) - (omega - rows[last]);
-  const auto above = std::clamp<std::size_t>(static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), omega) - rows.begin()), 1, last);
+  const auto above = std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), omega) - rows.begin()), 1, last);
   return share * (rows[above] - rows[above - 1]);
 }
 
@@ -40,16 +42,19 @@ std::vector<Section> sections_shown(const std::vector<double>& frequencies, doub
   const double from = frequencies.front() / margin, ratio = margin * frequencies.back() / from;
   const int count = static_cast<int>(std::ceil(per_decade * std::log10(ratio)));
   for (int i = 0; i <= count; ++i) {
-    const double omega = from * std::pow(ratio, static_cast<double>(i) / count), least = least_half_width(frequencies, omega, share) / omega;
+    const double omega = from * std::pow(ratio, static_cast<double>(i) / count),
+                 least = least_half_width(frequencies, omega, share) / omega;
     for (const double damping : {0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.0})
       if (damping >= least) sections.push_back({omega, damping});
   }
   const int per_interval = share < 0.25 ? 4 : 2;  // narrow ones stand closer
   for (std::size_t r = 0; r + 1 < frequencies.size(); ++r)
     for (int i = 0; i < per_interval; ++i) {
-      const double omega = frequencies[r] * std::pow(frequencies[r + 1] / frequencies[r], static_cast<double>(i) / per_interval);
+      const double omega =
+          frequencies[r] * std::pow(frequencies[r + 1] / frequencies[r], static_cast<double>(i) / per_interval);
       for (const double wider : {1.0, 2.0, 4.0})
-        if (const double damping = wider * least_half_width(frequencies, omega, share) / omega; damping < 1) sections.push_back({omega, damping});
+        if (const double damping = wider * least_half_width(frequencies, omega, share) / omega; damping < 1)
+          sections.push_back({omega, damping});
     }
   return sections;
 }
@@ -64,13 +69,16 @@ std::vector<Eigen::Index> rows_that_follow(const std::vector<double>& frequencie
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(count), passed = Eigen::VectorXd::Zero(count);
   for (Eigen::Index i = 1; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    turned(i) = turned(i - 1) + std::abs(values(i) - values(i - 1)) / std::max(std::abs(values(i)), std::abs(values(i - 1)));
+    turned(i) =
+        turned(i - 1) + std::abs(values(i) - values(i - 1)) / std::max(std::abs(values(i)), std::abs(values(i - 1)));
     passed(i) = passed(i - 1) + std::log(frequencies[k] / frequencies[k - 1]);
   }
   const double all_turned = turned(count - 1), all_passed = passed(count - 1);
-  const Eigen::VectorXd along = passed / all_passed + (all_turned > 0 ? Eigen::VectorXd(turned / all_turned) : Eigen::VectorXd(passed / all_passed));
+  const Eigen::VectorXd along = passed / all_passed +
+      (all_turned > 0 ? Eigen::VectorXd(turned / all_turned) : Eigen::VectorXd(passed / all_passed));
   for (Eigen::Index i = 0; i < count; ++i)
-    if (i == 0 || i == count - 1 || along(i) * (most_rows - 2) >= 2 * static_cast<double>(rows.size())) rows.push_back(i);
+    if (i == 0 || i == count - 1 || along(i) * (most_rows - 2) >= 2 * static_cast<double>(rows.size()))
+      rows.push_back(i);
   return rows;
 }
 
@@ -83,7 +91,8 @@ Eigen::VectorXd nearest_weights(const Eigen::MatrixXcd& columns, const Eigen::Ve
   b << relative.cwiseProduct(values.real()), relative.cwiseProduct(values.imag());
   const Eigen::VectorXd size = a.colwise().norm();
   const Eigen::MatrixXd scaled = a * size.cwiseInverse().asDiagonal();
-  return numerics::nonnegative_least_squares(scaled, b, enough * std::sqrt(static_cast<double>(rows))).cwiseQuotient(size);
+  return numerics::nonnegative_least_squares(scaled, b, enough * std::sqrt(static_cast<double>(rows)))
+      .cwiseQuotient(size);
 }
 
 }  // namespace trivet::identification

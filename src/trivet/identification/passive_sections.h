@@ -9,8 +9,8 @@
 namespace trivet::identification {
 
 /// A passive, causal driving-point function Z(s) (impedance or mobility) is a sum with weights ≥ 0 of the two sections
-/// s/(s² + 2ζωs + ω²) and (s + 2ζω)/(s² + 2ζωs + ω²), of relaxations, a constant, s and 1/s: its real part on the axis is the
-/// density of a measure ≥ 0, which they sample. [Herglotz; Brune 1931, J. Math. Phys. 10, 191]
+/// s/(s² + 2ζωs + ω²) and (s + 2ζω)/(s² + 2ζωs + ω²), of relaxations, a constant, s and 1/s: its real part on the axis
+/// is the density of a measure ≥ 0, which they sample. [Herglotz; Brune 1931, J. Math. Phys. 10, 191]
 struct Section {
   double angular_frequency = 0;  ///< ω [rad/s]
   double damping_ratio = 0;      ///< ζ
@@ -20,15 +20,19 @@ struct Section {
 /// (s + 2ζω)/(s² + 2ζωs + ω²)
 [[nodiscard]] std::complex<double> elastic_section(const Section& section, std::complex<double> s);
 
-/// Sections that rows at these frequencies [rad/s] > 0 (increasing, at least two) can show: half their width ζω is at least `share` of the
-/// distance between the rows around ω. Narrower ones would explain anything between two rows. Up to a factor of 30 beyond the band.
+/// Sections that rows at these frequencies [rad/s] > 0 (increasing, at least two) can show: half their width ζω is at
+/// least `share` of the distance between the rows around ω. Narrower ones would explain anything between two rows. Up
+/// to a factor of 30 beyond the band.
 [[nodiscard]] std::vector<Section> sections_shown(const std::vector<double>& frequencies, double share);
 
-/// At most 120 rows that follow a curve: equally spaced over its relative changes and the logarithm of frequency together.
-[[nodiscard]] std::vector<Eigen::Index> rows_that_follow(const std::vector<double>& frequencies, const Eigen::VectorXcd& values);
+/// At most 120 rows that follow a curve: equally spaced over its relative changes and the logarithm of frequency
+/// together.
+[[nodiscard]] std::vector<Eigen::Index> rows_that_follow(const std::vector<double>& frequencies,
+                                                         const Eigen::VectorXcd& values);
 
-/// The weights ≥ 0 whose sum of the columns comes nearest to the values, in relative distances; sums nearer than `enough` (rms) are not
-/// improved further.
-[[nodiscard]] Eigen::VectorXd nearest_weights(const Eigen::MatrixXcd& columns, const Eigen::VectorXcd& values, double enough);
+/// The weights ≥ 0 whose sum of the columns comes nearest to the values, in relative distances; sums nearer than
+/// `enough` (rms) are not improved further.
+[[nodiscard]] Eigen::VectorXd nearest_weights(const Eigen::MatrixXcd& columns, const Eigen::VectorXcd& values,
+                                              double enough);
 
 }  // namespace trivet::identification

@@ -25,7 +25,8 @@ Basis basis(Unknowns unknowns, const Eigen::Vector3d& arm, const std::array<doub
   return result;
 }
 
-/// Readings per channel from which its noise can be told from its own residuals; below, forces share one noise and moments another.
+/// Readings per channel from which its noise can be told from its own residuals; below, forces share one noise and
+/// moments another.
 int readings_for_own_noise(Unknowns unknowns) { return unknowns == Unknowns::self_balanced ? 15 : 27; }
 
 void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
@@ -52,8 +53,8 @@ void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
 std::array<double, 2> typical_motion(const std::vector<LoadCase>& cases) {
   std::array<double, 2> squares{};
   for (const LoadCase& one : cases)
-    for (int i = 0; i < 12;
-         ++i) squares[i % 6 < 3 ? 0 : 1] += one.displacement(i) * one.displacement(i) / static_cast<double>(cases.size());
+    for (int i = 0; i < 12; ++i)
+      squares[i % 6 < 3 ? 0 : 1] += one.displacement(i) * one.displacement(i) / static_cast<double>(cases.size());
   for (double& square : squares) square = square > 0 ? std::sqrt(square) : 1;
   return squares;
 }
@@ -67,7 +68,8 @@ Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& ar
       if (!std::isnan(cases[k].wrench(c))) rig.reading.push_back({static_cast<int>(k), c});
   if (options.zero_offsets)
     for (int c = 0; c < 12; ++c)
-      if (std::any_of(rig.reading.begin(), rig.reading.end(), [&](const auto& r) { return r[1] == c; })) rig.offset_channel.push_back(c);
+      if (std::any_of(rig.reading.begin(), rig.reading.end(), [&](const auto& r) { return r[1] == c; }))
+        rig.offset_channel.push_back(c);
 
   const auto rows = static_cast<Eigen::Index>(rig.reading.size()), constants = rig.basis.unit.size();
   Regression& regression = rig.regression;
@@ -79,9 +81,11 @@ Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& ar
     const LoadCase& one = cases[static_cast<std::size_t>(k)];
     regression.measured(r) = one.wrench(c);
     for (Eigen::Index p = 0; p < constants; ++p)
-      regression.design(r, p) = rig.basis.unit(p) * rig.basis.matrices[static_cast<std::size_t>(p)].row(c).dot(one.displacement);
+      regression.design(r, p) =
+          rig.basis.unit(p) * rig.basis.matrices[static_cast<std::size_t>(p)].row(c).dot(one.displacement);
     for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
-      if (rig.offset_channel[o] == c) regression.design(r, constants + static_cast<Eigen::Index>(o)) = 1 / motion[c % 6 < 3 ? 0 : 1];
+      if (rig.offset_channel[o] == c)
+        regression.design(r, constants + static_cast<Eigen::Index>(o)) = 1 / motion[c % 6 < 3 ? 0 : 1];
   }
   group_by_noise(options, rig);
   return rig;

@@ -28,6 +28,7 @@ struct Rig {
 [[nodiscard]] std::array<double, 2> typical_motion(const std::vector<LoadCase>& cases);
 
 /// The load cases as a regression for the constants, and for zero offsets if they are asked for.
-[[nodiscard]] Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, const StiffnessFitOptions& options);
+[[nodiscard]] Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm,
+                                 const StiffnessFitOptions& options);
 
 }  // namespace trivet::identification

@@ -34,30 +34,34 @@ std::string listed(const std::vector<std::string>& words, std::size_t most) {
 /// Channels that were never measured, at the ends where others were.
 std::vector<std::string> missing_channels(const Rig& rig) {
   const auto measured = [&](int first, int end) {
-    return std::any_of(rig.reading.begin(), rig.reading.end(), [&](const auto& r) { return r[1] >= first && r[1] < end; });
+    return std::any_of(rig.reading.begin(), rig.reading.end(),
+                       [&](const auto& r) { return r[1] >= first && r[1] < end; });
   };
   std::vector<std::string> missing;
   for (int c = 0; c < 12; ++c)
-    if (measured(c < 6 ? 0 : 6, c < 6 ? 6 : 12) && !measured(c, c + 1)) missing.push_back(channel_words(c) + " was not measured");
+    if (measured(c < 6 ? 0 : 6, c < 6 ? 6 : 12) && !measured(c, c + 1))
+      missing.push_back(channel_words(c) + " was not measured");
   return missing;
 }
 
 /// Why the readings do not fix every constant.
-foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, const Rig& rig, const RegressionFit& fit,
-                                   Unknowns unknowns) {
+foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, const Rig& rig,
+                                   const RegressionFit& fit, Unknowns unknowns) {
   constexpr double seen = 1e-6;  // share of a constant in what the readings leave open
   foundation::Problems problems;
   std::vector<std::string> reasons = unexcited_motions(motions(cases, arm, unknowns)), unknown;
   if (reasons.empty()) reasons = missing_channels(rig);
   for (std::size_t p = 0; p < rig.basis.entry.size(); ++p)
     if (fit.null_space.row(static_cast<Eigen::Index>(p)).cwiseAbs().maxCoeff() > seen)
-      unknown.push_back(fmt::format("({}, {})", coordinate_words(rig.basis.entry[p][0]), coordinate_words(rig.basis.entry[p][1])));
+      unknown.push_back(
+          fmt::format("({}, {})", coordinate_words(rig.basis.entry[p][0]), coordinate_words(rig.basis.entry[p][1])));
   for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
     if (fit.null_space.row(rig.basis.unit.size() + static_cast<Eigen::Index>(o)).cwiseAbs().maxCoeff() > seen)
       unknown.push_back("the zero offset of " + channel_words(rig.offset_channel[o]));
-  problems.error("load_cases", fmt::format("{} readings fix {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
-                                           rig.regression.design.cols(),
-                                           reasons.empty() ? "the readings depend on each other" : listed(reasons, 12)),
+  problems.error("load_cases",
+                 fmt::format("{} readings fix {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
+                             rig.regression.design.cols(),
+                             reasons.empty() ? "the readings depend on each other" : listed(reasons, 12)),
                  "every constant must show itself in a reading; not fixed: " + listed(unknown, 12),
                  unknowns == Unknowns::self_balanced ? "add load cases with these motions, or measure these channels"
                                                      : "add load cases with these motions at both ends, "
@@ -67,14 +71,16 @@ foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eig
 
 void check(const StiffnessFitOptions& options, const Eigen::Vector3d& arm) {
   const auto fraction = [](const char* name, double value) {
-    if (!(value > 0 && value < 1)) throw foundation::InvalidInput(fmt::format("{} = {}, must lie between 0 and 1", name, value));
+    if (!(value > 0 && value < 1))
+      throw foundation::InvalidInput(fmt::format("{} = {}, must lie between 0 and 1", name, value));
   };
   fraction("confidence", options.confidence);
   fraction("outlier_risk", options.outlier_risk);
   for (int c = 0; c < 12; ++c)
-    if (!std::isnan(options.standard_deviation(c)) && !(options.standard_deviation(c) > 0 && std::isfinite(options.standard_deviation(c))))
-      throw foundation::InvalidInput(fmt::format("standard deviation of {} = {}, must be > 0", channel_words(c),
-                                                 options.standard_deviation(c)));
+    if (!std::isnan(options.standard_deviation(c)) &&
+        !(options.standard_deviation(c) > 0 && std::isfinite(options.standard_deviation(c))))
+      throw foundation::InvalidInput(
+          fmt::format("standard deviation of {} = {}, must be > 0", channel_words(c), options.standard_deviation(c)));
   if (!arm.allFinite()) throw foundation::InvalidInput("arm from N to K, must be finite");
 }
 
@@ -89,16 +95,19 @@ double width(const Rig& rig, const RegressionFit& fit, double confidence, const 
   return half_width(rig.regression, fit, functional, confidence);
 }
 
-void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d& arm, const StiffnessFitOptions& options,
-                 StiffnessFit& result) {
+void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d& arm,
+                 const StiffnessFitOptions& options, StiffnessFit& result) {
   const Eigen::Index constants = rig.basis.unit.size();
   Eigen::VectorXd values = fit.parameters.head(constants).cwiseProduct(rig.basis.unit);
   result.stiffness.setZero();
-  for (Eigen::Index p = 0; p < constants; ++p) result.stiffness += values(p) * rig.basis.matrices[static_cast<std::size_t>(p)];
+  for (Eigen::Index p = 0; p < constants; ++p)
+    result.stiffness += values(p) * rig.basis.matrices[static_cast<std::size_t>(p)];
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j <= i; ++j)
-      result.half_width(i, j) = result.half_width(j, i) = width(rig, fit, options.confidence, [&](const Matrix12& m) { return m(i, j); });
-  result.covariance = rig.basis.unit.asDiagonal() * covariance(fit).topLeftCorner(constants, constants) * rig.basis.unit.asDiagonal();
+      result.half_width(i, j) = result.half_width(j, i) =
+          width(rig, fit, options.confidence, [&](const Matrix12& m) { return m(i, j); });
+  result.covariance =
+      rig.basis.unit.asDiagonal() * covariance(fit).topLeftCorner(constants, constants) * rig.basis.unit.asDiagonal();
 
   const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions(arm, Eigen::Matrix3d::Identity());
   const elements::MatrixVerdict verdict = elements::examine(result.stiffness, rigid);
@@ -109,18 +118,20 @@ void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d
   if (options.unknowns == Unknowns::full_symmetric)
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j < 6; ++j)
-        result.rigid_residual_half_width(i, j) = width(rig, fit, options.confidence,
-                                                       [&](const Matrix12& m) { return m.row(i).dot(rigid.col(j)); });
+        result.rigid_residual_half_width(i, j) =
+            width(rig, fit, options.confidence, [&](const Matrix12& m) { return m.row(i).dot(rigid.col(j)); });
 }
 
-void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<double, 2>& motion, StiffnessFit& result) {
+void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<double, 2>& motion,
+                   StiffnessFit& result) {
   result.noise.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.offset.setConstant(std::numeric_limits<double>::quiet_NaN());
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
     const auto [k, c] = rig.reading[static_cast<std::size_t>(r)];
     const double spread = fit.deviation(r) * std::sqrt(std::max(0.0, 1 - fit.leverage(r)));
-    result.readings.push_back({k, c, rig.regression.measured(r), rig.regression.measured(r) - fit.residual(r), fit.residual(r),
-                               fit.leverage(r) < 1 - 1e-6 && spread > 0 ? fit.residual(r) / spread : 0, fit.leverage(r)});
+    result.readings.push_back({k, c, rig.regression.measured(r), rig.regression.measured(r) - fit.residual(r),
+                               fit.residual(r), fit.leverage(r) < 1 - 1e-6 && spread > 0 ? fit.residual(r) / spread : 0,
+                               fit.leverage(r)});
     result.noise(c) = fit.deviation(r);
     result.offset(c) = 0;
   }
@@ -134,17 +145,18 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
 
 void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options, StiffnessFit& result) {
   for (const Outlier& outlier : result.outliers)
-    result.warnings.warning(fmt::format("load case '{}'", cases[static_cast<std::size_t>(outlier.load_case)].name),
-                            fmt::format("{} is {:.4g} {} off what the other readings foretell ({:.1f} standard deviations)",
-                                        channel_words(outlier.channel),
-                                        outlier.deviation, outlier.channel % 6 < 3 ? "N" : "N m", outlier.studentised),
-                            fmt::format("a good data set of {} readings stays below {:.1f} with {:.3g} % probability",
-                                        result.readings.size(), outlier.limit,
-                                        100 * (1 - options.outlier_risk)),
-                            "look at the raw data; the reading still takes part in the fit");
+    result.warnings.warning(
+        fmt::format("load case '{}'", cases[static_cast<std::size_t>(outlier.load_case)].name),
+        fmt::format("{} is {:.4g} {} off what the other readings foretell ({:.1f} standard deviations)",
+                    channel_words(outlier.channel), outlier.deviation, outlier.channel % 6 < 3 ? "N" : "N m",
+                    outlier.studentised),
+        fmt::format("a good data set of {} readings stays below {:.1f} with {:.3g} % probability",
+                    result.readings.size(), outlier.limit, 100 * (1 - options.outlier_risk)),
+        "look at the raw data; the reading still takes part in the fit");
   for (int i = 0; i < 12; ++i)
     if (result.stiffness(i, i) < -result.half_width(i, i))
-      result.warnings.warning("load_cases", fmt::format("the stiffness of {} is {:.4g}", coordinate_words(i), result.stiffness(i, i)),
+      result.warnings.warning("load_cases",
+                              fmt::format("the stiffness of {} is {:.4g}", coordinate_words(i), result.stiffness(i, i)),
                               "without preload a diagonal stiffness is > 0",
                               "check the sign: a wrench is what the rig exerts on the element");
   std::vector<std::string> vague;
@@ -152,10 +164,12 @@ void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options
     if (result.half_width(i, i) > std::abs(result.stiffness(i, i))) vague.push_back(coordinate_words(i));
   if (!vague.empty())
     result.warnings.warning("load_cases", "the stiffness of " + listed(vague, 12) + " is less certain than it is large",
-                            fmt::format("its {:.3g} % interval holds 0",
-                                        100 * options.confidence), "move these coordinates more, or measure with less noise");
-  if (result.lowest_eigenvalue < -elements::rounding_of_data - 2 * std::min(result.scaled_rigid_residual, elements::refused_residual))
-    result.warnings.warning("load_cases", fmt::format("the scaled matrix has the eigenvalue {:.4g}", result.lowest_eigenvalue),
+                            fmt::format("its {:.3g} % interval holds 0", 100 * options.confidence),
+                            "move these coordinates more, or measure with less noise");
+  if (result.lowest_eigenvalue <
+      -elements::rounding_of_data - 2 * std::min(result.scaled_rigid_residual, elements::refused_residual))
+    result.warnings.warning("load_cases",
+                            fmt::format("the scaled matrix has the eigenvalue {:.4g}", result.lowest_eigenvalue),
                             "a passive element has no negative one",
                             "less noise or more load cases; nearest_semidefinite gives the nearest passive matrix");
 }
@@ -169,7 +183,8 @@ foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCa
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   const Rig rig = rig_regression(cases, arm, options);
   const RegressionFit fitted = fit(rig.regression);
-  if (fitted.null_space.cols() > 0) return tl::make_unexpected(rank_problems(cases, arm, rig, fitted, options.unknowns));
+  if (fitted.null_space.cols() > 0)
+    return tl::make_unexpected(rank_problems(cases, arm, rig, fitted, options.unknowns));
   if (rig.regression.measured.size() == rig.regression.design.cols()) {
     problems.error("load_cases", fmt::format("{} readings for as many constants", rig.regression.measured.size()),
                    "noise and intervals need readings to spare", "repeat load cases or add some");

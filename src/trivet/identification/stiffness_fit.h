@@ -19,10 +19,10 @@ enum class Unknowns {
 
 struct StiffnessFitOptions {
   Unknowns unknowns = Unknowns::self_balanced;
-  double confidence = 0.95;           ///< of every interval, in (0, 1)
-  bool zero_offsets = false;          ///< a constant reading per measured channel (tare, preload) is identified too
-  /// Standard deviation of each channel of the wrench [N, N m], > 0: only their ratios weigh, the level is estimated. If any
-  /// measured channel is NaN, the noise of all channels is estimated from their own residuals.
+  double confidence = 0.95;   ///< of every interval, in (0, 1)
+  bool zero_offsets = false;  ///< a constant reading per measured channel (tare, preload) is identified too
+  /// Standard deviation of each channel of the wrench [N, N m], > 0: only their ratios weigh, the level is estimated.
+  /// If any measured channel is NaN, the noise of all channels is estimated from their own residuals.
   Vector12 standard_deviation = Vector12::Constant(std::numeric_limits<double>::quiet_NaN());
   double outlier_risk = 0.05;         ///< chance that a good data set has one reading named as an outlier, in (0, 1)
   bool nearest_semidefinite = false;  ///< also give the nearest passive matrix
@@ -33,9 +33,10 @@ struct Reading {
   int load_case = 0;  ///< index
   int channel = 0;    ///< 0 … 11
   double measured = 0, fitted = 0;
-  double residual = 0;      ///< measured − fitted
-  double standardised = 0;  ///< residual over its own standard deviation (leverage heeded); 0 where the reading alone fixes a constant
-  double leverage = 0;      ///< 0 … 1
+  double residual = 0;  ///< measured − fitted
+  double standardised =
+      0;  ///< residual over its own standard deviation (leverage heeded); 0 where the reading alone fixes a constant
+  double leverage = 0;  ///< 0 … 1
 };
 
 /// A reading that the others contradict.
@@ -47,28 +48,30 @@ struct Outlier {
 };
 
 struct StiffnessFit {
-  Matrix12 stiffness;          ///< symmetric, in the element's frame
-  Matrix12 half_width;         ///< of the confidence interval of every entry
-  Eigen::MatrixXd covariance;  ///< of the constants: lower triangle of the K-end block (21) or of the matrix (78), by rows
-  Eigen::Matrix<double, 12, 6> rigid_residual;             ///< C G; round-off if self-balanced
+  Matrix12 stiffness;   ///< symmetric, in the element's frame
+  Matrix12 half_width;  ///< of the confidence interval of every entry
+  Eigen::MatrixXd
+      covariance;  ///< of the constants: lower triangle of the K-end block (21) or of the matrix (78), by rows
+  Eigen::Matrix<double, 12, 6> rigid_residual;  ///< C G; round-off if self-balanced
   Eigen::Matrix<double, 12, 6> rigid_residual_half_width;
   double scaled_rigid_residual = 0;  ///< largest entry over √(K_ii K_jj)
-  Vector12 offset;             ///< identified zero reading per channel; 0 if not asked for, NaN where not measured
-  Vector12 noise;              ///< estimated standard deviation of each channel; NaN where not measured
+  Vector12 offset;  ///< identified zero reading per channel; 0 if not asked for, NaN where not measured
+  Vector12 noise;   ///< estimated standard deviation of each channel; NaN where not measured
   double degrees_of_freedom = 0;
-  double condition = 0;        ///< of the scaled design
+  double condition = 0;  ///< of the scaled design
   std::vector<Reading> readings;
-  std::vector<Outlier> outliers;  ///< named, never removed
-  double lowest_eigenvalue = 0;   ///< of the matrix over √(K_ii K_jj)
+  std::vector<Outlier> outliers;                   ///< named, never removed
+  double lowest_eigenvalue = 0;                    ///< of the matrix over √(K_ii K_jj)
   std::optional<SemidefiniteMatrix> semidefinite;  ///< if asked for and the diagonal is positive in the mean
   foundation::Problems warnings;
 };
 
 /// The symmetric 12×12 of an element whose ends lie `arm` [m] apart (from N to K), by weighted least squares, with the
-/// uncertainty of every entry. Errors of the imposed displacements are not modelled: they count as noise of the wrenches.
-/// Problems: unusable cases, and motions that no load case excites, in words.
+/// uncertainty of every entry. Errors of the imposed displacements are not modelled: they count as noise of the
+/// wrenches. Problems: unusable cases, and motions that no load case excites, in words.
 /// @throws InvalidInput if an option is out of its range
-[[nodiscard]] foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm,
+[[nodiscard]] foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCase>& cases,
+                                                                      const Eigen::Vector3d& arm,
                                                                       const StiffnessFitOptions& options = {});
 
 }  // namespace trivet::identification

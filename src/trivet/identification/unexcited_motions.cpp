@@ -57,8 +57,8 @@ std::string together(const Eigen::VectorXd& weights) {
 std::vector<std::string> unexcited_motions(const Eigen::MatrixXd& motions) {
   const Eigen::Index rows = motions.rows();
   double translation = 0, rotation = 0;
-  for (Eigen::Index i = 0; i < rows; ++i) (i % 6 < 3 ? translation : rotation) = std::max(i % 6 < 3 ? translation : rotation,
-                                                                                          motions.row(i).norm());
+  for (Eigen::Index i = 0; i < rows; ++i)
+    (i % 6 < 3 ? translation : rotation) = std::max(i % 6 < 3 ? translation : rotation, motions.row(i).norm());
   Eigen::VectorXd size(rows);
   for (Eigen::Index i = 0; i < rows; ++i) size(i) = i % 6 < 3 ? translation : rotation;
   size = (size.array() > 0).select(size, 1);

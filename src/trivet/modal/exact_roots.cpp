@@ -15,13 +15,17 @@ using Complex = std::complex<double>;
 Eigen::MatrixXcd slope(const assembly::Assembled& assembled, Complex lambda) {
   const double step = 6e-6 * std::abs(lambda), near = lambda.imag();
   const Complex minus_i(0, -1);
-  return (assembled.dynamic_stiffness(minus_i * (lambda + step), near) - assembled.dynamic_stiffness(minus_i * (lambda - step), near)) / (2 * step);
+  return (assembled.dynamic_stiffness(minus_i * (lambda + step), near) -
+          assembled.dynamic_stiffness(minus_i * (lambda - step), near)) /
+      (2 * step);
 }
 
 /// Do all elements have a dynamic stiffness at this frequency?
 bool is_defined(const assembly::Assembled& assembled, double omega) {
-  return omega > 0 && std::all_of(assembled.elements.begin(), assembled.elements.end(),
-                                  [&](const assembly::ElementMap& map) { return omega >= map.defined_from && omega <= map.defined_to; });
+  return omega > 0 &&
+      std::all_of(assembled.elements.begin(), assembled.elements.end(), [&](const assembly::ElementMap& map) {
+           return omega >= map.defined_from && omega <= map.defined_to;
+         });
 }
 
 }  // namespace
@@ -36,8 +40,10 @@ ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const 
   v.normalize();
   for (int i = 0; i < most_steps && !root.converged; ++i) {
     const Complex lambda = root.eigenvalue;
-    if (!is_defined(assembled, lambda.imag()) || std::abs(lambda - start) > strayed * std::abs(start)) return {start, shape, false};
-    const Eigen::MatrixXcd z = scale.asDiagonal() * assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag()) * scale.asDiagonal();
+    if (!is_defined(assembled, lambda.imag()) || std::abs(lambda - start) > strayed * std::abs(start))
+      return {start, shape, false};
+    const Eigen::MatrixXcd z =
+        scale.asDiagonal() * assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag()) * scale.asDiagonal();
     const Eigen::MatrixXcd rate = scale.asDiagonal() * slope(assembled, lambda) * scale.asDiagonal();
     const Eigen::VectorXcd right = rate * v, u = numerics::lu_solution(z, right);
     const Complex share = v.dot(u);

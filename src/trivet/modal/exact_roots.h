@@ -11,12 +11,13 @@ namespace trivet::modal {
 /// A root of the exact Z: Z(−iλ) v = 0.
 struct ExactRoot {
   std::complex<double> eigenvalue;
-  Eigen::VectorXcd shape;      ///< first rows of the layout
+  Eigen::VectorXcd shape;  ///< first rows of the layout
   bool converged = false;
 };
 
-/// Inverse iteration with Newton steps on λ from a root of the nearest linear system, for elements that depend on frequency in their own way.
-/// Im λ > 0.
-[[nodiscard]] ExactRoot exact_root(const assembly::Assembled& assembled, std::complex<double> start, const Eigen::VectorXcd& shape);
+/// Inverse iteration with Newton steps on λ from a root of the nearest linear system, for elements that depend on
+/// frequency in their own way. Im λ > 0.
+[[nodiscard]] ExactRoot exact_root(const assembly::Assembled& assembled, std::complex<double> start,
+                                   const Eigen::VectorXcd& shape);
 
 }  // namespace trivet::modal

@@ -22,7 +22,8 @@ Eigen::Vector3d centre_of_all(const model::System& system) {
   return moment / mass;
 }
 
-/// What each body's six coordinates do (6 rows per body) when the whole system moves rigidly about `about`, ground axes.
+/// What each body's six coordinates do (6 rows per body) when the whole system moves rigidly about `about`, ground
+/// axes.
 Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d& about) {
   Eigen::MatrixXd g(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
@@ -68,14 +69,16 @@ std::string whole_words(const spatial::Vector6& motion, const Eigen::Vector3d& a
   spatial::Screw screw = spatial::screw({motion.head<3>(), motion.tail<3>()}, 1, Eigen::Vector3d::Zero());
   screw.point += about;
   std::string words = motion_words(screw, 1);
-  if (words.starts_with("translation")) return "the system is free to slide" + words.substr(std::string("translation").size());
+  if (words.starts_with("translation"))
+    return "the system is free to slide" + words.substr(std::string("translation").size());
   if (words.starts_with("rotation")) return "the system is free to turn" + words.substr(std::string("rotation").size());
   return "the system is free in a " + words;
 }
 
 }  // namespace
 
-std::vector<std::string> free_motions(const model::System& system, const assembly::Assembled& assembled, const Modes& modes) {
+std::vector<std::string> free_motions(const model::System& system, const assembly::Assembled& assembled,
+                                      const Modes& modes) {
   std::vector<std::string> words;
   std::vector<const Mode*> rigid;
   for (const Mode& mode : modes.list)
@@ -91,11 +94,13 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
     std::string parts;
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
       const bool moves = std::any_of(rigid.begin(), rigid.end(), [&](const Mode* mode) {
-        return mode->principal_kinetic_energy_share.segment<6>(6 * static_cast<Eigen::Index>(b)).cwiseAbs().sum() > 1e-9;
+        return mode->principal_kinetic_energy_share.segment<6>(6 * static_cast<Eigen::Index>(b)).cwiseAbs().sum() >
+            1e-9;
       });
       if (moves) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
     }
-    words.push_back(std::to_string(rigid.size() - words.size()) + " more free motion(s) of single bodies or of bodies against each other: " + parts);
+    words.push_back(std::to_string(rigid.size() - words.size()) +
+                    " more free motion(s) of single bodies or of bodies against each other: " + parts);
   }
   return words;
 }

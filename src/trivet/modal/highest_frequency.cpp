@@ -10,7 +10,8 @@ namespace trivet::modal {
 
 double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled) {
   double highest = 0;
-  for (const Mode& mode : modes(system, assembled).list) highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
+  for (const Mode& mode : modes(system, assembled).list)
+    highest = std::max(highest, std::sqrt(std::abs(mode.eigenvalue_squared)));
   return highest > 0 ? highest : 1;
 }
 

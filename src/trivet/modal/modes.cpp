@@ -18,7 +18,8 @@ constexpr double repeated_within = 1e-10;
 
 using spatial::Vector6;
 
-void describe_bodies(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi, Mode& mode) {
+void describe_bodies(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi,
+                     Mode& mode) {
   const auto count = static_cast<Eigen::Index>(system.bodies().size());
   mode.shape.resize(6 * count);
   mode.shape_at_centre.resize(6 * count);
@@ -41,7 +42,8 @@ void describe_bodies(const model::System& system, const assembly::Assembled& ass
   if (energy != 0) mode.principal_kinetic_energy_share /= energy;
 }
 
-void share_energy(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi, Mode& mode) {
+void share_energy(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi,
+                  Mode& mode) {
   const Eigen::VectorXd momentum = assembled.matrices.A * phi;
   const Eigen::VectorXd share = phi.cwiseProduct(momentum) / phi.dot(momentum);
   const auto bodies = static_cast<Eigen::Index>(system.bodies().size());
@@ -49,7 +51,8 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
   for (Eigen::Index b = 0; b < bodies; ++b)
     mode.kinetic_energy_share.segment<6>(6 * b) = assembled.layout.of_body(static_cast<std::size_t>(b), share);
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f)
-    mode.foundation_kinetic_energy_share += share.segment(assembled.layout.foundation_row(f), system.description().foundations[f].mass.rows()).sum();
+    mode.foundation_kinetic_energy_share +=
+        share.segment(assembled.layout.foundation_row(f), system.description().foundations[f].mass.rows()).sum();
   mode.element_kinetic_energy_share.setZero(static_cast<Eigen::Index>(assembled.elements.size()));
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const assembly::ElementMap& map = assembled.elements[e];
@@ -63,33 +66,40 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
     const Eigen::VectorXd d = map.coordinates(phi);
     strain(e) = d.dot(map.matrices.stiffness * d);
   }
-  // A mode of a foundation that moves no mount stores all its energy in the foundation: shares of what is round-off mean nothing.
+  // A mode of a foundation that moves no mount stores all its energy in the foundation: shares of what is round-off
+  // mean nothing.
   constexpr double round_off = 1e-12;
-  if (std::abs(strain.sum()) > round_off * std::abs(mode.eigenvalue_squared * phi.dot(momentum))) mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
+  if (std::abs(strain.sum()) > round_off * std::abs(mode.eigenvalue_squared * phi.dot(momentum)))
+    mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
 }
 
 void mark_repeated(std::vector<Mode>& list) {
   for (std::size_t i = 1; i < list.size(); ++i) {
     const double a = list[i - 1].eigenvalue_squared, b = list[i].eigenvalue_squared;
-    if (a != 0 && std::abs(b - a) <= repeated_within * std::max(std::abs(a), std::abs(b))) list[i - 1].repeated = list[i].repeated = true;
+    if (a != 0 && std::abs(b - a) <= repeated_within * std::max(std::abs(a), std::abs(b)))
+      list[i - 1].repeated = list[i].repeated = true;
   }
 }
 
 void warn(const numerics::GeneralizedModes& raw, Modes& result) {
-  const auto growing = std::count_if(result.list.begin(), result.list.end(), [](const Mode& m) { return m.eigenvalue_squared < 0; });
+  const auto growing =
+      std::count_if(result.list.begin(), result.list.end(), [](const Mode& m) { return m.eigenvalue_squared < 0; });
   if (growing > 0)
     result.warnings.warning("modes", fmt::format("{} of the ω² {} negative", growing, growing == 1 ? "is" : "are"),
-                            "such a motion grows exponentially and has no natural frequency", "no steady vibration exists for this model");
+                            "such a motion grows exponentially and has no natural frequency",
+                            "no steady vibration exists for this model");
   if (raw.complex_pairs > 0)
     result.warnings.warning("modes", fmt::format("{} pairs of ω² are complex", raw.complex_pairs),
-                            "an unsymmetric or indefinite system need not have undamped modes", "they are left out here; see the roots");
+                            "an unsymmetric or indefinite system need not have undamped modes",
+                            "they are left out here; see the roots");
 }
 
 }  // namespace
 
 Modes modes(const model::System& system, const assembly::Assembled& assembled) {
   const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
-  const numerics::GeneralizedModes raw = numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
+  const numerics::GeneralizedModes raw =
+      numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
   Modes result;
   result.route = raw.route;
   for (Eigen::Index i = 0; i < raw.lambda.size(); ++i) {
@@ -113,7 +123,9 @@ Modes modes(const model::System& system) { return modes(system, assembly::assemb
 std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n) {
   const Mode* best = nullptr;
   for (const Mode& mode : modes.list)
-    if (mode.angular_frequency && (!best || std::abs(*mode.angular_frequency - omega) < std::abs(*best->angular_frequency - omega))) best = &mode;
+    if (mode.angular_frequency &&
+        (!best || std::abs(*mode.angular_frequency - omega) < std::abs(*best->angular_frequency - omega)))
+      best = &mode;
   const bool incomplete = static_cast<Eigen::Index>(modes.list.size()) < n;
   if (!best || (incomplete && std::abs(*best->angular_frequency - omega) > 0.01 * omega)) return std::nullopt;
   return best->number;

@@ -11,22 +11,25 @@
 namespace trivet::modal {
 namespace {
 
-constexpr double along_axis = 0.985;        // cosine of 10°: a direction is called by its axis
-constexpr double pure = 0.98;               // share of the energy from which "mostly" is left out
+constexpr double along_axis = 0.985;  // cosine of 10°: a direction is called by its axis
+constexpr double pure = 0.98;         // share of the energy from which "mostly" is left out
 constexpr double translation_dominates = 0.9;
-constexpr double inside_elements = 0.5;     // share of the kinetic energy in internal coordinates of elements
+constexpr double inside_elements = 0.5;  // share of the kinetic energy in internal coordinates of elements
 
 /// A coordinate for reading: three decimals, never "-0.000".
 std::string coordinate(double value) { return fmt::format("{:.3f}", std::abs(value) < 5e-4 ? 0.0 : value); }
 
-std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", coordinate(v.x()), coordinate(v.y()), coordinate(v.z())); }
+std::string triple(const Eigen::Vector3d& v) {
+  return fmt::format("({}, {}, {})", coordinate(v.x()), coordinate(v.y()), coordinate(v.z()));
+}
 
 std::string guided_name(const Eigen::VectorXd& share, const Eigen::VectorXd& shape) {
   Eigen::Index largest = 0;
   share.maxCoeff(&largest);
   const bool turns = largest >= 3;
-  return fmt::format("{}{} {}", shape.cwiseAbs().sum() - std::abs(shape(largest)) > 1e-9 * std::abs(shape(largest)) ? "mostly " : "",
-                     turns ? "rotation about" : "translation along", std::string(1, "xyz"[largest % 3]));
+  return fmt::format(
+      "{}{} {}", shape.cwiseAbs().sum() - std::abs(shape(largest)) > 1e-9 * std::abs(shape(largest)) ? "mostly " : "",
+      turns ? "rotation about" : "translation along", std::string(1, "xyz"[largest % 3]));
 }
 
 }  // namespace
@@ -57,7 +60,9 @@ std::string mode_name(const model::System& system, const Mode& mode) {
   if (mode.element_kinetic_energy_share.sum() > inside_elements) {
     std::string names;
     for (std::size_t e = 0; e < system.elements().size(); ++e)
-      if (mode.element_kinetic_energy_share(static_cast<Eigen::Index>(e)) > 0.2 * mode.element_kinetic_energy_share.sum()) names += (names.empty() ? "" : ", ") + system.elements()[e].name;
+      if (mode.element_kinetic_energy_share(static_cast<Eigen::Index>(e)) >
+          0.2 * mode.element_kinetic_energy_share.sum())
+        names += (names.empty() ? "" : ", ") + system.elements()[e].name;
     return "surging inside " + names;
   }
   const auto bodies = static_cast<Eigen::Index>(system.bodies().size());

@@ -44,8 +44,8 @@ double sort_key(const Complex& lambda) {
 }
 
 /// Moves every oscillating root onto one of the exact Z; pairs stay conjugate. What does not settle is marked.
-void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::QuadraticRoots& roots, foundation::Problems& warnings,
-                std::vector<bool>& inexact) {
+void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::QuadraticRoots& roots,
+                foundation::Problems& warnings, std::vector<bool>& inexact) {
   constexpr double distinct = 1e-6, same = 1e-9;
   const Eigen::VectorXcd starts = roots.lambda;
   const Eigen::Index n = assembled.constant.size();
@@ -62,12 +62,15 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
     }
     const bool lower = start.imag() < 0;
     if (lower && lossy) continue;  // has no meaning with a loss factor, and is not listed
-    const Eigen::VectorXcd shape = lower ? Eigen::VectorXcd(roots.vectors.col(k).conjugate()) : Eigen::VectorXcd(roots.vectors.col(k));
+    const Eigen::VectorXcd shape =
+        lower ? Eigen::VectorXcd(roots.vectors.col(k).conjugate()) : Eigen::VectorXcd(roots.vectors.col(k));
     const ExactRoot root = exact_root(assembled, lower ? std::conj(start) : start, shape);
     // Two starts that differ and end on one root: the second has lost its own.
     bool lost = false;
     for (Eigen::Index j = 0; j < k; ++j)
-      lost = lost || (std::abs(starts(j) - start) > distinct * std::abs(start) && std::abs(roots.lambda(j) - (lower ? std::conj(root.eigenvalue) : root.eigenvalue)) < same * std::abs(start));
+      lost = lost ||
+          (std::abs(starts(j) - start) > distinct * std::abs(start) &&
+           std::abs(roots.lambda(j) - (lower ? std::conj(root.eigenvalue) : root.eigenvalue)) < same * std::abs(start));
     const bool kept = root.converged && !lost;
     inexact[static_cast<std::size_t>(k)] = !kept;
     ++(kept ? settled : left);
@@ -77,12 +80,15 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
     roots.vectors.col(k).head(n) = exact;
   }
   if (left > 0)
-    warnings.warning("roots", fmt::format("{} of {} roots are those of the nearest linear system", left, settled + left),
-                     "elements that depend on frequency in their own way have exact roots only where the motion oscillates and the search settles",
+    warnings.warning("roots",
+                     fmt::format("{} of {} roots are those of the nearest linear system", left, settled + left),
+                     "elements that depend on frequency in their own way have exact roots only where the motion "
+                     "oscillates and the search settles",
                      "use the frequency response, which is exact, where these matter");
 }
 
-std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const Eigen::VectorXcd& shape, double size, Eigen::Index massive) {
+std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const Eigen::VectorXcd& shape, double size,
+                             Eigen::Index massive) {
   if (modes.list.empty()) return std::nullopt;
   const Eigen::VectorXd parts = modal_forces(modes, A * shape).cwiseAbs2();
   Eigen::Index largest = 0;
@@ -94,10 +100,14 @@ std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const
 
 const char* name(RootKind kind) {
   switch (kind) {
-    case RootKind::oscillating: return "oscillating";
-    case RootKind::overdamped: return "overdamped";
-    case RootKind::growing: return "growing";
-    case RootKind::rigid: return "rigid";
+    case RootKind::oscillating:
+      return "oscillating";
+    case RootKind::overdamped:
+      return "overdamped";
+    case RootKind::growing:
+      return "growing";
+    case RootKind::rigid:
+      return "rigid";
   }
   return "";
 }
@@ -124,9 +134,11 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     result.list.push_back(std::move(root));
   }
   std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {
-    return std::make_pair(sort_key(a.eigenvalue), a.eigenvalue.imag()) < std::make_pair(sort_key(b.eigenvalue), b.eigenvalue.imag());
+    return std::make_pair(sort_key(a.eigenvalue), a.eigenvalue.imag()) <
+        std::make_pair(sort_key(b.eigenvalue), b.eigenvalue.imag());
   });
-  const auto growing = std::count_if(result.list.begin(), result.list.end(), [](const Root& r) { return r.kind == RootKind::growing; });
+  const auto growing =
+      std::count_if(result.list.begin(), result.list.end(), [](const Root& r) { return r.kind == RootKind::growing; });
   if (growing > 0)
     result.warnings.warning("roots", fmt::format("{} root{} with Re λ > 0", growing, growing == 1 ? "" : "s"),
                             "the free motion grows and covers every steady vibration",

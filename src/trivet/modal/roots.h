@@ -12,18 +12,19 @@ namespace trivet::modal {
 
 enum class RootKind { oscillating, overdamped, growing, rigid };
 
-/// One solution of λ²A + λB + K(1 + iη), or of the exact Z(−iλ) where elements depend on ω in their own way; motion Re(v e^{λt}).
+/// One solution of λ²A + λB + K(1 + iη), or of the exact Z(−iλ) where elements depend on ω in their own way; motion
+/// Re(v e^{λt}).
 struct Root {
-  std::complex<double> eigenvalue;                  ///< λ [1/s]
+  std::complex<double> eigenvalue;  ///< λ [1/s]
   RootKind kind = RootKind::oscillating;
-  std::optional<double> angular_frequency;          ///< |λ| [rad/s], only where it oscillates
-  std::optional<double> damped_angular_frequency;   ///< |Im λ| [rad/s]
-  std::optional<double> damping_ratio;              ///< −Re λ/|λ|
-  Eigen::VectorXcd shape;                           ///< six per body at the poles, largest (mass-weighted) component 1
-  /// Number of the undamped mode that the shape has most of: more than half of the mass-weighted square that all modes have of it. Where
-  /// damping couples modes so that none has, the mode nearest in |λ|.
+  std::optional<double> angular_frequency;         ///< |λ| [rad/s], only where it oscillates
+  std::optional<double> damped_angular_frequency;  ///< |Im λ| [rad/s]
+  std::optional<double> damping_ratio;             ///< −Re λ/|λ|
+  Eigen::VectorXcd shape;                          ///< six per body at the poles, largest (mass-weighted) component 1
+  /// Number of the undamped mode that the shape has most of: more than half of the mass-weighted square that all modes
+  /// have of it. Where damping couples modes so that none has, the mode nearest in |λ|.
   std::optional<int> nearest_mode;
-  bool exact = true;                                ///< false: of the nearest linear system, where elements depend on ω in their own way
+  bool exact = true;  ///< false: of the nearest linear system, where elements depend on ω in their own way
 };
 
 struct Roots {

@@ -77,12 +77,14 @@ RollAxes roll_axes(const model::Body& body, const Matrix6& stiffness, const Eige
   const Eigen::Vector3d across = result.torque_roll_axis.cross(elastic.direction);
   result.angle = std::atan2(across.norm(), std::abs(result.torque_roll_axis.dot(elastic.direction)));
   result.distance_at_centre = distance_to_line(body.mass.centre, elastic.point, elastic.direction);
-  result.shortest_distance =
-      across.norm() > parallel ? std::abs((elastic.point - body.mass.centre).dot(across)) / across.norm() : result.distance_at_centre;
+  result.shortest_distance = across.norm() > parallel
+      ? std::abs((elastic.point - body.mass.centre).dot(across)) / across.norm()
+      : result.distance_at_centre;
   return result;
 }
 
-BodyMode body_mode(const model::Body& body, const Rows& rows, const Eigen::VectorXd& shape, double lambda, double norm) {
+BodyMode body_mode(const model::Body& body, const Rows& rows, const Eigen::VectorXd& shape, double lambda,
+                   double norm) {
   Vector6 at_pole = Vector6::Zero();
   at_pole(rows.coordinates) = shape.head(static_cast<Eigen::Index>(rows.coordinates.size()));
   const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
@@ -117,14 +119,18 @@ void note_elements(const model::System& system, std::size_t body, std::vector<st
     if (element.n.body != body && element.k.body != body) continue;
     if (element.n.body && element.k.body) {
       const std::size_t other = element.n.body == body ? *element.k.body : *element.n.body;
-      notes.push_back(fmt::format("\"{}\" acts as if \"{}\" were the ground", element.name, system.bodies()[other].name));
+      notes.push_back(
+          fmt::format("\"{}\" acts as if \"{}\" were the ground", element.name, system.bodies()[other].name));
     }
     if (element.n.foundation || element.k.foundation)
       notes.push_back(fmt::format("\"{}\" acts as if the foundation under it did not give", element.name));
-    if (elements::is_frequency_dependent(element.law) || std::holds_alternative<elements::Viscoelastic>(element.law.damping))
-      notes.push_back(fmt::format("\"{}\" stands with its stiffness at rest; in vibration it is stiffer", element.name));
+    if (elements::is_frequency_dependent(element.law) ||
+        std::holds_alternative<elements::Viscoelastic>(element.law.damping))
+      notes.push_back(
+          fmt::format("\"{}\" stands with its stiffness at rest; in vibration it is stiffer", element.name));
     if (!element.symmetric)
-      notes.push_back(fmt::format("\"{}\" is unsymmetric: centre and axes are those of the symmetric part", element.name));
+      notes.push_back(
+          fmt::format("\"{}\" is unsymmetric: centre and axes are those of the symmetric part", element.name));
   }
 }
 
@@ -134,7 +140,8 @@ BodySuspension body_suspension(const model::System& system, const assembly::Asse
                                const std::vector<Eigen::Vector3d>& torques) {
   constexpr double unheld = 1e-10;  // of the scaled stiffness: below, some motion is free
   for (const Eigen::Vector3d& torque : torques)
-    if (!(torque.norm() > 0) || !torque.allFinite()) throw foundation::InvalidInput("body_suspension: the torque has no direction");
+    if (!(torque.norm() > 0) || !torque.allFinite())
+      throw foundation::InvalidInput("body_suspension: the torque has no direction");
   const model::Body& body = system.bodies().at(index);
   const Rows rows = rows_of(system, assembled, index);
   BodySuspension result;
@@ -144,7 +151,8 @@ BodySuspension body_suspension(const model::System& system, const assembly::Asse
   note_elements(system, index, result.notes);
   if (rows.body.size() < 6) {
     result.notes.push_back(fmt::format(
-        "\"{}\" is guided: its guides hold it too, so its elements alone define no elastic centre and no roll axes", body.name));
+        "\"{}\" is guided: its guides hold it too, so its elements alone define no elastic centre and no roll axes",
+        body.name));
     return result;
   }
   result.elastic = character_at_pole(result.stiffness);

@@ -47,12 +47,15 @@ void check_body(const Body& body, foundation::Problems& problems) {
     const bool of_mass = bound.finding.starts_with("mass =");
     const std::string thing = subject + (of_mass ? ".mass" : ".inertia");
     if (body.allow_unphysical && regular)
-      problems.warning(thing, bound.finding, bound.rule, "no real body has these numbers (allow_unphysical is set): every result is doubtful");
+      problems.warning(thing, bound.finding, bound.rule,
+                       "no real body has these numbers (allow_unphysical is set): every result is doubtful");
     else
       problems.error(thing, bound.finding, bound.rule,
-                     of_mass ? "give a positive mass"
-                     : regular ? "mend the number, or its sign or point of reference; allow_unphysical = true computes all the same and marks every result"
-                             : "mend the number: with a singular mass matrix there is no motion to compute, even with allow_unphysical");
+                     of_mass       ? "give a positive mass"
+                         : regular ? "mend the number, or its sign or point of reference; allow_unphysical = true "
+                                     "computes all the same and marks every result"
+                                   : "mend the number: with a singular mass matrix there is no motion to compute, even "
+                                     "with allow_unphysical");
   }
 }
 

@@ -25,17 +25,21 @@ std::string motion_words(int j) {
   return fmt::format("{} {} of the whole element", j < 3 ? "translation along" : "rotation about K's", letters[j % 3]);
 }
 
-/// The single slip of a unit without which a given matrix would be sound, for the message that rejects it: "" if there is none.
+/// The single slip of a unit without which a given matrix would be sound, for the message that rejects it: "" if there
+/// is none.
 std::string slip_behind(const Description& description, const Element& element, const Matrix12& matrix) {
   constexpr double degree = 180 / std::numbers::pi;
   struct Slip {
     const char* words;
-    double n, k, translation, rotation;  ///< factors that undo it: on the places of the ends, on the blocks of the matrix
+    double n, k, translation,
+        rotation;  ///< factors that undo it: on the places of the ends, on the blocks of the matrix
   };
   static constexpr Slip slips[] = {
-      {"suspicion \"stiffness per degree\": with its rotational stiffnesses in N m/deg the matrix is sound; ", 1, 1, 1, degree},
+      {"suspicion \"stiffness per degree\": with its rotational stiffnesses in N m/deg the matrix is sound; ", 1, 1, 1,
+       degree},
       {"suspicion \"stiffness\": with its translational stiffnesses in N/mm the matrix is sound; ", 1, 1, 1e3, 1},
-      {"suspicion \"stiffness\": with its translational stiffnesses in N/m, typed as N/mm, the matrix is sound; ", 1, 1, 1e-3, 1},
+      {"suspicion \"stiffness\": with its translational stiffnesses in N/m, typed as N/mm, the matrix is sound; ", 1, 1,
+       1e-3, 1},
       {"suspicion \"stiffness\": with its rotational stiffnesses in N mm/rad the matrix is sound; ", 1, 1, 1, 1e-3},
       {"suspicion \"stiffness\": with its rotational stiffnesses in kN m/rad the matrix is sound; ", 1, 1, 1, 1e3},
       {"suspicion \"places\": with its ends in millimetres the matrix is sound; ", 1e-3, 1e-3, 1, 1},
@@ -54,89 +58,119 @@ std::string slip_behind(const Description& description, const Element& element, 
     const Span ends = span(description.bodies, n, k);
     const MatrixVerdict verdict = elements::examine(meant, elements::rigid_motions(ends.arm, ends.n_from_k));
     constexpr double rounding_of_factor = 1e-4;  // of 57.3 written with few digits
-    if (verdict.rigid_residual < rounding_of_factor && verdict.lowest_eigenvalue > -rounding_of_factor) return slip.words;
+    if (verdict.rigid_residual < rounding_of_factor && verdict.lowest_eigenvalue > -rounding_of_factor)
+      return slip.words;
   }
   return "";
 }
 
 struct Subject {
   std::string path;
-  std::string quantity;      // "stiffness"
-  std::string bad_energy;    // what a negative eigenvalue would mean
+  std::string quantity;    // "stiffness"
+  std::string bad_energy;  // what a negative eigenvalue would mean
 };
 
-void check_symmetry(const Subject& subject, const Matrix12& matrix, const MatrixVerdict& verdict, foundation::Problems& problems) {
+void check_symmetry(const Subject& subject, const Matrix12& matrix, const MatrixVerdict& verdict,
+                    foundation::Problems& problems) {
   int i = verdict.asymmetric_row, j = verdict.asymmetric_column;
   // A 6×6 of the K end spreads its fault over all blocks: show it where it was written.
   double worst = 0;
   for (int row = 6; row < 12; ++row)
     for (int column = row + 1; column < 12; ++column)
-      if (const double difference = std::abs(matrix(row, column) - matrix(column, row)); difference > worst && difference > elements::rounding_of_data * std::sqrt(std::abs(matrix(row, row) * matrix(column, column))))
+      if (const double difference = std::abs(matrix(row, column) - matrix(column, row)); difference > worst &&
+          difference > elements::rounding_of_data * std::sqrt(std::abs(matrix(row, row) * matrix(column, column))))
         worst = difference, i = row, j = column;
-  const std::string finding = fmt::format("entry ({}, {}) = {:.9g} but ({}, {}) = {:.9g}", end_coordinate(i), end_coordinate(j), matrix(i, j),
-                                          end_coordinate(j), end_coordinate(i), matrix(j, i));
+  const std::string finding =
+      fmt::format("entry ({}, {}) = {:.9g} but ({}, {}) = {:.9g}", end_coordinate(i), end_coordinate(j), matrix(i, j),
+                  end_coordinate(j), end_coordinate(i), matrix(j, i));
   problems.error(subject.path, finding, fmt::format("the {} of an element is symmetric", subject.quantity),
                  "mend the entry, or set symmetric = false if it is meant (follower forces, gyroscopic terms)");
 }
 
-void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bool allowed, const std::string& slip, foundation::Problems& problems) {
+void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bool allowed, const std::string& slip,
+                        foundation::Problems& problems) {
   const double entry = verdict.residual(verdict.residual_row, verdict.residual_motion);
-  const std::string finding =
-      fmt::format("a unit {} asks for {:.6g} at {} ({:.3g} % of the scaled stiffness)", motion_words(verdict.residual_motion), entry,
-                  end_coordinate(verdict.residual_row), 100 * verdict.rigid_residual);
-  const std::string rule = fmt::format("the {} of a stress-free element does not resist a rigid motion", subject.quantity);
+  const std::string finding = fmt::format("a unit {} asks for {:.6g} at {} ({:.3g} % of the scaled stiffness)",
+                                          motion_words(verdict.residual_motion), entry,
+                                          end_coordinate(verdict.residual_row), 100 * verdict.rigid_residual);
+  const std::string rule =
+      fmt::format("the {} of a stress-free element does not resist a rigid motion", subject.quantity);
   if (verdict.rigid_residual > elements::refused_residual && !allowed)
     problems.error(subject.path, finding, rule,
-                   slip + "mend the matrix, its order (N, then K), its signs or its end points; allow_residual = true if it is preload");
+                   slip +
+                       "mend the matrix, its order (N, then K), its signs or its end points; allow_residual = true if "
+                       "it is preload");
   else
-    problems.warning(subject.path, finding, rule, "the residual may be rounding of the data, a wrong end point or preload");
+    problems.warning(subject.path, finding, rule,
+                     "the residual may be rounding of the data, a wrong end point or preload");
 }
 
-void check_matrix(const Subject& subject, const Description& description, const Element& element, const Matrix12& matrix, foundation::Problems& problems) {
+void check_matrix(const Subject& subject, const Description& description, const Element& element,
+                  const Matrix12& matrix, foundation::Problems& problems) {
   if (!matrix.allFinite()) {
-    problems.error(subject.path, "an entry is not finite", "every entry must be a number", "look for overflow or a missing value");
+    problems.error(subject.path, "an entry is not finite", "every entry must be a number",
+                   "look for overflow or a missing value");
     return;
   }
   const Span ends = span(description.bodies, element.n, element.k);
   const bool preloaded = element.law.preload && subject.quantity == "stiffness";
   const bool given = element.type == "matrix" && subject.quantity == "stiffness";
-  const MatrixVerdict verdict = elements::examine(matrix, elements::rigid_motions(ends.arm, ends.n_from_k),
-                                                  preloaded ? elements::turned_preload(*element.law.preload, ends.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
-  if (element.symmetric && verdict.asymmetry > elements::rounding_of_data) check_symmetry(subject, matrix, verdict, problems);
-  if (verdict.rigid_residual > elements::silent_residual) check_rigid_motion(subject, verdict, element.allow_residual, given ? slip_behind(description, element, matrix) : "", problems);
+  const MatrixVerdict verdict =
+      elements::examine(matrix, elements::rigid_motions(ends.arm, ends.n_from_k),
+                        preloaded ? elements::turned_preload(*element.law.preload, ends.n_from_k)
+                                  : Eigen::Matrix<double, 12, 6>::Zero().eval());
+  if (element.symmetric && verdict.asymmetry > elements::rounding_of_data)
+    check_symmetry(subject, matrix, verdict, problems);
+  if (verdict.rigid_residual > elements::silent_residual)
+    check_rigid_motion(subject, verdict, element.allow_residual, given ? slip_behind(description, element, matrix) : "",
+                       problems);
   const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
   // Turned as a whole, a preloaded element does work: only what it does with N held tells of its soundness.
   const double lowest = preloaded ? elements::lowest_of_held_end(matrix) : verdict.lowest_eigenvalue;
   const bool negative = lowest < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
-  if (symmetric_stiffness_or_damping && negative && (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
+  if (symmetric_stiffness_or_damping && negative &&
+      (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
     problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
                      preloaded ? std::string("with its end N held, an element that carries its preload safely has none")
-                               : fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity, subject.bad_energy),
-                     preloaded ? "with N held the element gives way: its bodies must be held by others, or it buckles" : "the residual may explain it; look at the frequencies it touches");
+                               : fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity,
+                                             subject.bad_energy),
+                     preloaded ? "with N held the element gives way: its bodies must be held by others, or it buckles"
+                               : "the residual may explain it; look at the frequencies it touches");
   else if (symmetric_stiffness_or_damping && negative)
     problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
                    fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),
-                   (given ? slip_behind(description, element, matrix) : "") + "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
+                   (given ? slip_behind(description, element, matrix) : "") +
+                       "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
 }
 
 /// What the law itself must keep, wherever the element stands.
-void check_laws(const Description& description, const Element& element, const std::string& subject, foundation::Problems& problems) {
+void check_laws(const Description& description, const Element& element, const std::string& subject,
+                foundation::Problems& problems) {
   if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && !element.symmetric)
-    problems.error(subject + ".damping", "a viscoelastic law on an unsymmetric stiffness", "its strains follow from a symmetric stiffness", "use proportional damping or a loss factor");
+    problems.error(subject + ".damping", "a viscoelastic law on an unsymmetric stiffness",
+                   "its strains follow from a symmetric stiffness", "use proportional damping or a loss factor");
   if (!(element.law.scale > 0))
-    problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0", "remove the element to switch it off");
-  constexpr double weakest = 1e-12, strongest = 1e12;  // beyond, an element is absent or a guide, and digits of the others are lost
+    problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0",
+                   "remove the element to switch it off");
+  constexpr double weakest = 1e-12,
+                   strongest = 1e12;  // beyond, an element is absent or a guide, and digits of the others are lost
   if (element.law.scale > 0 && (element.law.scale < weakest || element.law.scale > strongest))
-    problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it lies between 1e-12 and 1e12", "remove the element to switch it off, or guide the body by `free`");
+    problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale),
+                   "it lies between 1e-12 and 1e12",
+                   "remove the element to switch it off, or guide the body by `free`");
 
   if (element.law.preload && element.law.scale != 1)
-    problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale), "its stiffness and its preload belong together", "change the element itself");
+    problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale),
+                   "its stiffness and its preload belong together", "change the element itself");
 
   const std::string path = element.type == "matrix" ? subject + ".stiffness" : subject;
-  check_matrix({path, "stiffness", "it would give energy when deformed"}, description, element, element.law.nominal_stiffness, problems);
+  check_matrix({path, "stiffness", "it would give energy when deformed"}, description, element,
+               element.law.nominal_stiffness, problems);
   if (const auto* given = std::get_if<elements::DampingMatrix>(&element.law.damping))
-    check_matrix({subject + ".damping", "damping", "it would feed energy into the motion"}, description, element, given->matrix, problems);
-  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && !(proportional->factor >= 0))
+    check_matrix({subject + ".damping", "damping", "it would feed energy into the motion"}, description, element,
+                 given->matrix, problems);
+  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping);
+      proportional && !(proportional->factor >= 0))
     problems.error(subject + ".damping.proportional", fmt::format("{:.6g} s", proportional->factor), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && !(loss->value >= 0))
@@ -144,9 +178,12 @@ void check_laws(const Description& description, const Element& element, const st
                    "negative damping would feed energy into the motion");
   constexpr double largest_loss = 100, longest_factor = 1e6;  // rubber has up to 1; B = δK with a second damps out all
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && loss->value > largest_loss)
-    problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it is at most 100; rubber has up to 1", "check the number");
-  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping); proportional && proportional->factor > longest_factor)
-    problems.error(subject + ".damping.proportional", fmt::format("{:.6g} s", proportional->factor), "it is at most 1e6 s; above 1 s every vibration is damped out", "check the unit");
+    problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value),
+                   "it is at most 100; rubber has up to 1", "check the number");
+  if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping);
+      proportional && proportional->factor > longest_factor)
+    problems.error(subject + ".damping.proportional", fmt::format("{:.6g} s", proportional->factor),
+                   "it is at most 1e6 s; above 1 s every vibration is damped out", "check the unit");
 }
 
 }  // namespace
@@ -155,7 +192,8 @@ void check_element(const Description& description, const Element& element, found
   const std::string subject = "elements." + element.name;
   if (element.is_foundation) return check_laws(description, element, subject, problems);
   if (!element.k.body && element.n.body) {
-    problems.error(subject, "end K is on the ground", "an element's end K is on a body, its end N on a body or on the ground", "exchange the ends");
+    problems.error(subject, "end K is on the ground",
+                   "an element's end K is on a body, its end N on a body or on the ground", "exchange the ends");
     return;
   }
   if (element.n.body == element.k.body) {

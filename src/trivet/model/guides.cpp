@@ -21,10 +21,14 @@ std::string coordinates_left_behind(const Body& body, const Action::Amplitude& m
   return names;
 }
 
-void warn_of_guides(const Body& body, const std::string& coordinates, const std::string& cause, foundation::Problems& problems) {
-  problems.warning("bodies." + body.name + ".free", fmt::format("it leaves out {}, and {} moves the ground there", coordinates, cause),
-                   "guides stand still in space: the ground moves away under the body, and only its free coordinates answer to the feet of its elements",
-                   "if the guides move with the ground, add these coordinates to free and hold them by an element that is stiff there; else leave it so");
+void warn_of_guides(const Body& body, const std::string& coordinates, const std::string& cause,
+                    foundation::Problems& problems) {
+  problems.warning("bodies." + body.name + ".free",
+                   fmt::format("it leaves out {}, and {} moves the ground there", coordinates, cause),
+                   "guides stand still in space: the ground moves away under the body, and only its free coordinates "
+                   "answer to the feet of its elements",
+                   "if the guides move with the ground, add these coordinates to free and hold them by an element that "
+                   "is stiff there; else leave it so");
 }
 
 void check_guides(const Description& description, foundation::Problems& problems) {

@@ -8,14 +8,16 @@
 
 namespace trivet::model {
 
-/// The first element that stands on the modes of a foundation. A rigid motion of the whole ground does not reach it: how far its modes follow such a
-/// motion (their participation) is not among the data.
+/// The first element that stands on the modes of a foundation. A rigid motion of the whole ground does not reach it:
+/// how far its modes follow such a motion (their participation) is not among the data.
 [[nodiscard]] inline std::optional<std::string> element_on_modes(const Description& description) {
   for (const Element& element : description.elements) {
     if (element.is_foundation || !element.n.foundation) continue;
     bool has_place_of_its_own = false;
     for (const Element& other : description.elements)
-      has_place_of_its_own = has_place_of_its_own || (other.is_foundation && other.k.foundation && other.k.foundation->foundation == element.n.foundation->foundation);
+      has_place_of_its_own = has_place_of_its_own ||
+          (other.is_foundation && other.k.foundation &&
+           other.k.foundation->foundation == element.n.foundation->foundation);
     if (!has_place_of_its_own) return element.name;
   }
   return std::nullopt;

@@ -12,7 +12,8 @@ namespace {
 /// Imbalance of the forces at rest, as a share of the weight, that passes in silence.
 constexpr double silent_imbalance = 0.02;
 
-/// What the preloaded elements exert on a body at rest, in its axes, about its centre of mass; none if no element at it is preloaded.
+/// What the preloaded elements exert on a body at rest, in its axes, about its centre of mass; none if no element at it
+/// is preloaded.
 std::optional<spatial::Wrench> carried(const Description& description, std::size_t body) {
   std::optional<spatial::Wrench> sum;
   for (const Element& element : description.elements) {
@@ -20,7 +21,8 @@ std::optional<spatial::Wrench> carried(const Description& description, std::size
     int first = 0;
     for (const End* end : {&element.n, &element.k}) {
       if (end->body == body) {
-        const Eigen::Vector3d force = -(end->axes * element.law.preload->segment<3>(first)), moment = -(end->axes * element.law.preload->segment<3>(first + 3));
+        const Eigen::Vector3d force = -(end->axes * element.law.preload->segment<3>(first)),
+                              moment = -(end->axes * element.law.preload->segment<3>(first + 3));
         sum = sum.value_or(spatial::Wrench{});
         sum->force += force;
         sum->moment += moment + (end->at - description.bodies[body].mass.centre).cross(force);
@@ -39,19 +41,27 @@ void check_preloads(const Description& description, foundation::Problems& proble
     const auto sum = carried(description, b);
     if (!sum) continue;
     if (!description.gravity) {
-      problems.warning("bodies." + body.name, fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
-                       "at rest a body's preloads balance its weight, and both stiffen or soften its rotations", "give gravity = [0, 0, -9.80665]");
+      problems.warning("bodies." + body.name,
+                       fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
+                       "at rest a body's preloads balance its weight, and both stiffen or soften its rotations",
+                       "give gravity = [0, 0, -9.80665]");
       continue;
     }
     const Eigen::Vector3d weight = body.mass.mass * (body.pose.rotation.transpose() * *description.gravity);
     // A moment counts as the lever at which the weight would cause it, against the size of the body.
     const double left = (sum->force + weight).norm(), tilting = sum->moment.norm();
-    const double size = body.has_inertia ? std::sqrt(std::abs(body.mass.inertia_about_centre.trace()) / (2 * body.mass.mass)) : 0;
-    if (left > silent_imbalance * weight.norm() || (body.free[3] && body.free[4] && tilting > silent_imbalance * weight.norm() * size))
-      problems.warning("bodies." + body.name,
-                       fmt::format("its preloads push with ({:.6g}, {:.6g}, {:.6g}) N, its weight is ({:.6g}, {:.6g}, {:.6g}) N; {:.4g} N m about its centre of mass are left over",
-                                   sum->force.x(), sum->force.y(), sum->force.z(), weight.x(), weight.y(), weight.z(), tilting),
-                       "at rest a body's preloads balance its weight, also about its centre of mass", "set the preload of every element that carries it; what other elements carry has no geometric stiffness here");
+    const double size =
+        body.has_inertia ? std::sqrt(std::abs(body.mass.inertia_about_centre.trace()) / (2 * body.mass.mass)) : 0;
+    if (left > silent_imbalance * weight.norm() ||
+        (body.free[3] && body.free[4] && tilting > silent_imbalance * weight.norm() * size))
+      problems.warning(
+          "bodies." + body.name,
+          fmt::format("its preloads push with ({:.6g}, {:.6g}, {:.6g}) N, its weight is ({:.6g}, {:.6g}, {:.6g}) N; "
+                      "{:.4g} N m about its centre of mass are left over",
+                      sum->force.x(), sum->force.y(), sum->force.z(), weight.x(), weight.y(), weight.z(), tilting),
+          "at rest a body's preloads balance its weight, also about its centre of mass",
+          "set the preload of every element that carries it; what other elements carry has no geometric stiffness "
+          "here");
   }
 }
 

@@ -17,16 +17,20 @@ struct NameOnly {
 };
 
 template <typename Things>
-void check_names(const Things& things, const std::string& kind, foundation::Problems& problems, bool with_results = true) {
+void check_names(const Things& things, const std::string& kind, foundation::Problems& problems,
+                 bool with_results = true) {
   std::set<std::string> seen;
   for (const auto& thing : things) {
     const bool empty = thing.name.empty();
     const bool a_word = with_results && (thing.name == "ground" || thing.name == "base" || thing.name == "coordinates");
     if (empty || a_word || thing.name.find_first_of(".\n") != std::string::npos)
-      problems.error(kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
-                     "a name is not empty, has no dot and no line break, and is none of \"ground\", \"base\" and \"coordinates\"", "choose another name");
+      problems.error(
+          kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
+          "a name is not empty, has no dot and no line break, and is none of \"ground\", \"base\" and \"coordinates\"",
+          "choose another name");
     if (!seen.insert(thing.name).second)
-      problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name), "names are unique", "rename one of them");
+      problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name), "names are unique",
+                     "rename one of them");
   }
 }
 
@@ -43,14 +47,22 @@ void check_shared_names(const Description& description, foundation::Problems& pr
 
 void check_damping(const Description& description, foundation::Problems& problems) {
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&description.damping)) {
-    if (!(rayleigh->mass >= 0)) problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it must be ≥ 0", "negative damping would feed energy");
-    if (!(rayleigh->stiffness >= 0)) problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it must be ≥ 0", "negative damping would feed energy");
+    if (!(rayleigh->mass >= 0))
+      problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it must be ≥ 0",
+                     "negative damping would feed energy");
+    if (!(rayleigh->stiffness >= 0))
+      problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it must be ≥ 0",
+                     "negative damping would feed energy");
   }
-  constexpr double most_mass = 1e9, most_stiffness = 1e6, most_ratio = 1000;  // far beyond critical damping of any vibration
+  constexpr double most_mass = 1e9, most_stiffness = 1e6,
+                   most_ratio = 1000;  // far beyond critical damping of any vibration
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&description.damping)) {
-    if (rayleigh->mass > most_mass) problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it is at most 1e9 1/s", "check the number; it is 2ζω of slow vibrations");
+    if (rayleigh->mass > most_mass)
+      problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it is at most 1e9 1/s",
+                     "check the number; it is 2ζω of slow vibrations");
     if (rayleigh->stiffness > most_stiffness)
-      problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it is at most 1e6 s", "check the number; it is 2ζ/ω of fast vibrations");
+      problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it is at most 1e6 s",
+                     "check the number; it is 2ζ/ω of fast vibrations");
   }
   if (const auto* modal = std::get_if<ModalDamping>(&description.damping)) {
     std::size_t coordinates = 0;
@@ -58,22 +70,29 @@ void check_damping(const Description& description, foundation::Problems& problem
       for (const bool free : body.free) coordinates += free;
     for (const auto& element : description.elements)
       if (element.law.inertia) coordinates += static_cast<std::size_t>(element.law.inertia->angular_frequencies.size());
-    for (const auto& foundation : description.foundations) coordinates += static_cast<std::size_t>((foundation.mass.diagonal().array() > 0).count());
+    for (const auto& foundation : description.foundations)
+      coordinates += static_cast<std::size_t>((foundation.mass.diagonal().array() > 0).count());
     if (modal->ratios.size() != 1 && modal->ratios.size() != coordinates)
       problems.error("damping.modal", fmt::format("{} ratios", modal->ratios.size()),
-                     fmt::format("one for all modes, or one for each of the {} modes", coordinates), "complete or shorten the list");
+                     fmt::format("one for all modes, or one for each of the {} modes", coordinates),
+                     "complete or shorten the list");
     for (const double ratio : modal->ratios)
-      if (!(ratio >= 0)) problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio), "a damping ratio must be ≥ 0", "negative damping would feed energy");
+      if (!(ratio >= 0))
+        problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio), "a damping ratio must be ≥ 0",
+                       "negative damping would feed energy");
     for (const double ratio : modal->ratios)
-      if (ratio > most_ratio) problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio), "a damping ratio is at most 1000; 1 is critical", "check the number");
+      if (ratio > most_ratio)
+        problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio),
+                       "a damping ratio is at most 1000; 1 is critical", "check the number");
     for (const auto& body : description.bodies)
       if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
-                       "modal ratios need undamped modes that all oscillate", "give the elements their damping instead");
+                       "modal ratios need undamped modes that all oscillate",
+                       "give the elements their damping instead");
     for (const auto& element : description.elements)
       if (!element.symmetric)
-        problems.error("damping.modal", fmt::format("element \"{}\" is unsymmetric", element.name), "modal ratios need a symmetric system",
-                       "give the elements their damping instead");
+        problems.error("damping.modal", fmt::format("element \"{}\" is unsymmetric", element.name),
+                       "modal ratios need a symmetric system", "give the elements their damping instead");
   }
 }
 
@@ -90,18 +109,22 @@ void check_random(const Description& description, foundation::Problems& problems
   for (const Excitation& excitation : description.excitations)
     if (const auto* random = std::get_if<Random>(&excitation.course))
       for (const Random::Partner& partner : random->partners) {
-        const auto at = [&](const std::string& name) { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
+        const auto at = [&](const std::string& name) {
+          return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+        };
         if (at(partner.other) == names.size()) {
           const std::string guess = foundation::nearest_name(partner.other, names);
-          problems.error("excitations." + excitation.name + ".coherence", "with \"" + partner.other + "\"", "no random excitation has this name",
+          problems.error("excitations." + excitation.name + ".coherence", "with \"" + partner.other + "\"",
+                         "no random excitation has this name",
                          guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
           known = false;
         } else {
           // Both may tell it of each other, if they agree.
           const excitation::InputPair pair{at(partner.other), at(excitation.name), partner.coherence, 0};
           const bool told = std::any_of(inputs.pairs.begin(), inputs.pairs.end(), [&](const excitation::InputPair& p) {
-            return p.first == pair.second && p.second == pair.first && p.coherence.at_zero == pair.coherence.at_zero && p.coherence.decay == pair.coherence.decay &&
-                   p.coherence.distance == pair.coherence.distance && p.coherence.speed == pair.coherence.speed;
+            return p.first == pair.second && p.second == pair.first && p.coherence.at_zero == pair.coherence.at_zero &&
+                p.coherence.decay == pair.coherence.decay && p.coherence.distance == pair.coherence.distance &&
+                p.coherence.speed == pair.coherence.speed;
           });
           if (!told) inputs.pairs.push_back(pair);
         }
@@ -115,10 +138,12 @@ void check_fixed_directions(const Description& description, foundation::Problems
     for (const End* end : {&element.n, &element.k}) {
       if (!end->foundation || end->foundation->fixed_directions.isZero(0)) continue;
       const bool joined = std::any_of(description.elements.begin(), description.elements.end(), [&](const Element& e) {
-        return e.is_foundation && e.n.on_ground() && e.k.foundation && e.k.foundation->foundation == end->foundation->foundation;
+        return e.is_foundation && e.n.on_ground() && e.k.foundation &&
+            e.k.foundation->foundation == end->foundation->foundation;
       });
       if (!joined)
-        problems.error("elements." + element.name, "an end with fixed directions on a foundation without an impedance", "fixed directions follow the ground under the impedance",
+        problems.error("elements." + element.name, "an end with fixed directions on a foundation without an impedance",
+                       "fixed directions follow the ground under the impedance",
                        "add the element from the ground to the foundation, or leave fixed_directions zero");
     }
 }
@@ -128,16 +153,19 @@ void check_moving_ground(const Description& description, foundation::Problems& p
   if (!standing) return;
   for (const Excitation& excitation : description.excitations)
     if (!excitation.action.body && excitation.action.elements.empty())
-      problems.error("excitations." + excitation.name, "the whole ground moves under \"" + *standing + "\", which stands on the modes of a foundation",
+      problems.error("excitations." + excitation.name,
+                     "the whole ground moves under \"" + *standing + "\", which stands on the modes of a foundation",
                      "modes do not state how they follow a motion of the ground",
-                     "describe the foundation by an impedance or a mobility (their fixed directions follow the ground), or model it as a body on its own elements");
+                     "describe the foundation by an impedance or a mobility (their fixed directions follow the "
+                     "ground), or model it as a body on its own elements");
 }
 
 }  // namespace
 
 foundation::Expected<System> System::checked(Description description) {
   foundation::Problems problems;
-  if (description.bodies.empty()) problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
+  if (description.bodies.empty())
+    problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
   check_names(description.bodies, "bodies", problems);
   std::vector<NameOnly> elements;  // a foundation bears the name of the element above it
   for (const auto& element : description.elements)

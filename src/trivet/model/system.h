@@ -32,7 +32,8 @@ struct Body {
   bool allow_unphysical = false;
 };
 
-/// A flexible foundation in coordinates of its own: A p̈ + B ṗ + K p = what its ends feel. One place with its impedance, or the modes of a deck.
+/// A flexible foundation in coordinates of its own: A p̈ + B ṗ + K p = what its ends feel. One place with its impedance,
+/// or the modes of a deck.
 struct Foundation {
   std::string name;
   Eigen::MatrixXd mass, damping, stiffness;  ///< all r × r
@@ -42,17 +43,18 @@ struct Foundation {
 struct OnFoundation {
   std::size_t foundation = 0;
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< motion of the end, ground axes, per unit of each coordinate
-  /// The fixed directions: the part of the end's motion that follows the rigid ground at this place, ground axes. A projector: all that `shape`
-  /// does not move. Zero for the modes of a deck, which do not state how they follow the ground.
+  /// The fixed directions: the part of the end's motion that follows the rigid ground at this place, ground axes. A
+  /// projector: all that `shape` does not move. Zero for the modes of a deck, which do not state how they follow the
+  /// ground.
   spatial::Matrix6 fixed_directions = spatial::Matrix6::Zero();
 };
 
 /// One end of an element: on a body, on a foundation, or on the ground if neither is given.
 struct End {
   std::optional<std::size_t> body;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();          ///< reference point, in the frame of the body or the ground [m]
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();    ///< local axes as columns, in the same frame
-  std::optional<OnFoundation> foundation;                ///< then `at` and `axes` are in the ground frame
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< reference point, in the frame of the body or the ground [m]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< local axes as columns, in the same frame
+  std::optional<OnFoundation> foundation;              ///< then `at` and `axes` are in the ground frame
 
   [[nodiscard]] bool on_ground() const { return !body && !foundation; }
 };
@@ -65,15 +67,16 @@ struct Fact {
 /// One reading behind an identified law, for a residual plot.
 struct Residual {
   std::string what;
-  double measured = 0, fitted = 0;   ///< [N, N m]
-  double standardised = 0;           ///< residual over its own standard deviation
+  double measured = 0, fitted = 0;  ///< [N, N m]
+  double standardised = 0;          ///< residual over its own standard deviation
   bool outlier = false;
 };
 
 /// How sure a law is that was measured or meshed.
 struct Evidence {
-  elements::Matrix12 uncertainty = elements::Matrix12::Zero();  ///< per entry of the nominal stiffness: half width of its interval, or estimated error
-  std::string meaning;               ///< "95 % confidence", "estimated error of the mesh"
+  elements::Matrix12 uncertainty = elements::Matrix12::Zero();  ///< per entry of the nominal stiffness: half width of
+                                                                ///< its interval, or estimated error
+  std::string meaning;                                          ///< "95 % confidence", "estimated error of the mesh"
   std::vector<Residual> residuals;
 };
 
@@ -86,10 +89,11 @@ struct Element {
   bool symmetric = true;
   bool allow_residual = false;
   bool is_foundation = false;  ///< the impedance of a ground point: what it carries stands "on the ground"
-  std::vector<Fact> facts;   ///< for reading: how its law was found
+  std::vector<Fact> facts;     ///< for reading: how its law was found
   std::optional<Evidence> evidence;
-  double stiffening = 1;     ///< of rubber: its stiffness here over that at rest
-  double massless_up_to = std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
+  double stiffening = 1;  ///< of rubber: its stiffness here over that at rest
+  double massless_up_to =
+      std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
 };
 
 /// Constant force and moment; enters static answers only.

@@ -24,17 +24,18 @@ constexpr double rounding = 1e-12;
 /// catalogue, unless their scale makes them something else.
 bool is_typed(const model::Element& element) {
   constexpr double another = 30;
-  static constexpr const char* types[] = {"matrix", "bushing", "three_springs", "link", "stay", "imported", "measured",
-      "table", "air_spring", "wire_rope"};
-  return std::find(std::begin(types), std::end(types), element.type) != std::end(types) || element.law.scale > another
-      || element.law.scale * another < 1;
+  static constexpr const char* types[] = {"matrix",   "bushing",  "three_springs", "link",       "stay",
+                                          "imported", "measured", "table",         "air_spring", "wire_rope"};
+  return std::find(std::begin(types), std::end(types), element.type) != std::end(types) ||
+      element.law.scale > another || element.law.scale * another < 1;
 }
 
 Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& a) {
-  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen = numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (a + a.transpose())));
+  const numerics::SymmetricEigen<Eigen::Matrix3d> eigen =
+      numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (a + a.transpose())));
   const double largest = eigen.values.cwiseAbs().maxCoeff();
-  const Eigen::Vector3d inverse = eigen.values.unaryExpr([&](double x) { return std::abs(x) > hardly_held * largest
-      ? 1 / x : 0.0; });
+  const Eigen::Vector3d inverse =
+      eigen.values.unaryExpr([&](double x) { return std::abs(x) > hardly_held * largest ? 1 / x : 0.0; });
   return eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
 }
 
@@ -50,31 +51,31 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
   result.at = end.at;
   result.translation = block(stiffness, 0, 0);
   result.coupling = block(stiffness, 0, 1);
-  result.own_rotation = block(stiffness, 1,
-      1) - result.coupling.transpose() * pseudo_inverse(result.translation) * result.coupling;
+  result.own_rotation =
+      block(stiffness, 1, 1) - result.coupling.transpose() * pseudo_inverse(result.translation) * result.coupling;
   if (result.own_rotation.trace() <= rounding * block(stiffness, 1, 1).trace()) result.own_rotation.setZero();
   result.typed = is_typed(element);
   if (const auto* proportional = std::get_if<elements::ProportionalDamping>(&element.law.damping))
     result.proportional = proportional->factor * (proportional->of_nominal ? 1 / element.law.scale : 1);
-  else
-    result.viscous = elements::viscous_damping(element.law).block<3, 3>(first, first).trace();
+  else result.viscous = elements::viscous_damping(element.law).block<3, 3>(first, first).trace();
   if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && result.elastic()) {
-    result.proportional = result.viscous / result.translation.trace();  // moduli of the law are multiples of the stiffness
+    result.proportional =
+        result.viscous / result.translation.trace();  // moduli of the law are multiples of the stiffness
     result.viscous = 0;
   }
   return result;
 }
 
 bool is_whole(const model::Body& body) {
-  return body.has_inertia && body.mass.mass > 0 && std::all_of(body.free.begin(), body.free.end(),
-      [](bool f) { return f; });
+  return body.has_inertia && body.mass.mass > 0 &&
+      std::all_of(body.free.begin(), body.free.end(), [](bool f) { return f; });
 }
 
 spatial::MassProperties undone_mass(const BodyPicture& picture, const Slip& undone) {
   const Eigen::Vector3d centre = undone.centre * picture.mass.centre;
   if (picture.inertia_about_pole)
     return spatial::from_inertia_about_pole(undone.mass * picture.mass.mass, centre,
-        undone.inertia * spatial::inertia_about_pole(picture.mass));
+                                            undone.inertia * spatial::inertia_about_pole(picture.mass));
   return {undone.mass * picture.mass.mass, centre, undone.inertia * picture.mass.inertia_about_centre};
 }
 
@@ -84,14 +85,14 @@ spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d&
   for (const Attachment& a : picture.attachments) {
     if (!a.elastic()) continue;
     const double k = a.typed ? undone.stiffness : 1, s = undone.places;
-         // arms inside an element were typed like its place
+    // arms inside an element were typed like its place
     spatial::Matrix6 own;
     own.topLeftCorner<3, 3>() = k * a.translation;
     own.topRightCorner<3, 3>() = k * s * a.coupling;
     own.bottomLeftCorner<3, 3>() = own.topRightCorner<3, 3>().transpose();
     own.bottomRightCorner<3, 3>() = (a.typed ? undone.rotation : 1) * a.own_rotation;
-    if (!a.coupling.isZero(0)) own.bottomRightCorner<3,
-        3>() += k * s * s * a.coupling.transpose() * pseudo_inverse(a.translation) * a.coupling;
+    if (!a.coupling.isZero(0))
+      own.bottomRightCorner<3, 3>() += k * s * s * a.coupling.transpose() * pseudo_inverse(a.translation) * a.coupling;
     const spatial::Matrix6 lever = spatial::rigid_motion(s * a.at - centre);
     sum += lever.transpose() * own * lever;
   }
@@ -111,14 +112,16 @@ double natural_hertz(double lambda) { return std::sqrt(lambda) / (2 * std::numbe
 
 }  // namespace
 
-spatial::Matrix6 stiffness_about_centre(const BodyPicture& picture) { return stiffness_at(picture, picture.mass.centre, {}); }
+spatial::Matrix6 stiffness_about_centre(const BodyPicture& picture) {
+  return stiffness_at(picture, picture.mass.centre, {});
+}
 
 double mass_radius(const spatial::MassProperties& mass) {
   return std::sqrt(std::abs(mass.inertia_about_centre.trace()) / (2 * mass.mass));
 }
 
 std::vector<BodyPicture> pictures(const model::System& system, const std::vector<bool>& inertia_about_pole,
-    const std::vector<bool>& from_solids) {
+                                  const std::vector<bool>& from_solids) {
   std::vector<BodyPicture> result;
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const model::Body& body = system.bodies()[b];
@@ -133,16 +136,16 @@ std::vector<BodyPicture> pictures(const model::System& system, const std::vector
   }
   const auto picture_of = [&](const std::optional<std::size_t>& body) -> BodyPicture* {
     if (!body) return nullptr;
-    const auto found = std::lower_bound(result.begin(), result.end(), *body, [](const BodyPicture& p,
-        std::size_t b) { return p.body < b; });
+    const auto found = std::lower_bound(result.begin(), result.end(), *body,
+                                        [](const BodyPicture& p, std::size_t b) { return p.body < b; });
     return found != result.end() && found->body == *body ? &*found : nullptr;
   };
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
     if (element.is_foundation) continue;
     if (BodyPicture* picture = picture_of(element.k.body)) picture->attachments.push_back(attachment(element, e, true));
-    if (BodyPicture* picture = picture_of(element.n.body)) picture->attachments.push_back(attachment(element, e,
-        false));
+    if (BodyPicture* picture = picture_of(element.n.body))
+      picture->attachments.push_back(attachment(element, e, false));
   }
   for (const model::Excitation& excitation : system.description().excitations)
     if (BodyPicture* picture = picture_of(excitation.action.body)) picture->points.push_back(excitation.action.at);
@@ -175,15 +178,15 @@ Features features(const BodyPicture& picture, const Slip& undone) {
   for (const Eigen::Vector3d& point : picture.points) distances.push_back((undone.points * point - mass.centre).norm());
   if (!distances.empty()) {
     std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
-        distances.end());
+                     distances.end());
     found.reach = distances[distances.size() / 2] / radius;
   }
 
   const spatial::Matrix6 k = stiffness_at(picture, mass.centre, undone);
   const double held = k.topLeftCorner<3, 3>().trace();
   if (!(held > 0) || !k.allFinite()) return found;
-  const std::vector<double> translations = held_eigenvalues(k.topLeftCorner<3, 3>() / mass.mass,
-      Eigen::Matrix3d::Identity());
+  const std::vector<double> translations =
+      held_eigenvalues(k.topLeftCorner<3, 3>() / mass.mass, Eigen::Matrix3d::Identity());
   if (translations.empty()) return found;
   double logarithms = 0;
   for (const double lambda : translations) logarithms += std::log(lambda);

@@ -30,10 +30,11 @@ void judge_elements(const model::System& system, Suspicions& found) {
   };
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const auto& damping = system.elements()[e].law.damping;
-    if (const auto* factor = std::get_if<elements::LossFactor>(&damping); factor
-        && factor->value >= percent_loss) count(loss, factor->value, e);
-    if (const auto* delta = std::get_if<elements::ProportionalDamping>(&damping); delta
-        && delta->factor > most_proportional) count(proportional, delta->factor, e);
+    if (const auto* factor = std::get_if<elements::LossFactor>(&damping); factor && factor->value >= percent_loss)
+      count(loss, factor->value, e);
+    if (const auto* delta = std::get_if<elements::ProportionalDamping>(&damping);
+        delta && delta->factor > most_proportional)
+      count(proportional, delta->factor, e);
   }
   const auto others = [](int n) { return n > 1 ? fmt::format(", and so of {} more", n - 1) : std::string(); };
   const auto subject = [&](std::size_t e) {
@@ -44,15 +45,15 @@ void judge_elements(const model::System& system, Suspicions& found) {
     return "elements." + element.name;
   };
   for (const auto& [value, entry] : loss)
-    found.push_back({"loss factor", subject(entry.first) + ".damping.loss_factor", fmt::format("{:.6g}{}", value,
-        others(entry.second)),
+    found.push_back({"loss factor", subject(entry.first) + ".damping.loss_factor",
+                     fmt::format("{:.6g}{}", value, others(entry.second)),
                      fmt::format("loss factors of rubber and metal lie below {:.3g}", percent_loss),
-                         fmt::format("write \"{:.6g} %\" if percent are meant", value)});
+                     fmt::format("write \"{:.6g} %\" if percent are meant", value)});
   for (const auto& [value, entry] : proportional)
-    found.push_back({"proportional damping", subject(entry.first) + ".damping.proportional", fmt::format("{:.6g} s{}",
-        value, others(entry.second)),
+    found.push_back({"proportional damping", subject(entry.first) + ".damping.proportional",
+                     fmt::format("{:.6g} s{}", value, others(entry.second)),
                      fmt::format("B = δK with δ above {:.3g} s damps out every vibration", most_proportional),
-                         "check the unit, or the ratio of B to K that is meant"});
+                     "check the unit, or the ratio of B to K that is meant"});
 }
 
 /// B = δK that overdamps the translations of a body: the mean of δ over its stiffnesses counts.
@@ -62,7 +63,8 @@ void judge_overdamped(const model::System& system, const std::vector<BodyPicture
     double stiffness = 0, damping = 0;
     const Attachment* most = nullptr;
     for (const Attachment& a : picture.attachments) {
-      const bool proportional = std::holds_alternative<elements::ProportionalDamping>(system.elements()[a.element].law.damping);
+      const bool proportional =
+          std::holds_alternative<elements::ProportionalDamping>(system.elements()[a.element].law.damping);
       const double part = proportional ? a.proportional * a.translation.trace() : 0;
       stiffness += a.translation.trace();
       damping += part;
@@ -72,17 +74,18 @@ void judge_overdamped(const model::System& system, const std::vector<BodyPicture
     if (!most || !features.frequency || most->proportional > most_proportional) continue;
     const double ratio = std::numbers::pi * *features.frequency * damping / stiffness;
     if (ratio <= far_overdamped) continue;
-    found.push_back({"proportional damping", "elements." + system.elements()[most->element].name + ".damping.proportional",
-        fmt::format("{:.6g} s", most->proportional),
-        fmt::format("with it translations of \"{}\" ({:.3g} Hz in the mean) have a damping ratio of about {:.3g}",
-            system.bodies()[picture.body].name, *features.frequency, ratio),
-        fmt::format("write \"{:.6g} ms\" if milliseconds are meant", most->proportional)});
+    found.push_back(
+        {"proportional damping", "elements." + system.elements()[most->element].name + ".damping.proportional",
+         fmt::format("{:.6g} s", most->proportional),
+         fmt::format("with it translations of \"{}\" ({:.3g} Hz in the mean) have a damping ratio of about {:.3g}",
+                     system.bodies()[picture.body].name, *features.frequency, ratio),
+         fmt::format("write \"{:.6g} ms\" if milliseconds are meant", most->proportional)});
     return;
   }
 }
 
 void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<BodyPicture>& pictures,
-    Suspicions& found) {
+                    Suspicions& found) {
   double lowest = 0, highest = 0;
   for (const BodyPicture& picture : pictures) {
     const Features features = plausibility::features(picture, {});
@@ -95,16 +98,16 @@ void judge_rayleigh(const model::RayleighDamping& rayleigh, const std::vector<Bo
     const double omega = 2 * std::numbers::pi * hertz;
     return mass / (2 * omega) + stiffness * omega / 2;
   };
-  const auto [least, most] = std::minmax({ratio(rayleigh.mass, rayleigh.stiffness, lowest), ratio(rayleigh.mass,
-      rayleigh.stiffness, highest)});
-  const auto [least_exchanged, most_exchanged] = std::minmax({ratio(rayleigh.stiffness, rayleigh.mass, lowest),
-      ratio(rayleigh.stiffness, rayleigh.mass, highest)});
+  const auto [least, most] = std::minmax(
+      {ratio(rayleigh.mass, rayleigh.stiffness, lowest), ratio(rayleigh.mass, rayleigh.stiffness, highest)});
+  const auto [least_exchanged, most_exchanged] = std::minmax(
+      {ratio(rayleigh.stiffness, rayleigh.mass, lowest), ratio(rayleigh.stiffness, rayleigh.mass, highest)});
   const bool odd = most > overdamped || (most > 0 && most < hardly_damped);
   if (!odd || most_exchanged > usual_ratio_to || most_exchanged < usual_ratio_from) return;
-  found.push_back({"rayleigh", "damping.rayleigh", fmt::format("mass = {:.6g} 1/s, stiffness = {:.6g} s",
-      rayleigh.mass, rayleigh.stiffness),
+  found.push_back({"rayleigh", "damping.rayleigh",
+                   fmt::format("mass = {:.6g} 1/s, stiffness = {:.6g} s", rayleigh.mass, rayleigh.stiffness),
                    fmt::format("between {:.3g} and {:.3g} Hz they give damping ratios of {:.3g} … {:.3g}", lowest,
-                       highest, least, most),
+                               highest, least, most),
                    fmt::format("exchanged, they give {:.3g} … {:.3g}", least_exchanged, most_exchanged)});
 }
 
@@ -123,11 +126,15 @@ void judge_dampers(const model::System& system, Suspicions& found) {
   for (auto& [bodies, dampers] : groups) {
     if (dampers.size() < 3) continue;
     std::sort(dampers.begin(), dampers.end());
-    const auto judge_one = [&](std::size_t which, std::size_t least, std::size_t most) {  // the others reach from least to most
+    const auto judge_one = [&](std::size_t which, std::size_t least,
+                               std::size_t most) {  // the others reach from least to most
       const double low = dampers[least].first, high = dampers[most].first, own = dampers[which].first;
       if (high > unequal * low || (own < unequal * high && unequal * own > low)) return;
-      found.push_back({"viscous damping", "elements." + system.elements()[dampers[which].second].name + ".coefficient", fmt::format("{:.6g} N s/m", own),
-          fmt::format("the {} others between these bodies have {:.6g} … {:.6g} N s/m", dampers.size() - 1, low, high), "check its digits and its unit"});
+      found.push_back(
+          {"viscous damping", "elements." + system.elements()[dampers[which].second].name + ".coefficient",
+           fmt::format("{:.6g} N s/m", own),
+           fmt::format("the {} others between these bodies have {:.6g} … {:.6g} N s/m", dampers.size() - 1, low, high),
+           "check its digits and its unit"});
     };
     judge_one(0, 1, dampers.size() - 1);
     judge_one(dampers.size() - 1, 0, dampers.size() - 2);
@@ -141,9 +148,10 @@ void judge_damping(const model::System& system, const std::vector<BodyPicture>& 
   if (const auto* rayleigh = std::get_if<model::RayleighDamping>(&damping)) judge_rayleigh(*rayleigh, pictures, found);
   if (const auto* modal = std::get_if<model::ModalDamping>(&damping); modal && !modal->ratios.empty())
     if (const double largest = *std::max_element(modal->ratios.begin(), modal->ratios.end()); largest >= percent_ratio)
-      found.push_back({"modal damping", "damping.modal", fmt::format("ratio {:.6g}", largest),
-          fmt::format("damping ratios of modes lie below {:.3g}, mostly between 0.002 and 0.2", percent_ratio),
-                       fmt::format("write \"{:.6g} %\" if percent are meant", largest)});
+      found.push_back(
+          {"modal damping", "damping.modal", fmt::format("ratio {:.6g}", largest),
+           fmt::format("damping ratios of modes lie below {:.3g}, mostly between 0.002 and 0.2", percent_ratio),
+           fmt::format("write \"{:.6g} %\" if percent are meant", largest)});
 }
 
 }  // namespace trivet::plausibility

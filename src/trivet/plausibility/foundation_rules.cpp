@@ -24,7 +24,8 @@ Eigen::Matrix3d translation(const model::Element& element, const model::End& end
 
 /// Natural frequency of a body of which all mounts stood on such springs [Hz].
 double frequency_on(double stiffness, const BodyPicture& picture) {
-  return std::sqrt(static_cast<double>(picture.attachments.size()) * stiffness / picture.mass.mass) / (2 * std::numbers::pi);
+  return std::sqrt(static_cast<double>(picture.attachments.size()) * stiffness / picture.mass.mass) /
+      (2 * std::numbers::pi);
 }
 
 }  // namespace
@@ -36,17 +37,19 @@ void judge_foundations(const model::System& system, const std::vector<BodyPictur
   for (const model::Element& mount : system.elements()) {
     if (mount.is_foundation || !mount.n.foundation) continue;
     const auto place = places.find(mount.n.foundation->foundation);
-    const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) { return p.body == mount.k.body; });
+    const auto picture =
+        std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) { return p.body == mount.k.body; });
     if (place == places.end() || picture == pictures.end()) continue;
     const Eigen::Vector3d own = translation(mount, mount.n, 0).diagonal(),
                           below = translation(*place->second, place->second->k, 6).diagonal();
     for (int j = 0; j < 3; ++j) {
       if (!(below(j) > 0) || below(j) >= softest * own(j) || frequency_on(below(j), *picture) >= lowest_usual) continue;
-      found.push_back({"stiffness", "foundations." + mount.name + ".translation",
-          fmt::format("{:.6g} N/m along {}", below(j), "xyz"[j]),
-          fmt::format("the mount \"{}\" on it has {:.6g} N/m; on such springs alone \"{}\" would have {:.2g} Hz", mount.name,
-              own(j), system.bodies()[picture->body].name, frequency_on(below(j), *picture)),
-          fmt::format("it would be {:.6g} N/m if typed in N/mm", 1000 * below(j))});
+      found.push_back(
+          {"stiffness", "foundations." + mount.name + ".translation",
+           fmt::format("{:.6g} N/m along {}", below(j), "xyz"[j]),
+           fmt::format("the mount \"{}\" on it has {:.6g} N/m; on such springs alone \"{}\" would have {:.2g} Hz",
+                       mount.name, own(j), system.bodies()[picture->body].name, frequency_on(below(j), *picture)),
+           fmt::format("it would be {:.6g} N/m if typed in N/mm", 1000 * below(j))});
       break;
     }
   }

@@ -39,14 +39,15 @@ double coupling(const Eigen::Matrix3d& j) {
 
 std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool inertia_about_pole) {
   if (!(mass.mass > 0) || spatial::broken_bounds(mass).empty()) return std::nullopt;
-  const Eigen::Matrix3d about_pole = spatial::inertia_about_pole(mass), typed = inertia_about_pole ? about_pole
-      : mass.inertia_about_centre;
+  const Eigen::Matrix3d about_pole = spatial::inertia_about_pole(mass),
+                        typed = inertia_about_pole ? about_pole : mass.inertia_about_centre;
   const auto with = [&](double m, const Eigen::Vector3d& centre, const Eigen::Matrix3d& j) {
     return inertia_about_pole ? spatial::from_inertia_about_pole(m, centre, j) : spatial::MassProperties{m, centre, j};
   };
   const bool has_products = !typed.isDiagonal(0);
   if (has_products && is_real(with(mass.mass, mass.centre, other_sign(typed))))
-    return InertiaSlip{"products of inertia",
+    return InertiaSlip{
+        "products of inertia",
         "suspicion \"products of inertia\": with the other sign of its products the body is possible: xy = ∫xy dm, "
         "and not the entry of the tensor"};
   if (inertia_about_pole) {
@@ -64,11 +65,12 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
                                                    {"inertia", "inertia in g cm²", 1, 1, 1e-7},
                                                    {"mass", "mass in tonnes", 1e3, 1, 1}}};
     InertiaSlip slip;
-    if (is_real({mass.mass, mass.centre, typed})) slip = {"inertia", "suspicion \"inertia\": about the centre of mass, not the pole, the body is possible"};
+    if (is_real({mass.mass, mass.centre, typed}))
+      slip = {"inertia", "suspicion \"inertia\": about the centre of mass, not the pole, the body is possible"};
     for (const Unit& unit : units)
       if (is_real(with(unit.mass * mass.mass, unit.centre * mass.centre, unit.inertia * typed))) {
-        slip.words += fmt::format("{}suspicion \"{}\": with the {} the body is possible", slip.words.empty() ? ""
-            : ", or ", unit.kind, unit.words);
+        slip.words += fmt::format("{}suspicion \"{}\": with the {} the body is possible",
+                                  slip.words.empty() ? "" : ", or ", unit.kind, unit.words);
         slip.kind = slip.kind.empty() ? unit.kind : slip.kind;
       }
     if (!slip.kind.empty()) return slip;
@@ -79,18 +81,20 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
 std::optional<Suspicion> doubtful_products(const std::string& body, const BodyPicture& picture) {
   if (!picture.inertia_about_pole || picture.from_solids) return std::nullopt;
   const spatial::MassProperties& mass = picture.mass;
-  const spatial::MassProperties other = spatial::from_inertia_about_pole(mass.mass, mass.centre,
-      other_sign(spatial::inertia_about_pole(mass)));
+  const spatial::MassProperties other =
+      spatial::from_inertia_about_pole(mass.mass, mass.centre, other_sign(spatial::inertia_about_pole(mass)));
   if (!spatial::broken_bounds(other).empty()) return std::nullopt;
   const double now = coupling(mass.inertia_about_centre), then = coupling(other.inertia_about_centre);
   if (now < much_coupling || then * ratio_of_signs > now) return std::nullopt;
   const Eigen::Matrix3d& j = mass.inertia_about_centre;
-  return Suspicion{"products of inertia", "bodies." + body + ".inertia",
-                   fmt::format("about the centre of mass xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² are left", -j(0,
-                       1), -j(0, 2), -j(1, 2)),
-                   "about the pole, products of inertia are mostly those of the centre of mass: xy = m x y",
-                   fmt::format("with the other sign xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² would be left; xy = ∫xy dm", -other.inertia_about_centre(0, 1),
-                               -other.inertia_about_centre(0, 2), -other.inertia_about_centre(1, 2))};
+  return Suspicion{
+      "products of inertia", "bodies." + body + ".inertia",
+      fmt::format("about the centre of mass xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² are left", -j(0, 1), -j(0, 2),
+                  -j(1, 2)),
+      "about the pole, products of inertia are mostly those of the centre of mass: xy = m x y",
+      fmt::format("with the other sign xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² would be left; xy = ∫xy dm",
+                  -other.inertia_about_centre(0, 1), -other.inertia_about_centre(0, 2),
+                  -other.inertia_about_centre(1, 2))};
 }
 
 }  // namespace trivet::plausibility

@@ -13,7 +13,7 @@ namespace trivet::plausibility {
 /// other point of reference,
 /// one unit (all that do). None if no single one does, or the body is possible.
 struct InertiaSlip {
-  std::string kind;    ///< of the first one
+  std::string kind;  ///< of the first one
   /// "suspicion "products of inertia": with the other sign of its products of inertia the body is possible"
   std::string words;
 };

@@ -49,7 +49,7 @@ constexpr GravityUnit gravity_units[] = {
 /// How far below its centre of mass, along `down`, a body is held on average, in sizes of the body; none if fewer than
 /// two mounts say so.
 std::optional<double> depth_of_mounts(const model::System& system, const BodyPicture& picture,
-    const Eigen::Vector3d& down) {
+                                      const Eigen::Vector3d& down) {
   const model::Body& body = system.bodies()[picture.body];
   double sum = 0;
   int mounts = 0;
@@ -107,7 +107,7 @@ bool bears(const model::Element& element) {
 
 /// Mounts on the ground of a machine that stands on them: all lie below the common centre of mass.
 std::vector<std::size_t> standing_on(const model::System& system, const Eigen::Vector3d& down,
-    Eigen::Vector3d& centre) {
+                                     Eigen::Vector3d& centre) {
   double mass = 0;
   centre.setZero();
   for (const model::Body& body : system.bodies()) {
@@ -131,7 +131,8 @@ std::vector<std::size_t> propped_by(const model::System& system, const Eigen::Ve
   constexpr double some = 0.01;  // of the stiffness along gravity
   const auto along = [&](std::size_t e) {
     const model::Element& element = system.elements()[e];
-    const Eigen::Vector3d d = element.k.axes.transpose() * system.bodies()[*element.k.body].pose.rotation.transpose() * down;
+    const Eigen::Vector3d d =
+        element.k.axes.transpose() * system.bodies()[*element.k.body].pose.rotation.transpose() * down;
     return d.dot(elements::stiffness(element.law).block<3, 3>(6, 6) * d);
   };
   double all = 0;
@@ -166,13 +167,14 @@ void find_tipping(const model::System& system, Suspicions& found) {
       const model::Element& element = system.elements()[e];
       places.push_back(flat(in_ground(system.bodies()[*element.k.body], element.k.at)));
     }
-  const model::Body& heaviest = *std::max_element(system.bodies().begin(), system.bodies().end(),
-      [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
+  const model::Body& heaviest =
+      *std::max_element(system.bodies().begin(), system.bodies().end(),
+                        [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
   if (const auto outside = outside_of(places, flat(centre)); outside && *outside > outside_by) {
     found.push_back({"tipping", "bodies." + heaviest.name + ".center_of_mass",
-        fmt::format("the centre of mass is {:.3g} % of their size outside of the mounts", 100 * *outside),
+                     fmt::format("the centre of mass is {:.3g} % of their size outside of the mounts", 100 * *outside),
                      "a machine that stands on mounts has its weight between them",
-                         "check the centre of mass and the places of the mounts, their signs and pole"});
+                     "check the centre of mass and the places of the mounts, their signs and pole"});
     return;
   }
   const auto sharing = sharing_of(system);
@@ -181,19 +183,19 @@ void find_tipping(const model::System& system, Suspicions& found) {
   const response::MountLoad* worst = nullptr;
   for (const response::MountLoad& mount : sharing->mounts) {
     const bool counts = std::any_of(mounts.begin(), mounts.end(),
-        [&](std::size_t e) { return system.elements()[e].name == mount.element; });
+                                    [&](std::size_t e) { return system.elements()[e].name == mount.element; });
     if (counts && mount.bearing < -lifted * mean && (!worst || mount.bearing < worst->bearing)) worst = &mount;
   }
   if (worst)
     found.push_back({"lift-off", "elements." + worst->element,
-        fmt::format("under the static load it pulls down with {:.4g} N", -worst->bearing),
+                     fmt::format("under the static load it pulls down with {:.4g} N", -worst->bearing),
                      fmt::format("a mount below a machine is pressed, by {:.4g} N on average", mean),
-                         "check the centre of mass, constant forces and moments, and the stiffnesses"});
+                     "check the centre of mass, constant forces and moments, and the stiffnesses"});
 }
 
 /// Static force on a rated mount [N]. Its rating is one of compression; pull and shear as large are no better.
 double static_force(const model::System& system, const std::vector<BodyPicture>& pictures, const Rating& rating,
-    const std::optional<response::LoadSharing>& sharing, bool& load_known) {
+                    const std::optional<response::LoadSharing>& sharing, bool& load_known) {
   const model::Element& element = system.elements()[rating.element];
   load_known = false;
   if (sharing)
@@ -223,13 +225,14 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
   for (const GravityUnit& unit : gravity_units)
     if (std::abs(length / unit.length - 1) < unit.within) {
       found.push_back({"gravity", "gravity", finding, "gravity is 9.81 m/s²",
-          fmt::format("it would be {:.4g} m/s² if {}", unit.factor * length, unit.words)});
+                       fmt::format("it would be {:.4g} m/s² if {}", unit.factor * length, unit.words)});
       return;
     }
   if (length < least_gravity || length > most_gravity) {
-    found.push_back({"gravity", "gravity", finding,
-        fmt::format("gravity is 9.81 m/s² on earth, {:.3g} … {:.3g} m/s² anywhere", least_gravity, most_gravity),
-            "check its unit"});
+    found.push_back(
+        {"gravity", "gravity", finding,
+         fmt::format("gravity is 9.81 m/s² on earth, {:.3g} … {:.3g} m/s² anywhere", least_gravity, most_gravity),
+         "check its unit"});
     return;
   }
   const Eigen::Vector3d down = *given / length;
@@ -242,7 +245,7 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
   constexpr double clearly = 0.1;
   if (deepest > clearly) return;
   found.push_back({"gravity", "gravity", finding, "gravity points down, and z (or y) mostly up",
-      "it would point down with the other sign"});
+                   "it would point down with the other sign"});
 }
 
 void judge_balance(const model::System& system, Suspicions& found) {
@@ -254,7 +257,7 @@ void judge_balance(const model::System& system, Suspicions& found) {
 }
 
 void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
-    const std::vector<Rating>& ratings, Suspicions& found) {
+                   const std::vector<Rating>& ratings, Suspicions& found) {
   if (ratings.empty()) return;
   const auto sharing = sharing_of(system);
   const Rating* worst = nullptr;
@@ -267,10 +270,11 @@ void judge_ratings(const model::System& system, const std::vector<BodyPicture>& 
     worst = &rating;
   }
   if (worst)
-    found.push_back({"rated load", "elements." + system.elements()[worst->element].name + ".type",
-        fmt::format("{:.4g} N on \"{}\"", worst_ratio * worst->highest_load, worst->mount),
-                     fmt::format("it is rated for {:.4g} N, and bears {:.3g} times as much", worst->highest_load,
-                         worst_ratio), "take a larger mount, or more of them"});
+    found.push_back(
+        {"rated load", "elements." + system.elements()[worst->element].name + ".type",
+         fmt::format("{:.4g} N on \"{}\"", worst_ratio * worst->highest_load, worst->mount),
+         fmt::format("it is rated for {:.4g} N, and bears {:.3g} times as much", worst->highest_load, worst_ratio),
+         "take a larger mount, or more of them"});
 }
 
 }  // namespace trivet::plausibility

@@ -25,10 +25,10 @@ constexpr double degree = 180 / std::numbers::pi;
 constexpr double near_degree = 1.2;
 /// A mount is not a point: √(rotational / translational stiffness) is some part of its radius. Below all three it is
 /// too little.
-constexpr double least_radius = 5e-3;               ///< [m]
-constexpr double least_share_of_spread = 4e-3;      ///< of the distance of the mounts from the centre
-constexpr double least_share_of_load_radius = 0.08; ///< of the radius that bears the load at the pressure below
-constexpr double pressure = 5e5;                    ///< of rubber under static load [Pa]
+constexpr double least_radius = 5e-3;                ///< [m]
+constexpr double least_share_of_spread = 4e-3;       ///< of the distance of the mounts from the centre
+constexpr double least_share_of_load_radius = 0.08;  ///< of the radius that bears the load at the pressure below
+constexpr double pressure = 5e5;                     ///< of rubber under static load [Pa]
 using foundation::standard_gravity;
 
 std::string family(const std::string& type) { return type.starts_with("catalogue:") ? "catalogue" : type; }
@@ -48,8 +48,8 @@ std::map<Group, std::vector<Member>> groups(const model::System& system, const s
     for (const Attachment& a : picture.attachments) {
       const model::Element& element = system.elements()[a.element];
       if (element.k.body != picture.body || !a.elastic()) continue;
-      result[{picture.body, element.n.body, family(element.type)}].push_back({a.element, &a, a.translation.trace(),
-          a.own_rotation.trace()});
+      result[{picture.body, element.n.body, family(element.type)}].push_back(
+          {a.element, &a, a.translation.trace(), a.own_rotation.trace()});
     }
   return result;
 }
@@ -66,8 +66,8 @@ std::string key(const std::string& type, bool rotation) {
 
 /// Nested coil springs share their place; anything else of one type hardly does.
 bool may_share_place(const model::System& system, const Member& a, const Member& b) {
-  return system.elements()[a.element].type == "coil_spring"
-      && std::abs(a.translation - b.translation) > 1e-6 * a.translation;
+  return system.elements()[a.element].type == "coil_spring" &&
+      std::abs(a.translation - b.translation) > 1e-6 * a.translation;
 }
 
 /// Mounts whose own length hardly matters: one end tells their place.
@@ -76,36 +76,38 @@ bool is_compact(const std::string& type) {
 }
 
 void find_same_places(const model::System& system, const std::vector<BodyPicture>& pictures,
-    std::vector<Member> members, Suspicions& found) {
+                      std::vector<Member> members, Suspicions& found) {
   const std::size_t body = *system.elements()[members.front().element].k.body;
-  const auto picture = std::find_if(pictures.begin(), pictures.end(),
-      [&](const BodyPicture& p) { return p.body == body; });
+  const auto picture =
+      std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) { return p.body == body; });
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Member& m : members) middle += m.attachment->at / static_cast<double>(members.size());
   double squares = 0;
-  for (const Member& m : members) squares += (m.attachment->at - middle).squaredNorm() / static_cast<double>(members.size());
+  for (const Member& m : members)
+    squares += (m.attachment->at - middle).squaredNorm() / static_cast<double>(members.size());
   const double near = same_place * std::min(mass_radius(picture->mass), std::sqrt(squares));  // either may be a slip
-  std::stable_sort(members.begin(), members.end(), [](const Member& a,
-      const Member& b) { return a.attachment->at.x() < b.attachment->at.x(); });
+  std::stable_sort(members.begin(), members.end(),
+                   [](const Member& a, const Member& b) { return a.attachment->at.x() < b.attachment->at.x(); });
   for (std::size_t i = 0; i < members.size(); ++i)
-    for (std::size_t j = i + 1; j < members.size()
-        && members[j].attachment->at.x() - members[i].attachment->at.x() <= near; ++j) {
-      const Member &first = members[i].element < members[j].element ? members[i] : members[j], &second =
-          &first == &members[i] ? members[j] : members[i];
+    for (std::size_t j = i + 1;
+         j < members.size() && members[j].attachment->at.x() - members[i].attachment->at.x() <= near; ++j) {
+      const Member &first = members[i].element < members[j].element ? members[i] : members[j],
+                   &second = &first == &members[i] ? members[j] : members[i];
       const model::Element &a = system.elements()[first.element], &b = system.elements()[second.element];
-      if ((first.attachment->at - second.attachment->at).norm() > near || (!is_compact(a.type)
-          && (a.n.at - b.n.at).norm() > near) || may_share_place(system, first, second)) continue;
+      if ((first.attachment->at - second.attachment->at).norm() > near ||
+          (!is_compact(a.type) && (a.n.at - b.n.at).norm() > near) || may_share_place(system, first, second))
+        continue;
       found.push_back({"same place", "elements." + b.name + ".at",
-          fmt::format("\"{}\" and \"{}\" are both at ({:.4g}, {:.4g}, {:.4g}) m", a.name, b.name, b.k.at.x(),
-              b.k.at.y(), b.k.at.z()),
+                       fmt::format("\"{}\" and \"{}\" are both at ({:.4g}, {:.4g}, {:.4g}) m", a.name, b.name,
+                                   b.k.at.x(), b.k.at.y(), b.k.at.z()),
                        "two mounts of a kind are at two places",
-                           "probably copied and not changed, or a sign is missing"});
+                       "probably copied and not changed, or a sign is missing"});
     }
 }
 
 /// One member far from the median of the others.
 void find_unequal(const model::System& system, const std::vector<Member>& members, Suspicions& found,
-    std::vector<std::size_t>& blamed) {
+                  std::vector<std::size_t>& blamed) {
   if (members.size() < 2 || !members.front().attachment->typed) return;
   for (const Member& m : members) {
     std::vector<double> others, rotations;
@@ -122,9 +124,10 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
       found.push_back({thousand ? "stiffness" : "unequal mounts", "elements." + element.name + key(element.type, false),
                        fmt::format("{:.6g} N/m in the mean of three directions", m.translation / 3),
                        fmt::format("the others of its kind have {:.6g} N/m, {:.3g} times {}", usual / 3, factor,
-                           ratio < 1 ? "more" : "less"),
+                                   ratio < 1 ? "more" : "less"),
                        thousand ? fmt::format("it would be {:.6g} N/m if N/m and N/mm were confused",
-                           m.translation / 3 * (ratio < 1 ? 1e3 : 1e-3)) : "check its digits and its unit"});
+                                              m.translation / 3 * (ratio < 1 ? 1e3 : 1e-3))
+                                : "check its digits and its unit"});
       blamed.push_back(m.element);
       continue;
     }
@@ -135,9 +138,9 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     const double turn = usual_rotation / m.rotation / std::max(1e-300, usual / m.translation);
     if (turn > degree / near_degree && turn < degree * near_degree)
       found.push_back({"stiffness per degree", "elements." + element.name + key(element.type, true),
-          fmt::format("{:.6g} N m/rad in the mean of three directions", m.rotation / 3),
+                       fmt::format("{:.6g} N m/rad in the mean of three directions", m.rotation / 3),
                        fmt::format("the others of its kind have {:.6g} N m/rad", usual_rotation / 3),
-                           fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * m.rotation / 3)});
+                       fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * m.rotation / 3)});
   }
 }
 
@@ -149,34 +152,38 @@ void find_scales(const model::System& system, Suspicions& found, std::vector<std
     if (is_scale_in_percent(system.elements()[e].law.scale)) blamed.push_back(e);
   if (blamed.empty()) return;
   const model::Element& first = system.elements()[blamed.front()];
-  found.push_back({"scale", "elements." + first.name + ".scale", fmt::format("{:.6g}{}", first.law.scale, and_more(blamed.size())),
-      "a factor on stiffness and damping is mostly between 0.1 and 10",
-      fmt::format("write \"{:.6g} %\" if percent are meant", first.law.scale)});
+  found.push_back({"scale", "elements." + first.name + ".scale",
+                   fmt::format("{:.6g}{}", first.law.scale, and_more(blamed.size())),
+                   "a factor on stiffness and damping is mostly between 0.1 and 10",
+                   fmt::format("write \"{:.6g} %\" if percent are meant", first.law.scale)});
 }
 
 /// Mounts on the ground whose `from_at` was typed in the frame of the body: read so, they would be short.
-void find_ends_in_another_frame(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+void find_ends_in_another_frame(const model::System& system, const std::vector<BodyPicture>& pictures,
+                                Suspicions& found) {
   constexpr double much_shorter = 1.0 / 3;
   for (const BodyPicture& picture : pictures) {
     std::vector<const model::Element*> mounts;
     for (const Attachment& a : picture.attachments) {
       const model::Element& element = system.elements()[a.element];
       if (!is_compact(element.type) || element.k.body != picture.body || element.n.body) continue;
-      const double length = model::span(system.bodies(), element.n, element.k).arm.norm(), meant = (element.k.at - element.n.at).norm();
+      const double length = model::span(system.bodies(), element.n, element.k).arm.norm(),
+                   meant = (element.k.at - element.n.at).norm();
       if (length > mass_radius(picture.mass) && meant < much_shorter * length) mounts.push_back(&element);
     }
     if (mounts.empty()) continue;
     const model::Element& first = *mounts.front();
     found.push_back({"places", "elements." + first.name + ".from_at",
-        fmt::format("its ends are {:.4g} m apart{}", model::span(system.bodies(), first.n, first.k).arm.norm(), and_more(mounts.size())),
-        "from_at is in the frame of the ground, and the body has a position",
-        fmt::format("they would be {:.4g} m apart if typed in the frame of \"{}\"", (first.k.at - first.n.at).norm(),
-            system.bodies()[picture.body].name)});
+                     fmt::format("its ends are {:.4g} m apart{}",
+                                 model::span(system.bodies(), first.n, first.k).arm.norm(), and_more(mounts.size())),
+                     "from_at is in the frame of the ground, and the body has a position",
+                     fmt::format("they would be {:.4g} m apart if typed in the frame of \"{}\"",
+                                 (first.k.at - first.n.at).norm(), system.bodies()[picture.body].name)});
   }
 }
 
-/// Stiffnesses of one direction in another unit than those of both others; under gravity that of the weight, since guides and
-/// bearings are soft in another one.
+/// Stiffnesses of one direction in another unit than those of both others; under gravity that of the weight, since
+/// guides and bearings are soft in another one.
 void find_mixed_directions(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   constexpr double soft = 0.5;  // natural frequency of translation that machines on mounts hardly have [Hz]
   const auto& gravity = system.description().gravity;
@@ -203,10 +210,12 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
     if (frequency >= soft) continue;
     const model::Element& element = system.elements()[first->element];
     const double least = first->translation.diagonal().minCoeff();
-    found.push_back({"stiffness", "elements." + element.name + key(element.type, false),
-        fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", least, first->translation.diagonal().maxCoeff()),
-        fmt::format("translations of \"{}\" begin at {:.3g} Hz", system.bodies()[picture.body].name, frequency),
-        fmt::format("the softest would be {:.6g} N/m if typed in N/mm; look at the other elements too", 1e3 * least)});
+    found.push_back(
+        {"stiffness", "elements." + element.name + key(element.type, false),
+         fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", least,
+                     first->translation.diagonal().maxCoeff()),
+         fmt::format("translations of \"{}\" begin at {:.3g} Hz", system.bodies()[picture.body].name, frequency),
+         fmt::format("the softest would be {:.6g} N/m if typed in N/mm; look at the other elements too", 1e3 * least)});
   }
 }
 
@@ -215,7 +224,7 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
 bool is_scale_in_percent(double scale) { return scale >= 30 && scale <= 300; }
 
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
-    Suspicions& found) {
+                                      Suspicions& found) {
   std::vector<std::size_t> blamed;
   find_scales(system, found, blamed);
   for (const auto& [group, members] : groups(system, pictures)) {
@@ -229,19 +238,25 @@ std::vector<std::size_t> judge_mounts(const model::System& system, const std::ve
 
 void judge_undamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   constexpr double equal = 1e-6;
-  const auto is_damped = [&](std::size_t e) { return !std::holds_alternative<std::monostate>(system.elements()[e].law.damping); };
+  const auto is_damped = [&](std::size_t e) {
+    return !std::holds_alternative<std::monostate>(system.elements()[e].law.damping);
+  };
   for (const auto& [group, members] : groups(system, pictures)) {
-    const bool with_dampers = std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& e) {
-      return e.type == "damper" && (e.k.body == std::get<0>(group) || e.n.body == std::get<0>(group));
-    });
+    const bool with_dampers =
+        std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& e) {
+          return e.type == "damper" && (e.k.body == std::get<0>(group) || e.n.body == std::get<0>(group));
+        });
     const bool are_equal = std::all_of(members.begin(), members.end(), [&](const Member& m) {
       return std::abs(m.translation - members.front().translation) <= equal * members.front().translation;
     });
-    const auto undamped = std::count_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
+    const auto undamped =
+        std::count_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
     if (members.size() < 3 || with_dampers || !are_equal || undamped != 1) continue;
-    const auto one = std::find_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
+    const auto one =
+        std::find_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
     found.push_back({"unequal mounts", "elements." + system.elements()[one->element].name, "it has no damping",
-        fmt::format("the {} others of its kind and stiffness have", members.size() - 1), "probably a line is missing"});
+                     fmt::format("the {} others of its kind and stiffness have", members.size() - 1),
+                     "probably a line is missing"});
   }
 }
 
@@ -262,24 +277,25 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
   if (element.type != "bushing") return;  // of a matrix, what is left about the elastic centre may be rounding
   const double radius = std::sqrt(rotation / translation), spread = std::sqrt(squares / mounts);
   const double load_radius = std::sqrt(picture.mass.mass * standard_gravity / (mounts * std::numbers::pi * pressure));
-  if (radius >= least_radius || radius >= least_share_of_spread * spread
-      || radius >= least_share_of_load_radius * load_radius) return;
-  const std::string small = fmt::format("√(rotational over translational stiffness) is {:.2g} mm, and some part of the "
-                                        "radius of a mount, {:.2g} mm for this load", 1e3 * radius, 1e3 * load_radius);
+  if (radius >= least_radius || radius >= least_share_of_spread * spread ||
+      radius >= least_share_of_load_radius * load_radius)
+    return;
+  const std::string small = fmt::format(
+      "√(rotational over translational stiffness) is {:.2g} mm, and some part of the "
+      "radius of a mount, {:.2g} mm for this load",
+      1e3 * radius, 1e3 * load_radius);
   // Too much translational stiffness shows the same.
   if (oddness(features(picture, {.stiffness = 1e-3})) < oddness(features(picture, {}))) {
     const double mean = first->translation.trace() / 3;
     found.push_back({"stiffness", "elements." + element.name + ".translation",
-        fmt::format("{:.6g} N/m in the mean of three directions", mean),
-                     small,
+                     fmt::format("{:.6g} N/m in the mean of three directions", mean), small,
                      fmt::format("it would be {:.6g} N/m if given in N/m and typed as N/mm", 1e-3 * mean)});
     return;
   }
-  found.push_back({"stiffness per degree", "elements." + element.name + ".rotation",
-      fmt::format("{:.6g} N m/rad in the mean of three directions", first->own_rotation.trace() / 3),
-                   small,
-                   fmt::format("it would be {:.6g} N m/rad if given in N m/deg",
-                       degree * first->own_rotation.trace() / 3)});
+  found.push_back(
+      {"stiffness per degree", "elements." + element.name + ".rotation",
+       fmt::format("{:.6g} N m/rad in the mean of three directions", first->own_rotation.trace() / 3), small,
+       fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * first->own_rotation.trace() / 3)});
 }
 
 }  // namespace trivet::plausibility

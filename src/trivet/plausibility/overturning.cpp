@@ -14,15 +14,17 @@
 namespace trivet::plausibility {
 namespace {
 
-/// Share of the stiffness against tilting that gravity may take before it is named: the frequency of tilting is 13 % lower then.
+/// Share of the stiffness against tilting that gravity may take before it is named: the frequency of tilting is 13 %
+/// lower then.
 constexpr double worth_a_word = 0.25;
 /// Share of the stiffest direction below which one is not held.
 constexpr double unheld = 1e-9;
 
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-/// What the weight adds to the stiffness against rotations: mounts at r_i from the centre of mass bear it by forces F_i, and a rotation θ moves
-/// their ends by ½ θ × (θ × r_i) in addition, so that Σ [(F_i·r_i) I − sym(F_i r_iᵀ)] is added. Body frame.
+/// What the weight adds to the stiffness against rotations: mounts at r_i from the centre of mass bear it by forces
+/// F_i, and a rotation θ moves their ends by ½ θ × (θ × r_i) in addition, so that Σ [(F_i·r_i) I − sym(F_i r_iᵀ)] is
+/// added. Body frame.
 Eigen::Matrix3d geometric_stiffness(const BodyPicture& picture, const spatial::Vector6& sag) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   const Eigen::Vector3d shift = sag.head<3>(), turn = sag.tail<3>();
@@ -40,7 +42,8 @@ Eigen::Matrix3d geometric_stiffness(const BodyPicture& picture, const spatial::V
 bool is_alone(const model::System& system, const BodyPicture& picture) {
   return std::all_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
     const model::Element& element = system.elements()[a.element];
-    return !element.law.preload && !(element.n.body && element.k.body) && !element.n.foundation && !element.k.foundation;
+    return !element.law.preload && !(element.n.body && element.k.body) && !element.n.foundation &&
+        !element.k.foundation;
   });
 }
 
@@ -60,21 +63,26 @@ std::vector<std::string> overturning_notes(const model::System& system) {
     Matrix32 horizontal;  // axes of tilting
     horizontal.col(0) = down.unitOrthogonal();
     horizontal.col(1) = down.normalized().cross(horizontal.col(0));
-    const Eigen::Matrix3d condensed = k.bottomRightCorner<3, 3>() - k.bottomLeftCorner<3, 3>() * numerics::inverse(Eigen::Matrix3d(k.topLeftCorner<3, 3>())) * k.topRightCorner<3, 3>();
+    const Eigen::Matrix3d condensed = k.bottomRightCorner<3, 3>() -
+        k.bottomLeftCorner<3, 3>() * numerics::inverse(Eigen::Matrix3d(k.topLeftCorner<3, 3>())) *
+            k.topRightCorner<3, 3>();
     const Eigen::Matrix2d held = horizontal.transpose() * condensed * horizontal,
-                          taken = -(horizontal.transpose() * geometric_stiffness(picture, numerics::completely_pivoted_solution(k, weight)) * horizontal);
+                          taken = -(horizontal.transpose() *
+                                    geometric_stiffness(picture, numerics::completely_pivoted_solution(k, weight)) *
+                                    horizontal);
     const Eigen::Vector2d alone = numerics::symmetric_eigen(held).values;
     if (!(alone(0) > unheld * alone(1))) continue;
     const numerics::SymmetricEigen<Eigen::Matrix2d> both = numerics::symmetric_eigen(taken, held);
     const double share = both.values(1);
     if (!(share > worth_a_word)) continue;
     const Eigen::Vector2d axis = both.vectors.col(1).normalized();
-    notes.push_back(fmt::format(
-        "body {}: tilted by an angle, its weight turns it on by {:.4g} N m/rad, its mounts hold it by {:.4g} N m/rad: {}. Elements without preload have no "
-        "geometric stiffness, so natural frequencies of tilting {}",
-        system.bodies()[picture.body].name, axis.dot(taken * axis), axis.dot(held * axis),
-        share >= 1 ? "it falls over" : fmt::format("{:.0f} % of the stiffness are lost", 100 * share),
-        share >= 1 ? "are computed that it does not have" : "are computed too high"));
+    notes.push_back(
+        fmt::format("body {}: tilted by an angle, its weight turns it on by {:.4g} N m/rad, its mounts hold it by "
+                    "{:.4g} N m/rad: {}. Elements without preload have no "
+                    "geometric stiffness, so natural frequencies of tilting {}",
+                    system.bodies()[picture.body].name, axis.dot(taken * axis), axis.dot(held * axis),
+                    share >= 1 ? "it falls over" : fmt::format("{:.0f} % of the stiffness are lost", 100 * share),
+                    share >= 1 ? "are computed that it does not have" : "are computed too high"));
   }
   return notes;
 }

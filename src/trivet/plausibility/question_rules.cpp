@@ -39,7 +39,8 @@ std::vector<double> natural_frequencies(const model::System& system) {
     const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
     for (const double lambda : numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric).lambda)
       if (lambda > 0) result.push_back(std::sqrt(lambda));
-  } catch (const foundation::NotComputable&) {  // a coordinate without mass and stiffness: the answers say so themselves
+  } catch (
+      const foundation::NotComputable&) {  // a coordinate without mass and stiffness: the answers say so themselves
     result.clear();
   }
   std::sort(result.begin(), result.end());
@@ -49,30 +50,35 @@ std::vector<double> natural_frequencies(const model::System& system) {
 double hertz(double omega) { return omega / (2 * std::numbers::pi); }
 
 bool holds_any(const Window& window, const std::vector<double>& natural, double factor) {
-  return std::any_of(natural.begin(), natural.end(), [&](double w) { return factor * w * margin >= window.from
-      && factor * w <= window.to * margin; });
+  return std::any_of(natural.begin(), natural.end(),
+                     [&](double w) { return factor * w * margin >= window.from && factor * w <= window.to * margin; });
 }
 
 void judge_window(const Window& window, const std::vector<double>& natural, Suspicions& found) {
   if (holds_any(window, natural, 1)) return;
   const double thousand = std::sqrt(1000.0);
   const auto explains = [&](double factor) {
-    return holds_any(window, natural, factor) && hertz(factor * natural.front()) > usual_from && hertz(factor * natural.back()) < usual_to;
+    return holds_any(window, natural, factor) && hertz(factor * natural.front()) > usual_from &&
+        hertz(factor * natural.back()) < usual_to;
   };
   const char* typed = explains(thousand) ? "N/mm typed as N/m" : explains(1 / thousand) ? "N/m typed as N/mm" : nullptr;
-  const std::string stiffness = typed ? fmt::format("; or suspicion \"stiffness\": with stiffnesses in {} some would lie in it", typed) : "";
-  found.push_back({window.spectrum ? "spectrum" : "band", window.subject, fmt::format("{:.4g} … {:.4g} Hz",
-      hertz(window.from), hertz(window.to)),
+  const std::string stiffness =
+      typed ? fmt::format("; or suspicion \"stiffness\": with stiffnesses in {} some would lie in it", typed) : "";
+  found.push_back({window.spectrum ? "spectrum" : "band", window.subject,
+                   fmt::format("{:.4g} … {:.4g} Hz", hertz(window.from), hertz(window.to)),
                    fmt::format("no natural frequency lies in it: the machine has {:.4g} … {:.4g} Hz",
-                       hertz(natural.front()), hertz(natural.back())),
-                   std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s" : "a number without a unit is in rad/s") + "; change the band, "
-                   "or look at masses and stiffnesses if you know where the resonances are" + stiffness});
+                               hertz(natural.front()), hertz(natural.back())),
+                   std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s"
+                                               : "a number without a unit is in rad/s") +
+                       "; change the band, "
+                       "or look at masses and stiffnesses if you know where the resonances are" +
+                       stiffness});
 }
 
 /// When a history has done its work: the end of a pulse, the largest value of a record. [s]
 double end_of(const excitation::Signal& signal) {
   if (signal.pieces.size() <= most_pieces_of_pulse) return signal.pieces.back().start;
-       // the last piece is its rest, 0 or held
+  // the last piece is its rest, 0 or held
   double largest = 0, at = signal.pieces.front().start;
   for (const excitation::Piece& piece : signal.pieces)
     if (std::abs(piece.value) > largest) largest = std::abs(piece.value), at = piece.start;
@@ -104,15 +110,17 @@ void judge_pulses(const model::System& system, const TimeQuestion& question, dou
     const double duration = history->signal.pieces.back().start - history->signal.pieces.front().start;
     const double periods = duration * hertz(lowest), meant = periods / 1000;
     if (periods > most_periods_of_pulse && meant > shock_from && meant < shock_to)
-      found.push_back({"pulse", "excitations." + excitation.name + ".history", fmt::format("it lasts {:.6g} s", duration),
-          fmt::format("over more than {:.0f} periods of the lowest mode ({:.4g} Hz) a pulse acts like a constant force",
-              most_periods_of_pulse, hertz(lowest)),
-          fmt::format("it would last {:.6g} s if typed in milliseconds", duration / 1000)});
+      found.push_back(
+          {"pulse", "excitations." + excitation.name + ".history", fmt::format("it lasts {:.6g} s", duration),
+           fmt::format(
+               "over more than {:.0f} periods of the lowest mode ({:.4g} Hz) a pulse acts like a constant force",
+               most_periods_of_pulse, hertz(lowest)),
+           fmt::format("it would last {:.6g} s if typed in milliseconds", duration / 1000)});
   }
 }
 
 void judge_transient(const model::System& system, const TimeQuestion& question, const std::vector<double>& natural,
-    Suspicions& found) {
+                     Suspicions& found) {
   double latest = 0;
   std::string name;
   for (const model::Excitation& excitation : system.description().excitations) {
@@ -123,46 +131,48 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
   }
   const std::string finding = fmt::format("it ends at {:.6g} s", question.to.value_or(0));
   if (question.to && *question.to < latest) {
-    found.push_back({"transient", "analyses.transient.to", finding, fmt::format("\"{}\" lasts to {:.6g} s", name,
-        latest), "let it end some periods later"});
+    found.push_back({"transient", "analyses.transient.to", finding,
+                     fmt::format("\"{}\" lasts to {:.6g} s", name, latest), "let it end some periods later"});
     return;
   }
   if (natural.empty()) return;
   judge_pulses(system, question, natural.front(), found);
   const double half_period = std::numbers::pi / natural.front();
   if (question.to && *question.to - latest < half_period)
-    found.push_back({"transient", "analyses.transient.to", finding,
-                     fmt::format("half a period of the lowest mode ({:.4g} Hz) is {:.4g} s{}", hertz(natural.front()),
-                         half_period, name.empty() ? "" : fmt::format(", after \"{}\" at {:.4g} s", name, latest)),
-                     "let it end some periods later: the largest answer comes in this time"});
+    found.push_back(
+        {"transient", "analyses.transient.to", finding,
+         fmt::format("half a period of the lowest mode ({:.4g} Hz) is {:.4g} s{}", hertz(natural.front()), half_period,
+                     name.empty() ? "" : fmt::format(", after \"{}\" at {:.4g} s", name, latest)),
+         "let it end some periods later: the largest answer comes in this time"});
 }
 
 }  // namespace
 
-void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits, const std::vector<BodyPicture>& pictures,
-    Suspicions& found) {
+void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits,
+                  const std::vector<BodyPicture>& pictures, Suspicions& found) {
   for (const AllowedMotion& limit : limits) {
-    const auto picture = std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) {
-      return system.bodies()[p.body].name == limit.body;
-    });
+    const auto picture = std::find_if(pictures.begin(), pictures.end(),
+                                      [&](const BodyPicture& p) { return system.bodies()[p.body].name == limit.body; });
     if (picture == pictures.end()) continue;
     const auto remedy = [&](const char* unit) {
-      return limit.is_line ? fmt::format("divide its limits by 1000 if they are in {}: rows are in SI", unit) : fmt::format("write \"{:.6g} {}\" if millimetres are meant", limit.amplitude, unit);
+      return limit.is_line ? fmt::format("divide its limits by 1000 if they are in {}: rows are in SI", unit)
+                           : fmt::format("write \"{:.6g} {}\" if millimetres are meant", limit.amplitude, unit);
     };
     if (limit.is_velocity && limit.amplitude > fastest_allowed)
       found.push_back({"limit", limit.subject, fmt::format("{:.6g} m/s allowed for {}", limit.amplitude, limit.answer),
-          fmt::format("limits of vibration are below {:.1g} m/s", fastest_allowed),
-          remedy("mm/s")});
+                       fmt::format("limits of vibration are below {:.1g} m/s", fastest_allowed), remedy("mm/s")});
     const double size = 2 * mass_radius(picture->mass);
     if (limit.is_velocity || !(size > 0) || limit.amplitude <= size) continue;
-    found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
-        fmt::format("it is more than the size of \"{}\", {:.3g} m, so that it limits nothing", limit.body, size),
-        remedy("mm")});
+    found.push_back(
+        {"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
+         fmt::format("it is more than the size of \"{}\", {:.3g} m, so that it limits nothing", limit.body, size),
+         remedy("mm")});
   }
 }
 
 void judge_ground_motion(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
-  constexpr double farthest = 10, sizes = 10;  // [m], and sizes of the largest body: an earthquake moves the ground by 1 m
+  constexpr double farthest = 10,
+                   sizes = 10;  // [m], and sizes of the largest body: an earthquake moves the ground by 1 m
   double size = 0;
   for (const BodyPicture& picture : pictures) size = std::max(size, 2 * mass_radius(picture.mass));
   for (const model::Excitation& excitation : system.description().excitations) {
@@ -178,8 +188,9 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
       continue;
     }
     if (amplitude > farthest && amplitude > sizes * size)
-      found.push_back({"ground motion", "excitations." + excitation.name, fmt::format("the ground moves by {:.4g} m", amplitude),
-          fmt::format("the machine is {:.2g} m large", size), "add quantity = \"acceleration\" if that is meant"});
+      found.push_back(
+          {"ground motion", "excitations." + excitation.name, fmt::format("the ground moves by {:.4g} m", amplitude),
+           fmt::format("the machine is {:.2g} m large", size), "add quantity = \"acceleration\" if that is meant"});
   }
 }
 

@@ -15,7 +15,7 @@ using Suspicions = std::vector<Suspicion>;
 /// Two mounts at one place; one mount of a group far stiffer or softer than the others. Returns the elements blamed
 /// for that.
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
-    Suspicions& found);
+                                      Suspicions& found);
 
 /// One of several equal mounts without damping, the others with it.
 void judge_undamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
@@ -33,7 +33,7 @@ void judge_balance(const model::System& system, Suspicions& found);
 
 /// Mounts above their rated load. Call it where masses and gravity are beyond suspicion.
 void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
-    const std::vector<Rating>& ratings, Suspicions& found);
+                   const std::vector<Rating>& ratings, Suspicions& found);
 
 /// Modal ratios and loss factors in percent, Rayleigh's numbers exchanged, factors of proportional damping.
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
@@ -46,7 +46,7 @@ void judge_foundations(const model::System& system, const std::vector<BodyPictur
 
 /// Allowed motions larger than the body that moves.
 void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits,
-    const std::vector<BodyPicture>& pictures, Suspicions& found);
+                  const std::vector<BodyPicture>& pictures, Suspicions& found);
 
 /// Pistons heavier than their machine.
 void judge_engines(const model::System& system, const std::vector<Engine>& engines, Suspicions& found);

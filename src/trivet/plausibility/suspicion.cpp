@@ -11,19 +11,19 @@ namespace trivet::plausibility {
 namespace {
 
 bool touches(const BodyPicture& picture, const std::vector<std::size_t>& elements) {
-  return std::any_of(picture.attachments.begin(), picture.attachments.end(),
-                     [&](const Attachment& a) { return std::find(elements.begin(), elements.end(),
-                         a.element) != elements.end(); });
+  return std::any_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
+    return std::find(elements.begin(), elements.end(), a.element) != elements.end();
+  });
 }
 
 /// Slips of elements are made once for the whole file: one entry for all bodies that show the same.
 bool is_repeated(const BodyVerdict& verdict, const std::vector<BodyVerdict>& before) {
-  if (!verdict.slip || (verdict.slip->stiffness == 1 && verdict.slip->places == 1
-      && verdict.slip->rotation == 1)) return false;
+  if (!verdict.slip || (verdict.slip->stiffness == 1 && verdict.slip->places == 1 && verdict.slip->rotation == 1))
+    return false;
   return std::any_of(before.begin(), before.end(), [&](const BodyVerdict& other) {
-    return other.slip && other.suspicion.kind == verdict.suspicion.kind
-        && other.slip->stiffness == verdict.slip->stiffness && other.slip->places == verdict.slip->places
-        && other.slip->rotation == verdict.slip->rotation;
+    return other.slip && other.suspicion.kind == verdict.suspicion.kind &&
+        other.slip->stiffness == verdict.slip->stiffness && other.slip->places == verdict.slip->places &&
+        other.slip->rotation == verdict.slip->rotation;
   });
 }
 
@@ -47,11 +47,14 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   };
   const std::vector<BodyPicture> all = pictures(system, stated.inertia_about_pole, stated.from_solids);
   std::vector<std::size_t> blamed = judge_mounts(system, all, found);
-  const bool scales_accepted = std::any_of(found.begin(), found.end(), [&](const Suspicion& s) { return s.kind == std::string("scale") && !casts_doubt(s); });
+  const bool scales_accepted = std::any_of(found.begin(), found.end(), [&](const Suspicion& s) {
+    return s.kind == std::string("scale") && !casts_doubt(s);
+  });
   std::erase_if(blamed, [&](std::size_t e) {
     if (is_scale_in_percent(system.elements()[e].law.scale)) return scales_accepted;  // one entry for all of them
     const std::string table = "elements." + system.elements()[e].name;
-    return std::any_of(found.begin(), found.end(), [&](const Suspicion& s) { return table_of(s.subject) == table && !casts_doubt(s); });
+    return std::any_of(found.begin(), found.end(),
+                       [&](const Suspicion& s) { return table_of(s.subject) == table && !casts_doubt(s); });
   });
 
   std::vector<BodyVerdict> verdicts;
@@ -64,7 +67,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   const bool bodies_doubtful = std::any_of(verdicts.begin(), verdicts.end(), doubted);
   for (const BodyPicture& picture : all) {
     const bool own = std::any_of(verdicts.begin(), verdicts.end(),
-        [&](const BodyVerdict& v) { return v.body == picture.body && doubted(v); });
+                                 [&](const BodyVerdict& v) { return v.body == picture.body && doubted(v); });
     auto products = doubtful_products(system.bodies()[picture.body].name, picture);
     if (products && !own) found.push_back(std::move(*products));
     if (!bodies_doubtful && blamed.empty()) judge_rotation(system, picture, found);
@@ -74,8 +77,9 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   judge_gravity(system, all, found);
   const bool gravity_doubtful = doubt_since(before_gravity);
   // What follows from a wrong mass, place, stiffness or gravity is not a suspicion of its own.
-  const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(),
-      [&](const BodyVerdict& v) { return v.slip && v.slip->mass != 1 && doubted(v); });
+  const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(), [&](const BodyVerdict& v) {
+    return v.slip && v.slip->mass != 1 && doubted(v);
+  });
   if (!machine_doubtful && !gravity_doubtful) judge_balance(system, found);
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();

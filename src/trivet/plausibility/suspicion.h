@@ -14,24 +14,47 @@ namespace trivet::plausibility {
 
 /// One number that looks like a slip. Everything in words, SI.
 struct Suspicion {
-  std::string kind;     ///< one of `kinds`
+  std::string kind;  ///< one of `kinds`
   /// "bodies.machine.mass"; its first two parts are the table in which the suspicion can be accepted
   std::string subject;
-  std::string finding;  ///< the number found
-  std::string rule;     ///< what is usual
-  std::string probable; ///< the probable slip, and what the number would be without it
+  std::string finding;   ///< the number found
+  std::string rule;      ///< what is usual
+  std::string probable;  ///< the probable slip, and what the number would be without it
 };
 
 /// All kinds, as `accept` names them.
 inline constexpr const char* kinds[] = {
-    "mass",          "inertia",     "products of inertia", "center of mass", "density",      "spread of mounts",
-        "places",
-    "stiffness",     "stiffness per degree", "unequal mounts", "same place", "sag",          "natural frequency",
-        "rated load",
-    "tipping",       "lift-off",    "gravity",             "modal damping",  "loss factor",  "proportional damping",
-        "rayleigh",
-    "rotor",         "transient",   "band",                "spectrum",       "points",       "viscous damping",
-    "pulse",         "speed",       "scale",               "limit",
+    "mass",
+    "inertia",
+    "products of inertia",
+    "center of mass",
+    "density",
+    "spread of mounts",
+    "places",
+    "stiffness",
+    "stiffness per degree",
+    "unequal mounts",
+    "same place",
+    "sag",
+    "natural frequency",
+    "rated load",
+    "tipping",
+    "lift-off",
+    "gravity",
+    "modal damping",
+    "loss factor",
+    "proportional damping",
+    "rayleigh",
+    "rotor",
+    "transient",
+    "band",
+    "spectrum",
+    "points",
+    "viscous damping",
+    "pulse",
+    "speed",
+    "scale",
+    "limit",
     "ground motion",
 };
 
@@ -67,17 +90,17 @@ struct Speed {
 
 /// Largest amplitude of a translation that is allowed.
 struct AllowedMotion {
-  std::string body;         ///< "frame"
-  std::string subject;      ///< "limits.frame.z"
-  std::string answer;       ///< "frame.z"
-  double amplitude = 0;     ///< [m], [m/s]
+  std::string body;      ///< "frame"
+  std::string subject;   ///< "limits.frame.z"
+  std::string answer;    ///< "frame.z"
+  double amplitude = 0;  ///< [m], [m/s]
   bool is_velocity = false;
-  bool is_line = false;     ///< of a limit line, whose rows are in SI
+  bool is_line = false;  ///< of a limit line, whose rows are in SI
 };
 
 /// Pistons, with the oscillating part of their rods.
 struct Engine {
-  std::string subject;      ///< "excitations.crank.engine.oscillating_mass"
+  std::string subject;  ///< "excitations.crank.engine.oscillating_mass"
   std::size_t body = 0;
   double oscillating_mass = 0, cylinders = 0;  ///< [kg] of one
 };
@@ -103,10 +126,12 @@ struct Stated {
   std::vector<std::pair<std::string, std::string>> accepted;
 };
 
-/// The table in which a suspicion of this subject is accepted: "bodies.machine", "damping", "limits", "" for the top of the file.
+/// The table in which a suspicion of this subject is accepted: "bodies.machine", "damping", "limits", "" for the top of
+/// the file.
 [[nodiscard]] std::string table_of(const std::string& subject);
 
-/// Bodies so high above their mounts that gravity takes much of the stiffness against tilting, or all of it: one sentence for each.
+/// Bodies so high above their mounts that gravity takes much of the stiffness against tilting, or all of it: one
+/// sentence for each.
 [[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system);
 
 /// Everything suspicious, one entry per cause, in the order body, layout, damping, loads, questions.

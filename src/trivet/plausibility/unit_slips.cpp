@@ -24,16 +24,23 @@ struct Range {
   static constexpr double open = 1e9;
 };
 constexpr Range density_range{"mass over the cube of its size", "kg/m³", 3, 15000, 0.8, "density", "density"};
-constexpr Range spread_range{"distance of the mounts over that of the mass from the centre", "", 0.15, 8, 0.6,
-    "spread of mounts", "spread of mounts"};
-constexpr Range lever_range{"lever of the stiffness over that of the mass", "", 0.1, 8, 0.6, "spread of mounts",
-    "spread of mounts"};
-constexpr Range reach_range{"distance of points and forces over that of the mass from the centre", "", 0, 10, 0.6,
-    "points", "points"};
-constexpr Range frequency_range{"natural frequency of translation", "Hz", 0.8, 120, 0.45, "natural frequency",
-    "natural frequency"};
-constexpr Range lowest_range{"lowest natural frequency", "Hz", 0.2, Range::open, 0.45, "natural frequency", "natural frequency"};
-constexpr Range highest_range{"highest natural frequency", "Hz", 0, 2000, 0.45, "natural frequency", "natural frequency"};
+constexpr Range spread_range{"distance of the mounts over that of the mass from the centre",
+                             "",
+                             0.15,
+                             8,
+                             0.6,
+                             "spread of mounts",
+                             "spread of mounts"};
+constexpr Range lever_range{
+    "lever of the stiffness over that of the mass", "", 0.1, 8, 0.6, "spread of mounts", "spread of mounts"};
+constexpr Range reach_range{
+    "distance of points and forces over that of the mass from the centre", "", 0, 10, 0.6, "points", "points"};
+constexpr Range frequency_range{
+    "natural frequency of translation", "Hz", 0.8, 120, 0.45, "natural frequency", "natural frequency"};
+constexpr Range lowest_range{"lowest natural frequency", "Hz", 0.2, Range::open, 0.45, "natural frequency",
+                             "natural frequency"};
+constexpr Range highest_range{"highest natural frequency", "Hz", 0, 2000, 0.45, "natural frequency",
+                              "natural frequency"};
 constexpr Range sag_range{"sag under its weight over its size", "", 1e-4, 0.3, 1.1, "natural frequency", "sag"};
 constexpr Range damping_range{"damping ratio", "", 5e-4, 1.5, 0.9, "", ""};
 
@@ -81,24 +88,28 @@ double oddness_of(const std::optional<double>& value, const Range& range) {
 }
 
 struct Judged {
-  const std::optional<double> Features::*value;
+  const std::optional<double> Features::* value;
   const Range* range;
 };
 constexpr Judged judged[] = {
-    {&Features::density, &density_range}, {&Features::spread, &spread_range},       {&Features::lever, &lever_range},
-        {&Features::reach, &reach_range},
-    {&Features::sag, &sag_range},         {&Features::frequency, &frequency_range}, {&Features::damping_ratio,
-        &damping_range},
+    {&Features::density, &density_range},
+    {&Features::spread, &spread_range},
+    {&Features::lever, &lever_range},
+    {&Features::reach, &reach_range},
+    {&Features::sag, &sag_range},
+    {&Features::frequency, &frequency_range},
+    {&Features::damping_ratio, &damping_range},
 };
 
-/// Of the whole body on its elements. One odd mount moves them by much: they count only if no slip explains what is odd.
+/// Of the whole body on its elements. One odd mount moves them by much: they count only if no slip explains what is
+/// odd.
 constexpr Judged extremes[] = {{&Features::lowest, &lowest_range}, {&Features::highest, &highest_range}};
 
 double missed_windows(const Features& found, const std::vector<Window>& windows) {
   if (windows.empty() || !found.lowest || !found.highest) return 0;
   const auto missed = std::count_if(windows.begin(), windows.end(), [&](const Window& w) {
-    const double from = w.from / (2 * std::numbers::pi) / window_margin, to =
-        w.to / (2 * std::numbers::pi) * window_margin;
+    const double from = w.from / (2 * std::numbers::pi) / window_margin,
+                 to = w.to / (2 * std::numbers::pi) * window_margin;
     return *found.highest < from || *found.lowest > to;
   });
   return price_of_missed_window * static_cast<double>(missed) / static_cast<double>(windows.size());
@@ -119,7 +130,7 @@ double tilted(const Features& found) {
 /// The element with the most viscous damping.
 const Attachment* most_damped(const BodyPicture& picture) {
   const auto most = std::max_element(picture.attachments.begin(), picture.attachments.end(),
-      [](const Attachment& a, const Attachment& b) { return a.viscous < b.viscous; });
+                                     [](const Attachment& a, const Attachment& b) { return a.viscous < b.viscous; });
   return most != picture.attachments.end() && most->viscous > 0 ? &*most : nullptr;
 }
 
@@ -132,9 +143,9 @@ Eigen::Vector3d farthest_point(const BodyPicture& picture) {
 
 bool applies(const Slip& slip, const BodyPicture& picture) {
   const bool any_typed = std::any_of(picture.attachments.begin(), picture.attachments.end(),
-      [](const Attachment& a) { return a.typed && a.elastic(); });
+                                     [](const Attachment& a) { return a.typed && a.elastic(); });
   const bool any_place = std::any_of(picture.attachments.begin(), picture.attachments.end(),
-      [](const Attachment& a) { return !a.at.isZero(0); });
+                                     [](const Attachment& a) { return !a.at.isZero(0); });
   if (slip.mass != 1 || slip.inertia != 1) return !picture.from_solids;
   if (slip.centre != 1) return !picture.from_solids && !picture.mass.centre.isZero(0);
   if (slip.stiffness != 1 || slip.rotation != 1) return any_typed;
@@ -150,8 +161,10 @@ std::string odd_words(const Features& found, const std::vector<Window>& windows)
     const auto& value = found.*(j.value);
     if (outside(value, *j.range) <= 0) return;
     const std::string unit = *j.range->unit ? std::string(" ") + j.range->unit : "";
-    const std::string usual = j.range->has_both_ends() ? fmt::format("usual {:.6g} … {:.6g}", j.range->from, j.range->to)
-                              : j.range->from > 0 ? fmt::format("usual from {:.6g}", j.range->from) : fmt::format("usual up to {:.6g}", j.range->to);
+    const std::string usual = j.range->has_both_ends()
+        ? fmt::format("usual {:.6g} … {:.6g}", j.range->from, j.range->to)
+        : j.range->from > 0 ? fmt::format("usual from {:.6g}", j.range->from)
+                            : fmt::format("usual up to {:.6g}", j.range->to);
     odd.emplace_back(oddness_of(value, *j.range), fmt::format("{} {:.3g}{} ({})", j.range->words, *value, unit, usual));
   };
   for (const Judged& j : judged) add(j);
@@ -161,8 +174,8 @@ std::string odd_words(const Features& found, const std::vector<Window>& windows)
   std::string text;
   for (std::size_t i = 0; i < odd.size() && i < most; ++i) text += (i > 0 ? ", " : "") + odd[i].second;
   if (missed_windows(found, windows) > 0)
-    text += fmt::format("{}natural frequencies {:.3g} … {:.3g} Hz outside of what is asked for", text.empty() ? ""
-        : ", ", *found.lowest, *found.highest);
+    text += fmt::format("{}natural frequencies {:.3g} … {:.3g} Hz outside of what is asked for",
+                        text.empty() ? "" : ", ", *found.lowest, *found.highest);
   return text;
 }
 
@@ -200,7 +213,7 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     s.probable = fmt::format("it would be {:.6g} kg if {}", slip.mass * body.mass.mass, slip.words);
   } else if (slip.inertia != 1) {
     const double xx = picture.inertia_about_pole ? spatial::inertia_about_pole(body.mass)(0, 0)
-        : body.mass.inertia_about_centre(0, 0);
+                                                 : body.mass.inertia_about_centre(0, 0);
     s.subject += ".inertia";
     s.finding = fmt::format("xx = {:.6g} kg m²", xx);
     s.probable = fmt::format("xx would be {:.6g} kg m² if {}", slip.inertia * xx, slip.words);
@@ -221,8 +234,8 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     const Attachment& a = *first_typed(picture);
     const model::Element& element = system.elements()[a.element];
     const double mean = a.own_rotation.trace() / 3;
-    s.subject = "elements." + element.name + (key_of_stiffness(element.type) == std::string(".translation")
-        ? ".rotation" : key_of_stiffness(element.type));
+    s.subject = "elements." + element.name +
+        (key_of_stiffness(element.type) == std::string(".translation") ? ".rotation" : key_of_stiffness(element.type));
     s.finding = fmt::format("{:.6g} N m/rad in the mean of three directions", mean);
     s.probable = fmt::format("it would be {:.6g} N m/rad if {}", slip.rotation * mean, slip.words);
   } else if (slip.stiffness != 1) {
@@ -232,13 +245,13 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     const double mean = a.translation.trace() / 3;
     s.finding = fmt::format("{:.6g} N/m in the mean of three directions", mean);
     s.probable = fmt::format("it would be {:.6g} N/m if {}; look at the other elements of \"{}\" too",
-        slip.stiffness * mean, slip.words, body.name);
+                             slip.stiffness * mean, slip.words, body.name);
   } else {
     const Attachment& a = *farthest(picture);
     s.subject = "elements." + system.elements()[a.element].name + key_of_place(system, a, picture.body);
     s.finding = fmt::format("{:.6g} m from the centre of mass", (a.at - picture.mass.centre).norm());
     s.probable = fmt::format("it would be {:.6g} m if {}; look at the other elements of \"{}\" too",
-        (slip.places * a.at - picture.mass.centre).norm(), slip.words, body.name);
+                             (slip.places * a.at - picture.mass.centre).norm(), slip.words, body.name);
   }
   return s;
 }
@@ -246,15 +259,17 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
 Suspicion of_feature(const model::System& system, const BodyPicture& picture, const Features& found) {
   const Judged* worst = &judged[0];
   for (const Judged& j : judged)
-    if (*j.range->kind_above && oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value), *worst->range)) worst = &j;
+    if (*j.range->kind_above &&
+        oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value), *worst->range))
+      worst = &j;
   for (const Judged& j : extremes)
     if (oddness_of(found.*(j.value), *j.range) > oddness_of(found.*(worst->value), *worst->range)) worst = &j;
   const double value = *(found.*(worst->value));
   Suspicion s;
   s.kind = value < worst->range->from ? worst->range->kind_below : worst->range->kind_above;
   s.subject = "bodies." + system.bodies()[picture.body].name;
-  s.finding = fmt::format("{} {:.3g}{}{}", worst->range->words, value, *worst->range->unit ? " " : "",
-      worst->range->unit);
+  s.finding =
+      fmt::format("{} {:.3g}{}{}", worst->range->words, value, *worst->range->unit ? " " : "", worst->range->unit);
   s.probable = "no single slip of a unit explains it: look at its mass, inertia, places and stiffnesses";
   return s;
 }
@@ -268,7 +283,7 @@ double oddness(const Features& found) {
 }
 
 std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture& picture,
-    const std::vector<Window>& windows) {
+                                 const std::vector<Window>& windows) {
   const Features as_typed = features(picture, {});
   const double now = oddness(as_typed) + missed_windows(as_typed, windows);
   // Damping alone tells little about the machine.
@@ -289,7 +304,7 @@ std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture&
   }
   if (!best && alone <= odd_alone) return std::nullopt;
   BodyVerdict verdict{picture.body, best ? of_slip(system, picture, *best) : of_feature(system, picture, as_typed),
-      std::nullopt};
+                      std::nullopt};
   if (best) verdict.slip = *best;
   verdict.suspicion.rule = odd_words(as_typed, windows);
   return verdict;

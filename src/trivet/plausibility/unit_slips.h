@@ -11,7 +11,7 @@ namespace trivet::plausibility {
 struct BodyVerdict {
   std::size_t body = 0;
   Suspicion suspicion;
-  std::optional<Slip> slip;   ///< none: odd, but no single slip explains it
+  std::optional<Slip> slip;  ///< none: odd, but no single slip explains it
 };
 
 /// How far from experience a body alone is [nats]; 0 if every feature is usual.
@@ -20,6 +20,6 @@ struct BodyVerdict {
 /// Compares the body with experience as it is and after each single slip is undone. None if it is usual enough.
 /// @param windows  where resonances are expected
 [[nodiscard]] std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture& picture,
-    const std::vector<Window>& windows);
+                                               const std::vector<Window>& windows);
 
 }  // namespace trivet::plausibility

@@ -25,9 +25,11 @@ bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
   if (!reader.has("about")) reader.missing("about", "say about = \"pole\" or about = \"center_of_mass\"");
   const auto about = reader.choice("about", {"pole", "center_of_mass"});
   Eigen::Matrix3d j;
-  const double xx = reader.required_number("xx", Quantity::inertia), yy = reader.required_number("yy", Quantity::inertia),
+  const double xx = reader.required_number("xx", Quantity::inertia),
+               yy = reader.required_number("yy", Quantity::inertia),
                zz = reader.required_number("zz", Quantity::inertia);
-  const double xy = reader.number("xy", Quantity::inertia).value_or(0), xz = reader.number("xz", Quantity::inertia).value_or(0),
+  const double xy = reader.number("xy", Quantity::inertia).value_or(0),
+               xz = reader.number("xz", Quantity::inertia).value_or(0),
                yz = reader.number("yz", Quantity::inertia).value_or(0);
   reader.finish();
   j << xx, -xy, -xz, -xy, yy, -yz, -xz, -yz, zz;
@@ -42,10 +44,14 @@ void read_free(TableReader& reader, model::Body& body) {
   body.free.fill(false);
   for (const std::string& name : *names) {
     const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
-    if (found != model::coordinate_names.end() && body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())])
+    if (found != model::coordinate_names.end() &&
+        body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())])
       reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
-    else if (found != model::coordinate_names.end()) body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
-    else reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz", "name the coordinates that move");
+    else if (found != model::coordinate_names.end())
+      body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
+    else
+      reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz",
+                   "name the coordinates that move");
   }
 }
 
@@ -54,7 +60,8 @@ void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
   if (!table) return;
   TableReader points(*table, reader.path() + ".points", reader.problems());
   if (table->keys.size() > most_body_points) {
-    reader.error("points", fmt::format("{} points", table->keys.size()), fmt::format("a body has at most {}", most_body_points), "keep those that are asked for");
+    reader.error("points", fmt::format("{} points", table->keys.size()),
+                 fmt::format("a body has at most {}", most_body_points), "keep those that are asked for");
     return;
   }
   for (const std::string& name : table->keys) {
@@ -76,18 +83,22 @@ void mention_parts(const model::Body& body, Mentioned& mentioned) {
 std::optional<model::Body> known_body(const KnownModel& known, const std::string& name, const Node& now) {
   if (!known.unchanged("bodies", name, now)) return std::nullopt;
   const auto& bodies = known.description.bodies;
-  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const model::Body& body) { return body.name == name; });
+  const auto found =
+      std::find_if(bodies.begin(), bodies.end(), [&](const model::Body& body) { return body.name == name; });
   return found == bodies.end() ? std::nullopt : std::optional(*found);
 }
 
-model::Body read_body(const Node& node, const std::string& name, std::size_t index, Mentioned& mentioned, foundation::Problems& problems) {
+model::Body read_body(const Node& node, const std::string& name, std::size_t index, Mentioned& mentioned,
+                      foundation::Problems& problems) {
   TableReader reader(node, "bodies." + name, problems);
   model::Body body;
   body.name = name;
   body.allow_unphysical = reader.boolean("allow_unphysical").value_or(false);
   if (reader.has("solids")) {
     for (const char* key : {"mass", "center_of_mass", "inertia"}) {
-      if (reader.has(key)) reader.error(key, std::string(key) + " beside solids", "the solids give mass, centre and inertia", "remove it, or remove solids");
+      if (reader.has(key))
+        reader.error(key, std::string(key) + " beside solids", "the solids give mass, centre and inertia",
+                     "remove it, or remove solids");
       static_cast<void>(reader.node(key));
     }
     static_cast<void>(read_solids(reader, body));
@@ -101,7 +112,8 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   read_points(reader, body, mentioned);
   read_free(reader, body);
   if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
-    reader.missing("inertia", "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
+    reader.missing("inertia",
+                   "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
   mention_guided(body, mentioned);
   read_body_adjustments(reader, body, index, mentioned);
   reader.finish();
@@ -118,7 +130,8 @@ void read_bodies(TableReader& root, model::Description& description, Mentioned& 
     return;
   }
   if (table->keys.size() > most_bodies)
-    root.error("bodies", fmt::format("{} bodies", table->keys.size()), fmt::format("this version takes at most {}", most_bodies), "split the model");
+    root.error("bodies", fmt::format("{} bodies", table->keys.size()),
+               fmt::format("this version takes at most {}", most_bodies), "split the model");
   mentioned.bodies = table->keys;
   for (std::size_t i = 0; i < table->keys.size() && i < most_bodies; ++i) {
     const auto earlier = known ? known_body(*known, table->keys[i], table->items[i]) : std::nullopt;
@@ -126,10 +139,13 @@ void read_bodies(TableReader& root, model::Description& description, Mentioned& 
       mention_parts(*earlier, mentioned);
       description.bodies.push_back(*earlier);
     } else if (table->items[i].kind == Node::Kind::table) {
-      description.bodies.push_back(read_body(table->items[i], table->keys[i], description.bodies.size(), mentioned, root.problems()));
+      description.bodies.push_back(
+          read_body(table->items[i], table->keys[i], description.bodies.size(), mentioned, root.problems()));
     } else {
-      root.problems().error("bodies." + table->keys[i], words(table->items[i].kind), "a body is a table", "write [bodies.NAME] and its mass below").origin =
-          table->items[i].origin;
+      root.problems()
+          .error("bodies." + table->keys[i], words(table->items[i].kind), "a body is a table",
+                 "write [bodies.NAME] and its mass below")
+          .origin = table->items[i].origin;
     }
   }
 }

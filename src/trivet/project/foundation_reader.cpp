@@ -16,13 +16,14 @@ namespace {
 
 /// One kind of ground, before it is put under its elements.
 struct Ground {
-  // A place for itself under each element: the directions in which it gives, its mass, and the element that joins it to the rigid ground.
+  // A place for itself under each element: the directions in which it gives, its mass, and the element that joins it to
+  // the rigid ground.
   std::vector<int> directions;
   spatial::Vector6 mass = spatial::Vector6::Zero();
   model::Element to_ground;
   // Or modes that all its elements share.
   bool modal = false;
-  std::size_t index = 0;   ///< of the shared foundation
+  std::size_t index = 0;  ///< of the shared foundation
   std::map<std::string, Eigen::Matrix<double, 6, Eigen::Dynamic>> shapes;
 };
 
@@ -34,13 +35,19 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
   for (const std::string& name : *names) {
     const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
     const auto j = static_cast<int>(at - model::coordinate_names.begin());
-    if (j == 6) reader.error("free", foundation::quoted(name), "a direction is one of x, y, z, rx, ry, rz", "for instance free = [\"z\"]");
-    else if (j > 2 && !with_rotation) reader.error("free", "\"" + name + "\"", "a turning ground point needs its rotational stiffness", "add rotation = [krx, kry, krz]");
+    if (j == 6)
+      reader.error("free", foundation::quoted(name), "a direction is one of x, y, z, rx, ry, rz",
+                   "for instance free = [\"z\"]");
+    else if (j > 2 && !with_rotation)
+      reader.error("free", "\"" + name + "\"", "a turning ground point needs its rotational stiffness",
+                   "add rotation = [krx, kry, krz]");
     else if (std::find(directions.begin(), directions.end(), j) != directions.end())
       reader.error("free", "\"" + name + "\" twice", "each direction is named once", "remove one");
     else directions.push_back(j);
   }
-  if (directions.empty()) reader.error("free", "no direction", "a ground that gives does so in at least one", "remove the foundation, or name one");
+  if (directions.empty())
+    reader.error("free", "no direction", "a ground that gives does so in at least one",
+                 "remove the foundation, or name one");
   return directions;
 }
 
@@ -51,10 +58,12 @@ Ground read_impedance(TableReader& reader) {
   elements::Vector6 k;
   k << reader.vector("translation", Quantity::force_per_length).value_or(Eigen::Vector3d::Zero()),
       reader.vector("rotation", Quantity::moment_per_angle).value_or(Eigen::Vector3d::Zero());
-  if (!reader.has("translation")) reader.missing("translation", "give the stiffness of a ground point: translation = [kx, ky, kz]");
+  if (!reader.has("translation"))
+    reader.missing("translation", "give the stiffness of a ground point: translation = [kx, ky, kz]");
   for (const int j : ground.directions)
     if (!(k(j) > 0) && reader.has("translation"))
-      reader.error(j < 3 ? "translation" : "rotation", fmt::format("{:.6g} for {}", k(j), model::coordinate_names[static_cast<std::size_t>(j)]),
+      reader.error(j < 3 ? "translation" : "rotation",
+                   fmt::format("{:.6g} for {}", k(j), model::coordinate_names[static_cast<std::size_t>(j)]),
                    "the stiffness of a direction that gives is > 0", "name the directions that give: free = [\"z\"]");
   if (turns && !ground.directions.empty() &&
       std::none_of(ground.directions.begin(), ground.directions.end(), [](int j) { return j > 2; }))
@@ -63,8 +72,11 @@ Ground read_impedance(TableReader& reader) {
   const double mass = reader.number("mass", Quantity::mass).value_or(0);
   const Eigen::Vector3d inertia = reader.vector("inertia", Quantity::inertia).value_or(Eigen::Vector3d::Zero());
   if (mass < 0) reader.error("mass", fmt::format("{:.6g} kg", mass), "it is ≥ 0", "remove the sign");
-  if (inertia.minCoeff() < 0) reader.error("inertia", "a negative moment of inertia", "all three are ≥ 0", "remove the sign");
-  if (reader.has("inertia") && !turns) reader.error("inertia", "inertia without rotation", "a ground point that does not turn needs none", "add rotation = [krx, kry, krz], or remove it");
+  if (inertia.minCoeff() < 0)
+    reader.error("inertia", "a negative moment of inertia", "all three are ≥ 0", "remove the sign");
+  if (reader.has("inertia") && !turns)
+    reader.error("inertia", "inertia without rotation", "a ground point that does not turn needs none",
+                 "add rotation = [krx, kry, krz], or remove it");
   ground.mass << Eigen::Vector3d::Constant(mass), inertia;
   ground.to_ground.law.nominal_stiffness = elements::constants_at_point(k, Eigen::Vector3d::Zero(), 1);
   read_damping(reader, {Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}, 1, ground.to_ground);
@@ -82,21 +94,27 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   ground.modal = true;
   const Node* list = reader.node("modes");
   if (!list || list->kind != Node::Kind::array || list->items.empty()) {
-    reader.error("modes", list ? words(list->kind) : "missing", "a list of modes is wanted", "modes = [{frequency = \"12 Hz\", modal_mass = 800, damping = 0.02, shapes = {\"MOUNT\" = [0, 0, 1]}}]");
+    reader.error(
+        "modes", list ? words(list->kind) : "missing", "a list of modes is wanted",
+        "modes = [{frequency = \"12 Hz\", modal_mass = 800, damping = 0.02, shapes = {\"MOUNT\" = [0, 0, 1]}}]");
     return ground;
   }
   const auto count = static_cast<Eigen::Index>(list->items.size());
-  model::Foundation shared{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count)};
+  model::Foundation shared{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
+                           Eigen::MatrixXd::Zero(count, count)};
   for (Eigen::Index i = 0; i < count; ++i) {
     const Node& node = list->items[static_cast<std::size_t>(i)];
     if (node.kind != Node::Kind::table) {
-      reader.error("modes", fmt::format("mode {} is {}", i + 1, words(node.kind)), "a mode is a table", "{frequency = …, modal_mass = …, damping = …, shapes = {…}}");
+      reader.error("modes", fmt::format("mode {} is {}", i + 1, words(node.kind)), "a mode is a table",
+                   "{frequency = …, modal_mass = …, damping = …, shapes = {…}}");
       continue;
     }
     TableReader mode(node, fmt::format("{}.modes[{}]", reader.path(), i), reader.problems());
-    const double omega = mode.required_number("frequency", Quantity::angular_frequency), mass = mode.number("modal_mass", Quantity::mass).value_or(1),
+    const double omega = mode.required_number("frequency", Quantity::angular_frequency),
+                 mass = mode.number("modal_mass", Quantity::mass).value_or(1),
                  ratio = mode.number("damping", Quantity::pure).value_or(0);
-    if (mode.has("frequency") && !(omega > 0)) mode.error("frequency", fmt::format("{:.6g} rad/s", omega), "it is > 0", "mend it");
+    if (mode.has("frequency") && !(omega > 0))
+      mode.error("frequency", fmt::format("{:.6g} rad/s", omega), "it is > 0", "mend it");
     if (!(mass > 0)) mode.error("modal_mass", fmt::format("{:.6g} kg", mass), "it is > 0", "mend it");
     if (!(ratio >= 0)) mode.error("damping", fmt::format("{:.6g}", ratio), "a damping ratio is ≥ 0", "mend it");
     shared.mass(i, i) = mass;
@@ -109,7 +127,8 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
       const auto values = places.numbers(shapes->keys[s], Quantity::pure);
       if (!values) continue;
       if (values->size() != 3 && values->size() != 6) {
-        places.error(shapes->keys[s], fmt::format("{} numbers", values->size()), "three (x, y, z) or six (and rx, ry, rz) are wanted", "complete the list");
+        places.error(shapes->keys[s], fmt::format("{} numbers", values->size()),
+                     "three (x, y, z) or six (and rx, ry, rz) are wanted", "complete the list");
         continue;
       }
       auto& shape = ground.shapes[shapes->keys[s]];
@@ -127,7 +146,8 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
 void stand_on_place(const Ground& ground, model::Element& element, model::Description& description) {
   const auto count = static_cast<Eigen::Index>(ground.directions.size());
   const std::string name = element.name + ".foundation";
-  model::Foundation place{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count)};
+  model::Foundation place{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
+                          Eigen::MatrixXd::Zero(count, count)};
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const int j = ground.directions[static_cast<std::size_t>(i)];
@@ -177,7 +197,10 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
   for (std::size_t i = 0; table && i < table->keys.size(); ++i) {
     const std::string& name = table->keys[i];
     if (table->items[i].kind != Node::Kind::table) {
-      root.problems().error("foundations." + name, words(table->items[i].kind), "a foundation is a table", "write [foundations.NAME] and its type below").origin = table->items[i].origin;
+      root.problems()
+          .error("foundations." + name, words(table->items[i].kind), "a foundation is a table",
+                 "write [foundations.NAME] and its type below")
+          .origin = table->items[i].origin;
       continue;
     }
     TableReader reader(table->items[i], "foundations." + name, root.problems());
@@ -187,33 +210,48 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
     if (type == "mobility") grounds[name] = read_mobility(reader);
     if (type == "modal") grounds[name] = read_modal(reader, name, description);
     if (type) reader.finish();
-    if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(), [&](const Mentioned::Standing& one) { return one.ground == name; }))
-      reader.problems().warning("foundations." + name, "no element stands on it", "a foundation acts only under elements that name it", "add foundation = \"" + name + "\" to them").origin = table->items[i].origin;
+    if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(),
+                     [&](const Mentioned::Standing& one) { return one.ground == name; }))
+      reader.problems()
+          .warning("foundations." + name, "no element stands on it",
+                   "a foundation acts only under elements that name it", "add foundation = \"" + name + "\" to them")
+          .origin = table->items[i].origin;
   }
   for (const auto& [name, ground] : grounds)
     for (const auto& [mount, shape] : ground.shapes) report_idle_shape(root, name, mount, mentioned);
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
   for (const auto& [element_name, ground_name, origin] : mentioned.stands_on) {
     const std::string subject = "elements." + element_name + ".foundation";
-    const auto element = std::find_if(description.elements.begin(), description.elements.end(), [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
+    const auto element = std::find_if(description.elements.begin(), description.elements.end(),
+                                      [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
     if (std::find(names.begin(), names.end(), ground_name) == names.end()) {
       const std::string guess = foundation::nearest_name(ground_name, names);
-      root.problems().error(subject, foundation::quoted(ground_name), "no foundation has this name", guess.empty() ? "add [foundations.NAME]" : "did you mean \"" + guess + "\"?").origin = origin;
+      root.problems()
+          .error(subject, foundation::quoted(ground_name), "no foundation has this name",
+                 guess.empty() ? "add [foundations.NAME]" : "did you mean \"" + guess + "\"?")
+          .origin = origin;
       continue;
     }
     const auto ground = grounds.find(ground_name);
     if (element == description.elements.end() || ground == grounds.end()) continue;  // told elsewhere
     if (!element->n.on_ground()) {
-      root.problems().error(subject, "an element between two bodies", "a foundation stands under an end that is on the ground", "remove it, or remove `from`").origin = origin;
+      root.problems()
+          .error(subject, "an element between two bodies", "a foundation stands under an end that is on the ground",
+                 "remove it, or remove `from`")
+          .origin = origin;
     } else if (ground->second.modal) {
       const auto shape = ground->second.shapes.find(element_name);
       if (shape == ground->second.shapes.end())
-        root.problems().error(subject, "\"" + ground_name + "\"", "none of its modes says how this element's place moves", "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes").origin = origin;
+        root.problems()
+            .error(subject, "\"" + ground_name + "\"", "none of its modes says how this element's place moves",
+                   "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes")
+            .origin = origin;
       else element->n.foundation = model::OnFoundation{ground->second.index, shape->second, spatial::Matrix6::Zero()};
     } else if (!ground->second.directions.empty()) {
       model::Element standing = *element;
       stand_on_place(ground->second, standing, description);
-      *std::find_if(description.elements.begin(), description.elements.end(), [&](const model::Element& e) { return e.name == standing.name; }) = standing;
+      *std::find_if(description.elements.begin(), description.elements.end(),
+                    [&](const model::Element& e) { return e.name == standing.name; }) = standing;
     }
   }
 }

@@ -21,16 +21,19 @@
 namespace trivet::project {
 namespace {
 
-constexpr const char* mobility_columns = "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper triangle)";
+constexpr const char* mobility_columns =
+    "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper "
+    "triangle)";
 /// Share of the largest mobility by which noise may make a row feed energy.
 constexpr double noisy = 0.02, rounded = 1e-9;
 
 struct MobilityTable {
   std::vector<int> directions;
-  std::vector<double> knots;            ///< [rad/s]
-  std::vector<Eigen::MatrixXcd> rows;   ///< Y at each
+  std::vector<double> knots;           ///< [rad/s]
+  std::vector<Eigen::MatrixXcd> rows;  ///< Y at each
 
-  /// Straight lines between the rows keep Re Y positive; for complex ω the line of the piece that holds at `near` goes on.
+  /// Straight lines between the rows keep Re Y positive; for complex ω the line of the piece that holds at `near` goes
+  /// on.
   [[nodiscard]] Eigen::MatrixXcd at(std::complex<double> omega, double near) const {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, near);
     const auto i = static_cast<std::size_t>(above - knots.begin());
@@ -43,7 +46,8 @@ struct MobilityTable {
     elements::Matrix12c full = elements::Matrix12c::Zero();
     for (std::size_t a = 0; a < directions.size(); ++a)
       for (std::size_t b = 0; b < directions.size(); ++b) {
-        const std::complex<double> entry = std::complex<double>(0, 1) * omega * inverse(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+        const std::complex<double> entry =
+            std::complex<double>(0, 1) * omega * inverse(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
         const int i = directions[a], j = directions[b];
         full(i, j) = full(6 + i, 6 + j) = entry;
         full(i, 6 + j) = full(6 + i, j) = -entry;
@@ -56,7 +60,10 @@ std::optional<std::pair<int, int>> entry_of(std::string name) {
   if (name.ends_with("_im")) name.resize(name.size() - 3);
   for (int i = 0; i < 6; ++i)
     for (int j = i; j < 6; ++j)
-      if (name == fmt::format("y_{}_{}", model::coordinate_names[static_cast<std::size_t>(i)], model::coordinate_names[static_cast<std::size_t>(j)])) return std::pair(i, j);
+      if (name ==
+          fmt::format("y_{}_{}", model::coordinate_names[static_cast<std::size_t>(i)],
+                      model::coordinate_names[static_cast<std::size_t>(j)]))
+        return std::pair(i, j);
   return std::nullopt;
 }
 
@@ -64,10 +71,14 @@ void check_frequencies(const CsvTable& csv, const Eigen::VectorXd& frequency, fo
   for (Eigen::Index i = 0; i < frequency.size(); ++i) {
     const bool rises = i == 0 || frequency(i) > frequency(i - 1);
     if (frequency(i) > 0 && rises) continue;
-    found.error("", fmt::format("frequency_hz = {:.6g}", frequency(i)), rises ? "a mobility is measured above 0 Hz" : "frequencies increase from row to row", "sort or mend the rows").origin =
-        {csv.source, csv.lines[static_cast<std::size_t>(i)]};
+    found
+        .error("", fmt::format("frequency_hz = {:.6g}", frequency(i)),
+               rises ? "a mobility is measured above 0 Hz" : "frequencies increase from row to row",
+               "sort or mend the rows")
+        .origin = {csv.source, csv.lines[static_cast<std::size_t>(i)]};
   }
-  if (frequency.size() < 2) found.error("", fmt::format("{} rows", frequency.size()), "a table has at least two rows", "add some");
+  if (frequency.size() < 2)
+    found.error("", fmt::format("{} rows", frequency.size()), "a table has at least two rows", "add some");
 }
 
 void check_passive(const CsvTable& csv, const MobilityTable& table, foundation::Problems& found) {
@@ -75,14 +86,18 @@ void check_passive(const CsvTable& csv, const MobilityTable& table, foundation::
   std::size_t at = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Eigen::MatrixXd real = 0.5 * (table.rows[i] + table.rows[i].adjoint()).real();
-    const double share = numerics::symmetric_eigenvalues(real)(0) / std::max(table.rows[i].cwiseAbs().maxCoeff(), 1e-300);
+    const double share =
+        numerics::symmetric_eigenvalues(real)(0) / std::max(table.rows[i].cwiseAbs().maxCoeff(), 1e-300);
     if (share < worst) worst = share, at = i;
   }
   if (worst >= -rounded) return;
-  const std::string finding = fmt::format("at {:.6g} Hz Re Y has an eigenvalue of {:.3g} of its largest entry", table.knots[at] / (2 * std::numbers::pi), worst);
+  const std::string finding = fmt::format("at {:.6g} Hz Re Y has an eigenvalue of {:.3g} of its largest entry",
+                                          table.knots[at] / (2 * std::numbers::pi), worst);
   const char* rule = "a passive ground takes energy in every motion: Re Y is positive semidefinite";
-  foundation::Problem& problem = worst < -noisy ? found.error("", finding, rule, "check sign and phase of velocity against force") :
-                                                  found.warning("", finding, rule, "noise of the measurement may explain it; it can feed energy into some motion");
+  foundation::Problem& problem = worst < -noisy
+      ? found.error("", finding, rule, "check sign and phase of velocity against force")
+      : found.warning("", finding, rule,
+                      "noise of the measurement may explain it; it can feed energy into some motion");
   problem.origin = {csv.source, csv.lines[at]};
 }
 
@@ -92,28 +107,44 @@ void judge(const MobilityTable& table, model::Element& element, foundation::Prob
     const auto d = static_cast<Eigen::Index>(a);
     for (std::size_t i = 0; i < table.rows.size(); ++i) values(static_cast<Eigen::Index>(i)) = table.rows[i](d, d);
     const identification::MobilityVerdict verdict = identification::mobility_causality(table.knots, values);
-    const std::string name = fmt::format("y_{0}_{0}", model::coordinate_names[static_cast<std::size_t>(table.directions[a])]);
-    element.facts.push_back({"causality of " + name, fmt::format("{:.3g} % rms from the nearest passive, causal mobility", 100 * verdict.relative_rms)});
+    const std::string name =
+        fmt::format("y_{0}_{0}", model::coordinate_names[static_cast<std::size_t>(table.directions[a])]);
+    element.facts.push_back(
+        {"causality of " + name,
+         fmt::format("{:.3g} % rms from the nearest passive, causal mobility", 100 * verdict.relative_rms)});
     if (verdict.passes) continue;
-    const std::string finding = fmt::format("{}: {:.3g} % rms from the nearest passive, causal mobility", name, 100 * verdict.relative_rms);
+    const std::string finding =
+        fmt::format("{}: {:.3g} % rms from the nearest passive, causal mobility", name, 100 * verdict.relative_rms);
     const char* rule = "real and imaginary part of the mobility of a real ground belong together (Kramers and Kronig)";
-    if (verdict.too_coarse) found.warning("", finding, "its rows show the width of every resonance", "measure with finer lines; if they are fine enough, check the phase");
-    else if (verdict.refused) found.error("", finding, rule, "check the phase: with e^{+iωt} a mass has a negative, a spring a positive imaginary mobility");
+    if (verdict.too_coarse)
+      found.warning("", finding, "its rows show the width of every resonance",
+                    "measure with finer lines; if they are fine enough, check the phase");
+    else if (verdict.refused)
+      found.error("", finding, rule,
+                  "check the phase: with e^{+iωt} a mass has a negative, a spring a positive imaginary mobility");
     else found.warning("", finding, rule, "look at noise, leakage and the phase of the measurement");
   }
 }
 
-/// Between rows the mobility runs along straight lines: where it turns far from one row to the next, a resonance is cut short.
+/// Between rows the mobility runs along straight lines: where it turns far from one row to the next, a resonance is cut
+/// short.
 void check_spacing(const CsvTable& csv, const MobilityTable& table, foundation::Problems& found) {
   constexpr double widest = 30 * std::numbers::pi / 180;
   double worst = 0;
   std::size_t at = 0;
   for (std::size_t i = 1; i < table.rows.size(); ++i)
     for (Eigen::Index d = 0; d < table.rows[i].rows(); ++d)
-      if (const double turn = std::abs(std::arg(table.rows[i](d, d) * std::conj(table.rows[i - 1](d, d)))); turn > worst) worst = turn, at = i;
+      if (const double turn = std::abs(std::arg(table.rows[i](d, d) * std::conj(table.rows[i - 1](d, d))));
+          turn > worst)
+        worst = turn, at = i;
   if (worst <= widest) return;
-  found.warning("", fmt::format("the phase turns by {:.3g}° from {:.6g} to {:.6g} Hz", worst * 180 / std::numbers::pi, table.knots[at - 1] / (2 * std::numbers::pi), table.knots[at] / (2 * std::numbers::pi)),
-                "between rows the mobility is a straight line: a resonance narrower than some rows is cut short", "measure it with finer lines").origin = {csv.source, csv.lines[at]};
+  found
+      .warning("",
+               fmt::format("the phase turns by {:.3g}° from {:.6g} to {:.6g} Hz", worst * 180 / std::numbers::pi,
+                           table.knots[at - 1] / (2 * std::numbers::pi), table.knots[at] / (2 * std::numbers::pi)),
+               "between rows the mobility is a straight line: a resonance narrower than some rows is cut short",
+               "measure it with finer lines")
+      .origin = {csv.source, csv.lines[at]};
 }
 
 }  // namespace
@@ -127,16 +158,21 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   std::vector<std::pair<int, int>> entries;
   for (const std::string& column : csv->columns) {
     const auto entry = entry_of(column);
-    if (!entry && column != "frequency_hz") reader.error("file", "column " + foundation::quoted(column), mobility_columns, "rename or remove it");
+    if (!entry && column != "frequency_hz")
+      reader.error("file", "column " + foundation::quoted(column), mobility_columns, "rename or remove it");
     if (entry && !column.ends_with("_im")) entries.push_back(*entry);
   }
   MobilityTable table;
   for (const auto& [i, j] : entries)
     if (i == j) table.directions.push_back(i);
-  const auto place = [&](int direction) { return std::find(table.directions.begin(), table.directions.end(), direction) - table.directions.begin(); };
+  const auto place = [&](int direction) {
+    return std::find(table.directions.begin(), table.directions.end(), direction) - table.directions.begin();
+  };
   for (const auto& [i, j] : entries)
     if (place(i) == std::ssize(table.directions) || place(j) == std::ssize(table.directions))
-      reader.error("file", fmt::format("y_{}_{} without the diagonal", model::coordinate_names[static_cast<std::size_t>(i)], model::coordinate_names[static_cast<std::size_t>(j)]),
+      reader.error("file",
+                   fmt::format("y_{}_{} without the diagonal", model::coordinate_names[static_cast<std::size_t>(i)],
+                               model::coordinate_names[static_cast<std::size_t>(j)]),
                    "a coupling joins two directions whose own mobilities are given", "add them");
   if (entries.empty()) reader.error("file", "no mobility column", mobility_columns, "add at least one pair");
   if (reader.errors() > before) return std::nullopt;
@@ -144,15 +180,18 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   table.rows.assign(static_cast<std::size_t>(csv->values.rows()), Eigen::MatrixXcd::Zero(count, count));
   foundation::Problems found;
   for (const auto& [i, j] : entries) {
-    const std::string name = fmt::format("y_{}_{}", model::coordinate_names[static_cast<std::size_t>(i)], model::coordinate_names[static_cast<std::size_t>(j)]);
+    const std::string name = fmt::format("y_{}_{}", model::coordinate_names[static_cast<std::size_t>(i)],
+                                         model::coordinate_names[static_cast<std::size_t>(j)]);
     const auto values = columns(*csv, {"frequency_hz", name, name + "_im"});
     if (!values) return reader.add_of_file("file", values.error()), std::nullopt;
     if (table.knots.empty()) check_frequencies(*csv, values->col(0), found);
     table.knots.assign(values->col(0).begin(), values->col(0).end());
     for (Eigen::Index r = 0; r < values->rows(); ++r) {
       if (!values->row(r).allFinite())
-        found.error("", name + " is missing", "every cell must hold a finite number", "complete or remove the row").origin = {csv->source, csv->lines[static_cast<std::size_t>(r)]};
-      table.rows[static_cast<std::size_t>(r)](place(i), place(j)) = table.rows[static_cast<std::size_t>(r)](place(j), place(i)) = std::complex<double>((*values)(r, 1), (*values)(r, 2));
+        found.error("", name + " is missing", "every cell must hold a finite number", "complete or remove the row")
+            .origin = {csv->source, csv->lines[static_cast<std::size_t>(r)]};
+      table.rows[static_cast<std::size_t>(r)](place(i), place(j)) = table.rows[static_cast<std::size_t>(r)](
+          place(j), place(i)) = std::complex<double>((*values)(r, 1), (*values)(r, 2));
     }
   }
   for (double& frequency : table.knots) frequency *= 2 * std::numbers::pi;
@@ -164,7 +203,8 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
 
   // For starting values only: the size of the dynamic stiffness in the first row, direction by direction.
   elements::Vector6 first = elements::Vector6::Zero();
-  for (const int j : table.directions) first(j) = std::abs(table.stiffness(table.knots.front(), table.knots.front())(j, j));
+  for (const int j : table.directions)
+    first(j) = std::abs(table.stiffness(table.knots.front(), table.knots.front())(j, j));
   to_ground.law.nominal_stiffness = elements::constants_at_point(first, Eigen::Vector3d::Zero(), 1);
   to_ground.facts.push_back(defined_range(table.knots.front(), table.knots.back()));
   elements::FrequencyDependence dependence;
@@ -172,7 +212,9 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   dependence.from = table.knots.front();
   dependence.to = table.knots.back();
   dependence.knots = table.knots;
-  dependence.stiffness = [shared = std::make_shared<MobilityTable>(table)](std::complex<double> omega, double near) { return shared->stiffness(omega, near); };
+  dependence.stiffness = [shared = std::make_shared<MobilityTable>(table)](std::complex<double> omega, double near) {
+    return shared->stiffness(omega, near);
+  };
   to_ground.law.frequency_dependence = std::move(dependence);
   return table.directions;
 }

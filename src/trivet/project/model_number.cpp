@@ -13,8 +13,11 @@ namespace {
 
 /// What a key means that is not written.
 std::optional<double> default_of(const std::vector<std::string>& keys) {
-  const auto is_one_of = [](const std::string& key, const auto& words) { return std::find(words.begin(), words.end(), key) != words.end(); };
-  static constexpr std::array<const char*, 5> factors = {"scale", "stiffening", "damping_factor", "mass_about_center", "modal_factor"};
+  const auto is_one_of = [](const std::string& key, const auto& words) {
+    return std::find(words.begin(), words.end(), key) != words.end();
+  };
+  static constexpr std::array<const char*, 5> factors = {"scale", "stiffening", "damping_factor", "mass_about_center",
+                                                         "modal_factor"};
   static constexpr std::array<const char*, 3> moments = {"xx", "yy", "zz"};
   const std::string& key = keys.back();
   if (is_one_of(key, factors)) return 1;
@@ -28,7 +31,8 @@ std::optional<double> default_of(const std::vector<std::string>& keys) {
 
 }  // namespace
 
-ModelNumber::ModelNumber(const std::string& path, std::string unit) : path_(path), unit_(std::move(unit)), keys_(path_keys(path)) {
+ModelNumber::ModelNumber(const std::string& path, std::string unit)
+    : path_(path), unit_(std::move(unit)), keys_(path_keys(path)) {
   if (keys_.empty()) throw foundation::InvalidInput("\"" + path + "\" is no path of a number");
 }
 

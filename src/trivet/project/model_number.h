@@ -10,7 +10,8 @@
 #include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/document.h"
 
-/// The numbers of a model that --set, cases, maps and `explain` reach by one kind of path (docs/project-file.md, "Paths").
+/// The numbers of a model that --set, cases, maps and `explain` reach by one kind of path (docs/project-file.md,
+/// "Paths").
 namespace trivet::project {
 
 struct Case;
@@ -40,8 +41,8 @@ class ModelNumber {
 /// Values for some numbers of a model.
 using Design = std::vector<std::pair<ModelNumber, double>>;
 
-/// The model of a case with these values, all problems at once; it answers no questions of its own. Only what they touch is read
-/// anew, on any number of threads at once.
+/// The model of a case with these values, all problems at once; it answers no questions of its own. Only what they
+/// touch is read anew, on any number of threads at once.
 [[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const Design& design);
 
 }  // namespace trivet::project

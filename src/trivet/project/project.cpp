@@ -20,9 +20,9 @@
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/changes.h"
-#include "trivet/project/text/model_path.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/element_types.h"
+#include "trivet/project/text/model_path.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/project/text/thing_tables.h"
 #include "trivet/project/text/toml_text.h"
@@ -37,7 +37,9 @@ constexpr std::size_t most_cases = 1000;
 bool is_known_format(TableReader& root) {
   if (!root.has("trivet")) root.missing("trivet", "start the file with trivet = 1");
   const auto version = root.number("trivet", Quantity::pure);
-  if (version && *version != 1) root.error("trivet", fmt::format("format {:.6g}", *version), "this program reads format 1", "write trivet = 1, or use a newer program");
+  if (version && *version != 1)
+    root.error("trivet", fmt::format("format {:.6g}", *version), "this program reads format 1",
+               "write trivet = 1, or use a newer program");
   return !version || *version == 1;
 }
 
@@ -45,14 +47,16 @@ bool is_known_format(TableReader& root) {
 std::string thing(const std::string& subject) { return subject.substr(0, subject.find('.', subject.find('.') + 1)); }
 
 /// Problems of the checked model that are not just echoes of something the reader could not read.
-foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading, bool every_body_was_read) {
+foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading,
+                                    bool every_body_was_read) {
   std::set<std::string> unread;
   bool misplaced = !every_body_was_read;
   for (const auto& problem : reading.list()) {
     if (problem.severity != foundation::Severity::error) continue;
     unread.insert(thing(problem.subject));
     const std::string part = problem.subject.substr(std::min(problem.subject.size(), thing(problem.subject).size()));
-    misplaced = misplaced || (problem.subject.starts_with("bodies.") && (part.starts_with(".position") || part.starts_with(".orientation")));
+    misplaced = misplaced ||
+        (problem.subject.starts_with("bodies.") && (part.starts_with(".position") || part.starts_with(".orientation")));
   }
   foundation::Problems result;
   for (const auto& problem : found.list()) {
@@ -79,26 +83,35 @@ Node without_questions(Node document) {
 }
 
 /// The first error that changes bring beside those known.
-std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes, const foundation::Problems& known, const KnownModel* read) {
+std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes,
+                                           const foundation::Problems& known, const KnownModel* read) {
   foundation::Problems found;
   for (const Node& change : changes) apply_changes(model, change, "", found);
   std::string title;
   static_cast<void>(read_case(model, "", title, found, {}, nullptr, read));
   for (const foundation::Problem& problem : found.list()) {
-    const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) { return p.subject == problem.subject && p.rule == problem.rule; });
+    const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) {
+      return p.subject == problem.subject && p.rule == problem.rule;
+    });
     if (problem.severity == foundation::Severity::error && !old) return problem;
   }
   return std::nullopt;
 }
 
-/// A number that no design of a map can take (a second law of damping, a unit of something else) is wrong as such: the model can be read with it nowhere
-/// in its range, nor at 1, nor together with the other number.
-void check_numbers_of_map(const Node& document, const MapRequest& map, const KnownModel* known, foundation::Problems& problems) {
+/// A number that no design of a map can take (a second law of damping, a unit of something else) is wrong as such: the
+/// model can be read with it nowhere in its range, nor at 1, nor together with the other number.
+void check_numbers_of_map(const Node& document, const MapRequest& map, const KnownModel* known,
+                          foundation::Problems& problems) {
   const Node model = without_questions(document);
-  const auto changed = [](const MapAxis& axis, double value) { return change_of(path_keys(axis.parameter), value, axis.unit); };
+  const auto changed = [](const MapAxis& axis, double value) {
+    return change_of(path_keys(axis.parameter), value, axis.unit);
+  };
   for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
     const std::string subject = std::string("analyses.map.") + key;
-    const auto told = [&](const std::string& of) { return std::any_of(problems.list().begin(), problems.list().end(), [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map." + of); }); };
+    const auto told = [&](const std::string& of) {
+      return std::any_of(problems.list().begin(), problems.list().end(),
+                         [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map." + of); });
+    };
     if (path_keys(axis->parameter).empty() || told(key + std::string(".parameter"))) continue;
     const bool has_range = !told(key);
     std::vector<std::vector<Node>> designs;
@@ -116,14 +129,19 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, const Kno
       if (!first) first = problem;
     }
     if (possible || (!has_range && first->finding != "unknown key")) continue;  // without its range, 1 may be out of it
-    problems.error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"", fmt::format("the model takes no such number: {} = {}; {}", first->subject, first->finding, first->rule), first->remedy)
+    problems
+        .error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"",
+               fmt::format("the model takes no such number: {} = {}; {}", first->subject, first->finding, first->rule),
+               first->remedy)
         .origin = deepest(document, subject + ".parameter").origin;
   }
 }
 
-/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is also that of `base` was checked there.
+/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is
+/// also that of `base` was checked there.
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
-                              foundation::Problems& problems, const Questions& questions, const Case* base, const KnownModel* known) {
+                              foundation::Problems& problems, const Questions& questions, const Case* base,
+                              const KnownModel* known) {
   foundation::Problems reading;
   const std::optional<Node> completed = with_element_types(written, element_law_names(), reading);
   const Node& document = completed ? *completed : written;
@@ -133,7 +151,8 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   if (!is_known_format(root)) return problems.add(reading), std::nullopt;
   title = root.text("title").value_or("");
   description.title = title;
-  if (const Node* types = document.find("element_types"); types && types->kind == Node::Kind::table) mentioned.element_types = types->keys;
+  if (const Node* types = document.find("element_types"); types && types->kind == Node::Kind::table)
+    mentioned.element_types = types->keys;
   read_bodies(root, description, mentioned, known);
   read_elements(root, description, mentioned, known);
   read_foundations(root, description, mentioned);
@@ -148,7 +167,8 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   const std::vector<model::Body> bodies = description.bodies;
   auto system = model::System::checked(std::move(description));
   foundation::Problems all = reading;
-  foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
+  foundation::Problems physical =
+      beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
   if (!system) name_slips(bodies, document, physical);
   if (system) physical.add(too_large(system->description(), analyses));
   if (system && !reading.has_errors()) check_questions(*system, analyses, physical);
@@ -181,7 +201,8 @@ void judge(Case& variant, AcceptanceBook& book, foundation::Problems& problems) 
 }
 
 /// Adds what a case brings beyond the base model, under the name of the case.
-void add_of_case(const foundation::Problems& found, const foundation::Problems& base, const std::string& name, foundation::Problems& problems) {
+void add_of_case(const foundation::Problems& found, const foundation::Problems& base, const std::string& name,
+                 foundation::Problems& problems) {
   for (foundation::Problem problem : found.list()) {
     const bool known = std::any_of(base.list().begin(), base.list().end(), [&](const foundation::Problem& p) {
       return p.subject == problem.subject && p.finding == problem.finding && p.rule == problem.rule;
@@ -328,12 +349,17 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   if (base) project.cases.push_back(std::move(*base));
   const Node* cases = document.find("cases");
   if (const std::size_t things = things_of_cases(document); things > most_things_of_cases) {
-    problems.error("cases", fmt::format("{} bodies, elements and excitations in all cases together", things), fmt::format("at most {} are held at once", most_things_of_cases), "split the file").origin =
-        cases->origin;
+    problems
+        .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", things),
+               fmt::format("at most {} are held at once", most_things_of_cases), "split the file")
+        .origin = cases->origin;
   } else if (cases && cases->kind != Node::Kind::table) {
     problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
   } else if (cases && cases->keys.size() > most_cases) {
-    problems.error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases), "split the file").origin = cases->origin;
+    problems
+        .error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases),
+               "split the file")
+        .origin = cases->origin;
   } else if (cases) {
     foundation::Problems known = of_base;
     known.add(of_settings);
@@ -341,7 +367,10 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       const Node& change = cases->items[i];
       const std::string& name = cases->keys[i];
       if (change.kind != Node::Kind::table || name.empty()) {
-        problems.error("cases." + name, name.empty() ? "name \"\"" : words(change.kind), "a case is a table with a name", "write [cases.NAME] and the changed numbers below").origin = change.origin;
+        problems
+            .error("cases." + name, name.empty() ? "name \"\"" : words(change.kind), "a case is a table with a name",
+                   "write [cases.NAME] and the changed numbers below")
+            .origin = change.origin;
         continue;
       }
       Node variant = as_written;

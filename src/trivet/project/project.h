@@ -18,16 +18,16 @@ struct Case {
   std::vector<std::string> changes;  ///< "elements.suspension.scale = 1.5"
   model::System system;
   Analyses analyses;
-  foundation::Problems warnings;     ///< of reading and checking, with their places
-  Node written;                      ///< the file, changes applied
-  Node document;                     ///< the same, with what elements have from their types: what it was read from
+  foundation::Problems warnings;  ///< of reading and checking, with their places
+  Node written;                   ///< the file, changes applied
+  Node document;                  ///< the same, with what elements have from their types: what it was read from
 };
 
 /// A project file that passed every check, in all its cases.
 struct Project {
   std::string title;
-  std::string source;   ///< file name as given
-  std::string sha256;   ///< of the text of the file and of the settings laid over it
+  std::string source;       ///< file name as given
+  std::string sha256;       ///< of the text of the file and of the settings laid over it
   std::vector<Case> cases;  ///< the base model first
 
   [[nodiscard]] const Case& base() const { return cases.front(); }
@@ -35,7 +35,8 @@ struct Project {
 };
 
 /// Reads and checks a project file with the given `--set` changes; all problems of all cases at once.
-[[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path, const std::vector<std::string>& settings = {});
+[[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path,
+                                                         const std::vector<std::string>& settings = {});
 
 /// The same from text.
 [[nodiscard]] foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,

@@ -47,7 +47,8 @@ bool is_wanted(const std::string& question, const Questions& questions, const st
   if (std::find(wanted.begin(), wanted.end(), question) != wanted.end()) return true;
   const bool known =
       std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
-      std::any_of(question_readers().begin(), question_readers().end(), [&](const QuestionReader& one) { return one.name == question; });
+      std::any_of(question_readers().begin(), question_readers().end(),
+                  [&](const QuestionReader& one) { return one.name == question; });
   // A misspelt name may be any question, so that it matters to each of them.
   return !known && !is_outside_analysis(question) && !wanted.empty();
 }
@@ -81,11 +82,21 @@ class Asking {
   void of_question(const Question& question, Drive drive) {
     const std::vector<std::string>& selected = question.wanted.excitations;
     switch (drive) {
-      case Drive::none: asked_.excitations.insert(selected.begin(), selected.end()); break;
-      case Drive::harmonic: excitations(selected, harmonic); break;
-      case Drive::random: excitations(selected, random); break;
-      case Drive::time: excitations(selected, in_time); break;
-      case Drive::orders: excitations(selected, by_orders); break;
+      case Drive::none:
+        asked_.excitations.insert(selected.begin(), selected.end());
+        break;
+      case Drive::harmonic:
+        excitations(selected, harmonic);
+        break;
+      case Drive::random:
+        excitations(selected, random);
+        break;
+      case Drive::time:
+        excitations(selected, in_time);
+        break;
+      case Drive::orders:
+        excitations(selected, by_orders);
+        break;
     }
   }
 
@@ -133,7 +144,7 @@ foundation::Problems without_unwanted(const foundation::Problems& found, const Q
 bool has_broken_curves(const Case& variant) {
   const Node* asked = variant.document.find("analyses");
   return asked &&
-         ((asked->find("peaks") && !variant.analyses.peaks) || (asked->find("response") && !variant.analyses.response));
+      ((asked->find("peaks") && !variant.analyses.peaks) || (asked->find("response") && !variant.analyses.response));
 }
 
 foundation::Problems unused_parts(const std::vector<Case>& cases) {

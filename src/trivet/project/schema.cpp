@@ -27,12 +27,9 @@ Json parsed(const char* of, const char* keys) {
 /// Adds keys and what is required of them; other constraints as they are.
 void add_keys(Json& object, const Json& keys) {
   for (const auto& [key, value] : keys.items()) {
-    if (key == "properties")
-      object[key].update(value);
-    else if (key == "required")
-      object[key].insert(object[key].end(), value.begin(), value.end());
-    else if (key != "with")
-      object[key] = value;
+    if (key == "properties") object[key].update(value);
+    else if (key == "required") object[key].insert(object[key].end(), value.begin(), value.end());
+    else if (key != "with") object[key] = value;
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace trivet::project {
 
-/// JSON Schema of the project file: project.schema.json with the keys of every element law and question, which are beside their readers,
-/// and the groups of keys (`shared_keys`) that they name under `with`.
+/// JSON Schema of the project file: project.schema.json with the keys of every element law and question, which are
+/// beside their readers, and the groups of keys (`shared_keys`) that they name under `with`.
 [[nodiscard]] std::string project_schema();
 
 }  // namespace trivet::project

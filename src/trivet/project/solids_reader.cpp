@@ -15,7 +15,8 @@ namespace {
 using solids::Part;
 
 constexpr const char* shapes_known =
-    "a solid is one of {box = [x, y, z]}, {cylinder = [diameter, length]}, {tube = [outer, inner, length]}, {sphere = diameter}, {cone = [start, end, length]}, "
+    "a solid is one of {box = [x, y, z]}, {cylinder = [diameter, length]}, {tube = [outer, inner, length]}, {sphere = "
+    "diameter}, {cone = [start, end, length]}, "
     "{file = \"….step\"}, {file = \"….stl\", unit = \"1 mm\"}";
 
 constexpr const char* solid_keys[] = {"box", "cylinder", "tube", "sphere", "cone", "file"};
@@ -49,8 +50,11 @@ void read_file(TableReader& reader, Part& part) {
     solids::StepSolid step{*file, {}};
     if (const auto chosen = reader.numbers("solids", Quantity::pure))
       for (const double number : *chosen) {
-        if (number >= 1 && number < 1e9 && number == std::floor(number)) step.solids.push_back(static_cast<int>(number));
-        else reader.error("solids", fmt::format("{:.6g}", number), "solids are numbered from 1 in the order of the file", "give whole numbers");
+        if (number >= 1 && number < 1e9 && number == std::floor(number))
+          step.solids.push_back(static_cast<int>(number));
+        else
+          reader.error("solids", fmt::format("{:.6g}", number), "solids are numbered from 1 in the order of the file",
+                       "give whole numbers");
       }
     part.shape = step;
   } else {
@@ -67,7 +71,10 @@ Part read_part(TableReader& reader, const std::string& name) {
   part.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
   int shapes = 0;
   for (const char* key : solid_keys) shapes += reader.has(key) ? 1 : 0;
-  if (shapes != 1) reader.error("density", shapes == 0 ? "no shape" : fmt::format("{} shapes", shapes), shapes_known, "give exactly one").subject = reader.path();
+  if (shapes != 1)
+    reader
+        .error("density", shapes == 0 ? "no shape" : fmt::format("{} shapes", shapes), shapes_known, "give exactly one")
+        .subject = reader.path();
   if (const auto l = lengths(reader, "box", 3)) part.shape = solids::Box{(*l)[0], (*l)[1], (*l)[2]};
   if (const auto l = lengths(reader, "cylinder", 2)) part.shape = solids::Cylinder{(*l)[0], (*l)[1]};
   if (const auto l = lengths(reader, "tube", 3)) part.shape = solids::Tube{(*l)[0], (*l)[1], (*l)[2]};
@@ -77,7 +84,8 @@ Part read_part(TableReader& reader, const std::string& name) {
   constexpr double lightest = 10, heaviest = 25e3;
   if (part.density > 0 && (part.density < lightest || part.density > heaviest)) {
     foundation::Problems one;
-    one.warning("density", fmt::format("{:.4g} kg/m³", part.density), "solids have 500 to 20000 kg/m³, foams down to 20", "check the unit: a bare number is SI");
+    one.warning("density", fmt::format("{:.4g} kg/m³", part.density),
+                "solids have 500 to 20000 kg/m³, foams down to 20", "check the unit: a bare number is SI");
     reader.add(one);
   }
   reader.finish();
@@ -89,7 +97,8 @@ Part read_part(TableReader& reader, const std::string& name) {
 bool read_solids(TableReader& body, model::Body& result) {
   const Node* list = body.node("solids");
   if (list->kind != Node::Kind::array || list->items.empty()) {
-    body.error("solids", list->kind == Node::Kind::array ? "no solid" : words(list->kind), "it is a list of solids", "write solids = [{box = [1, 0.5, 0.2], density = 7850}]");
+    body.error("solids", list->kind == Node::Kind::array ? "no solid" : words(list->kind), "it is a list of solids",
+               "write solids = [{box = [1, 0.5, 0.2], density = 7850}]");
     return false;
   }
   const std::size_t before = body.errors();

@@ -6,8 +6,8 @@
 
 namespace trivet::project {
 
-/// `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]`: mass, centre and inertia of the body.
-/// False after reporting what is wrong.
+/// `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]`: mass, centre and
+/// inertia of the body. False after reporting what is wrong.
 [[nodiscard]] bool read_solids(TableReader& body, model::Body& result);
 
 }  // namespace trivet::project

@@ -52,8 +52,8 @@ void add_ratings(const Case& variant, plausibility::Stated& stated) {
         if (auto given = read_catalogue(*file)) catalogues.push_back(std::move(*given));
     catalogues.push_back(generic_catalogue());
     const auto mount = mount_named(elements[e].type.substr(catalogue_type.size()), catalogues);
-    if (mount && mount->static_load && mount->static_load->y() > 0) stated.ratings.push_back({e,
-        mount->static_load->y(), mount->name});
+    if (mount && mount->static_load && mount->static_load->y() > 0)
+      stated.ratings.push_back({e, mount->static_load->y(), mount->name});
   }
 }
 
@@ -66,7 +66,8 @@ void add_engine(const Node& table, const model::Excitation& excitation, plausibi
   const auto mass = reader.number("oscillating_mass", Quantity::mass);
   const auto cylinders = reader.number("cylinders", Quantity::pure);
   if (mass && cylinders)
-    stated.engines.push_back({"excitations." + excitation.name + ".engine.oscillating_mass", *excitation.action.body, *mass, *cylinders});
+    stated.engines.push_back(
+        {"excitations." + excitation.name + ".engine.oscillating_mass", *excitation.action.body, *mass, *cylinders});
 }
 
 void add_rotors(const Case& variant, plausibility::Stated& stated) {
@@ -80,8 +81,10 @@ void add_rotors(const Case& variant, plausibility::Stated& stated) {
     TableReader reader(*table, "excitations." + excitation.name, ignored);
     const auto speed = reader.number("service_speed", Quantity::angular_frequency);
     stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
-        reader.number("mass_eccentricity", Quantity::mass_length), reader.number("grade", Quantity::pure), speed});
-    if (speed && table->find("service_speed")->kind != Node::Kind::text) stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
+                             reader.number("mass_eccentricity", Quantity::mass_length),
+                             reader.number("grade", Quantity::pure), speed});
+    if (speed && table->find("service_speed")->kind != Node::Kind::text)
+      stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
   }
 }
 
@@ -99,14 +102,16 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
   if (asked.response) add("response", asked.response->band);
   for (const QuestionReader& reader : question_readers())
     if (const auto* question = asked.find<BandQuestion>(reader.name)) add(reader.name, question->band);
-  const assembly::Quantity quantity = asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
+  const assembly::Quantity quantity =
+      asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
   for (const Limit& limit : asked.limits)
     if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)
-      stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name, limit.amplitude,
-                                        quantity == assembly::Quantity::velocity});
+      stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name,
+                                        limit.amplitude, quantity == assembly::Quantity::velocity});
   for (const LimitLineRequest& request : asked.limit_lines)
     if (const response::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
-      stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name, request.of, *std::max_element(line.limit.begin(), line.limit.end()),
+      stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
+                                        request.of, *std::max_element(line.limit.begin(), line.limit.end()),
                                         line.unit == "m/s", true});
   const Node* orders = find(variant.document, "analyses", "orders");
   const Node* speeds = orders ? orders->find("speed") : nullptr;
@@ -115,9 +120,10 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
     stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
-      stated.windows.push_back({"excitations." + excitation.name + ".psd", random->spectrum.from(),
-          random->spectrum.to(), true});
-  if (const auto* in_time = asked.find<TransientQuestion>("transient")) stated.transient = plausibility::TimeQuestion{in_time->to, in_time->wanted.excitations};
+      stated.windows.push_back(
+          {"excitations." + excitation.name + ".psd", random->spectrum.from(), random->spectrum.to(), true});
+  if (const auto* in_time = asked.find<TransientQuestion>("transient"))
+    stated.transient = plausibility::TimeQuestion{in_time->to, in_time->wanted.excitations};
 }
 
 /// The impedance of a ground point has the name of the element above it; the file has that of the foundation.
@@ -132,7 +138,8 @@ void name_foundation(const Node& document, std::string& subject) {
 
 }  // namespace
 
-std::vector<plausibility::Suspicion> suspicions(const Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted) {
+std::vector<plausibility::Suspicion> suspicions(const Case& variant,
+                                                const std::vector<std::pair<std::string, std::string>>& accepted) {
   plausibility::Stated stated;
   add_bodies(variant, stated);
   add_ratings(variant, stated);
@@ -147,10 +154,10 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant, const std::
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {
   for (const model::Body& body : bodies)
     for (foundation::Problem& problem : problems.list()) {
-      if (problem.severity != foundation::Severity::error
-          || problem.subject != "bodies." + body.name + ".inertia") continue;
-      if (const auto slip = plausibility::slip_behind(body.mass, is_about_pole(document, body.name))) problem.remedy =
-          slip->words + "; " + problem.remedy;
+      if (problem.severity != foundation::Severity::error || problem.subject != "bodies." + body.name + ".inertia")
+        continue;
+      if (const auto slip = plausibility::slip_behind(body.mass, is_about_pole(document, body.name)))
+        problem.remedy = slip->words + "; " + problem.remedy;
       break;  // one cause is named once
     }
 }

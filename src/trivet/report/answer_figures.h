@@ -17,7 +17,8 @@ namespace trivet::report {
 /// Time histories, likewise, extremes marked.
 [[nodiscard]] std::vector<Figure> transient_figures(const study::Answers& answers);
 
-/// Amplitudes over shaft speed for each order and together, likewise; then the Campbell diagram, then a waterfall of the tallest curve.
+/// Amplitudes over shaft speed for each order and together, likewise; then the Campbell diagram, then a waterfall of
+/// the tallest curve.
 [[nodiscard]] std::vector<Figure> run_up_figures(const study::Answers& answers);
 [[nodiscard]] std::vector<Figure> campbell_figures(const study::Answers& answers);
 [[nodiscard]] std::vector<Figure> waterfall_figures(const study::Answers& answers);

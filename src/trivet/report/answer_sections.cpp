@@ -15,8 +15,8 @@ std::string section(const std::string& title, const std::string& tables, const s
   if (tables.empty() && figures.empty()) return "";
   std::string html = "<section><h2>" + title + "</h2>\n" + tables;
   for (const Figure& figure : figures)
-    html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(figure.title) + "\">" + figure.svg +
-            "</div></figure>\n";
+    html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(figure.title) +
+        "\">" + figure.svg + "</div></figure>\n";
   return html + "</section>\n";
 }
 

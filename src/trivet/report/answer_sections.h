@@ -9,8 +9,8 @@
 
 namespace trivet::report {
 
-/// Sections of the page for what a case asks for beside its harmonic characteristics: pictures, and tables of their key numbers. HTML,
-/// needs no script.
+/// Sections of the page for what a case asks for beside its harmonic characteristics: pictures, and tables of their key
+/// numbers. HTML, needs no script.
 [[nodiscard]] std::string answer_sections(const study::Answers& answers);
 
 /// Their figures alone, those of each kind numbered in their file names.

@@ -20,8 +20,8 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 using foundation::rpm_per_rad_s;
+using foundation::two_pi;
 
 std::string remark(const response::RandomAnswer& answer) { return answer.vanishes ? "below round-off" : answer.reason; }
 
@@ -40,8 +40,8 @@ std::string random_table(const study::Answers& answers) {
   if (!found) return "";
   const study::RandomResult& random = *found;
   const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
-  const bool has_remarks =
-      std::any_of(random.response.answers.begin(), random.response.answers.end(), [](const auto& a) { return !remark(a).empty(); });
+  const bool has_remarks = std::any_of(random.response.answers.begin(), random.response.answers.end(),
+                                       [](const auto& a) { return !remark(a).empty(); });
   std::vector<Cell> headings = {{"answer"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
   if (has_weights) headings.push_back(right("weighted rms"));
   if (has_shares)
@@ -52,8 +52,10 @@ std::string random_table(const study::Answers& answers) {
     const auto given = [&](const std::optional<double>& value, bool infinite, const std::string& unit) {
       return value ? quantity_cell(*value, unit) : right(infinite ? "∞" : "–");
     };
-    std::vector<Cell> row = {
-        {a.name}, given(a.rms, a.infinite_rms, a.unit), given(a.three_sigma, a.infinite_rms, a.unit), a.zero_crossings ? number_cell(*a.zero_crossings) : right("–")};
+    std::vector<Cell> row = {{a.name},
+                             given(a.rms, a.infinite_rms, a.unit),
+                             given(a.three_sigma, a.infinite_rms, a.unit),
+                             a.zero_crossings ? number_cell(*a.zero_crossings) : right("–")};
     if (has_weights) row.push_back(given(a.weighted_rms, a.infinite_weighted_rms, acceleration_unit(a.unit)));
     if (has_shares)
       for (std::size_t i = 0; i < random.inputs.size(); ++i)
@@ -63,9 +65,10 @@ std::string random_table(const study::Answers& answers) {
   }
   const bool by_poles = random.response.method == response::RandomMethod::poles;
   return html_table(headings, rows) +
-         hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / two_pi, random.response.to / two_pi,
-                          by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
-                          random.response.remark.empty() ? "" : " " + random.response.remark));
+      hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / two_pi,
+                       random.response.to / two_pi,
+                       by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
+                       random.response.remark.empty() ? "" : " " + random.response.remark));
 }
 
 std::string transient_table(const study::Answers& answers) {
@@ -84,8 +87,11 @@ std::string transient_table(const study::Answers& answers) {
                     quantity_cell(c.smallest.time, "s"),
                     quantity_cell(c.rms, c.unit)});
   }
-  return html_table({{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")}, rows) +
-         hint("Counted from the position of rest. The extremes are those of the exact motion, also between the points of time.");
+  return html_table(
+             {{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")},
+             rows) +
+      hint("Counted from the position of rest. The extremes are those of the exact motion, also between the points of "
+           "time.");
 }
 
 std::string run_up_tables(const study::Answers& answers) {
@@ -121,10 +127,16 @@ std::string run_up_tables(const study::Answers& answers) {
                      right("of its highest"),
                      right("nearest mode")},
                     rows) +
-         hint("Peaks of single orders over the speed; those lower than 1 % of the highest of their answer are left out here.") +
-         folded("Interference points: where an order meets a natural frequency",
-                html_table({right("mode"), right("order"), right("speed [rpm]"), right("f [Hz]"), right("modal force share"), {"excited"}},
-                           points));
+      hint("Peaks of single orders over the speed; those lower than 1 % of the highest of their answer are left out "
+           "here.") +
+      folded("Interference points: where an order meets a natural frequency",
+             html_table({right("mode"),
+                         right("order"),
+                         right("speed [rpm]"),
+                         right("f [Hz]"),
+                         right("modal force share"),
+                         {"excited"}},
+                        points));
 }
 
 std::string transmissibility_table(const study::Answers& answers) {
@@ -135,28 +147,32 @@ std::string transmissibility_table(const study::Answers& answers) {
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::Curve& c = t.curves.curves[i];
     std::vector<Cell> row = {{c.name}};
-    const auto summary = std::find_if(t.peaks.curves.begin(), t.peaks.curves.end(), [&](const auto& s) { return s.name == c.name; });
-    row.push_back(summary == t.peaks.curves.end() ? right("–") : number_cell(response::transmissibility_level(summary->highest)));
+    const auto summary =
+        std::find_if(t.peaks.curves.begin(), t.peaks.curves.end(), [&](const auto& s) { return s.name == c.name; });
+    row.push_back(summary == t.peaks.curves.end() ? right("–")
+                                                  : number_cell(response::transmissibility_level(summary->highest)));
     row.push_back(summary == t.peaks.curves.end() ? right("–") : hertz_cell(summary->highest_at));
     const bool known = i < t.crossovers.size() && t.crossovers[i].angular_frequency;
-    row.push_back(t.is_share(i)                             ? right("–")
-                  : !known                                    ? right("none")
-                  : *t.crossovers[i].angular_frequency == 0 ? right("everywhere")
-                                                            : hertz_cell(*t.crossovers[i].angular_frequency));
+    row.push_back(t.is_share(i)                                 ? right("–")
+                      : !known                                  ? right("none")
+                      : *t.crossovers[i].angular_frequency == 0 ? right("everywhere")
+                                                                : hertz_cell(*t.crossovers[i].angular_frequency));
     const double last = c.value.size() > 0 ? std::abs(c.value(c.value.size() - 1)) : 0;
     row.push_back(number_cell(response::transmissibility_level(last)));
     row.push_back(t.is_share(i) ? right("–") : percent_cell(response::isolation_efficiency(last)));
     rows.push_back(std::move(row));
   }
-  const std::string end = t.curves.angular_frequency.empty() ? "" : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / two_pi);
+  const std::string end = t.curves.angular_frequency.empty()
+      ? ""
+      : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / two_pi);
   return "<p>" + escaped(t.words) + "</p>\n" +
-         html_table({{"answer"},
-                     right("highest [dB]"),
-                     right("at [Hz]"),
-                     right("isolates above [Hz]"),
-                     right("level" + end + " [dB]"),
-                     right("isolation efficiency there")},
-                    rows);
+      html_table({{"answer"},
+                  right("highest [dB]"),
+                  right("at [Hz]"),
+                  right("isolates above [Hz]"),
+                  right("level" + end + " [dB]"),
+                  right("isolation efficiency there")},
+                 rows);
 }
 
 std::string power_table(const study::Answers& answers) {
@@ -165,7 +181,8 @@ std::string power_table(const study::Answers& answers) {
   const response::PowerFlow& p = *found;
   const auto row = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
-    const double most = power.maxCoeff(&at), total = p.into_ground_in_total(at), fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
+    const double most = power.maxCoeff(&at), total = p.into_ground_in_total(at),
+                 fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
     return std::vector<Cell>{{name},
                              quantity_cell(most, "W"),
                              hertz_cell(p.angular_frequency[static_cast<std::size_t>(at)]),
@@ -176,12 +193,15 @@ std::string power_table(const study::Answers& answers) {
   for (std::size_t m = 0; m < p.mounts.size(); ++m)
     rows.push_back(row(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose()));
   rows.push_back(row("all mounts", p.into_ground_in_total));
-  return html_table(
-             {{"mount"}, right("largest power into the ground"), right("at [Hz]"), right("of all mounts there"), right("fed in there")},
-             rows) +
-         hint(
-             "Mean power in the steady state at the computed frequencies. Rigid ground that stands still takes no power; only ground that "
-             "gives or is driven does.");
+  return html_table({{"mount"},
+                     right("largest power into the ground"),
+                     right("at [Hz]"),
+                     right("of all mounts there"),
+                     right("fed in there")},
+                    rows) +
+      hint("Mean power in the steady state at the computed frequencies. Rigid ground that stands still takes no power; "
+           "only ground that "
+           "gives or is driven does.");
 }
 
 }  // namespace trivet::report

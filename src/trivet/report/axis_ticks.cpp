@@ -63,7 +63,8 @@ std::vector<Tick> angle_ticks(double from, double to) {
   double step = 30;
   for (const double candidate : {45.0, 90.0, 180.0, 360.0, 720.0, 1440.0})
     if ((to - from) / step > 8) step = candidate;
-  for (double value = std::ceil(from / step - 1e-9) * step; value <= to + 1e-9; value += step) ticks.push_back({value, fmt::format("{:.0f}", value + 0.0)});
+  for (double value = std::ceil(from / step - 1e-9) * step; value <= to + 1e-9; value += step)
+    ticks.push_back({value, fmt::format("{:.0f}", value + 0.0)});
   return ticks;
 }
 
@@ -71,7 +72,8 @@ UnitPrefix unit_prefix(double largest, const std::string& unit) {
   static const char* const names[] = {"n", "µ", "m", "", "k", "M"};
   if (!(largest > 0) || !std::isfinite(largest)) return {1, unit};
   int n = static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
-  n = std::max(-3, std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // nobody reads "km/s²" or "krad"
+  n = std::max(-3,
+               std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // nobody reads "km/s²" or "krad"
   return {std::pow(10.0, -3 * n), names[n + 3] + unit};
 }
 

@@ -13,9 +13,10 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 using foundation::rpm_per_rad_s;
-constexpr const char* wide_halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"";
+using foundation::two_pi;
+constexpr const char* wide_halo =
+    "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"";
 
 /// As high as an order or a natural frequency reaches, whichever is lower.
 double top_hertz(const response::Campbell& campbell) {
@@ -36,10 +37,11 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
     if (at < p.corner.y - line_height) continue;  // so many that their names find no room
     canvas.polyline({{right, y}, {right + 12, at}, {right + 16, at}}, "stroke=\"#999\" stroke-width=\"0.8\"");
-    canvas.text({right + 20, at + 4},
-                fmt::format("{}{:.4g} Hz, ζ = {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "", hertz,
-                            line.damping_ratio),
-                "fill=\"#333\"");
+    canvas.text(
+        {right + 20, at + 4},
+        fmt::format("{}{:.4g} Hz, ζ = {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "",
+                    hertz, line.damping_ratio),
+        "fill=\"#333\"");
     last = at;
   }
 }
@@ -51,13 +53,14 @@ void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
     const double end = std::min(p.x.to, 60 * p.y.to / order);
     if (end <= p.x.from) continue;
     const PixelPoint to = p.at(end, order * end / 60);
-    canvas.line(p.at(p.x.from, order * p.x.from / 60), to, fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", series_colour(0)));
+    canvas.line(p.at(p.x.from, order * p.x.from / 60), to,
+                fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", series_colour(0)));
     const bool leaves_above = end < p.x.to;
     const PixelPoint at = leaves_above ? PixelPoint{to.x, p.corner.y - 5} : PixelPoint{to.x - 5, to.y - 4};
     if (std::abs(at.x - last_x) < 22 && std::abs(at.y - last_y) < 11) continue;
-    canvas.text(
-        at, fmt::format("{:g}", order),
-        fmt::format("text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" {}", leaves_above ? "middle" : "end", series_colour(0), wide_halo));
+    canvas.text(at, fmt::format("{:g}", order),
+                fmt::format("text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" {}", leaves_above ? "middle" : "end",
+                            series_colour(0), wide_halo));
     last_x = at.x;
     last_y = at.y;
   }
@@ -66,9 +69,9 @@ void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
 void draw_points(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell& campbell) {
   for (const response::Interference& point : campbell.points)
     if (point.angular_frequency / two_pi <= p.y.to)
-      canvas.circle(
-          p.at(point.speed * rpm_per_rad_s, point.angular_frequency / two_pi), 4,
-          fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"", point.excited ? series_colour(1) : "white", series_colour(1)));
+      canvas.circle(p.at(point.speed * rpm_per_rad_s, point.angular_frequency / two_pi), 4,
+                    fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.3\"",
+                                point.excited ? series_colour(1) : "white", series_colour(1)));
 }
 
 void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
@@ -78,7 +81,8 @@ void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
   canvas.text({at.x + 116, at.y + 4}, "natural frequency", "");
   canvas.circle({at.x + 228, at.y}, 4, fmt::format("fill=\"{0}\" stroke=\"{0}\"", series_colour(1)));
   canvas.text({at.x + 237, at.y + 4}, "interference, excited", "");
-  canvas.circle({at.x + 364, at.y}, 4, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.3\"", series_colour(1)));
+  canvas.circle({at.x + 364, at.y}, 4,
+                fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.3\"", series_colour(1)));
   canvas.text({at.x + 373, at.y + 4}, "not excited by this order", "");
 }
 
@@ -88,11 +92,12 @@ std::vector<Figure> campbell_figures(const study::Answers& answers) {
   const auto* orders = answers.find<study::OrdersResult>("orders");
   if (!orders || orders->campbell.orders.empty()) return {};
   const response::Campbell& campbell = orders->campbell;
-  const PlotPanel panel{{78, 66},
-                        700,
-                        420,
-                        {campbell.speed.from * rpm_per_rad_s, campbell.speed.to * rpm_per_rad_s, false, "shaft speed [rpm]"},
-                        {0, top_hertz(campbell), false, "frequency [Hz]"}};
+  const PlotPanel panel{
+      {78, 66},
+      700,
+      420,
+      {campbell.speed.from * rpm_per_rad_s, campbell.speed.to * rpm_per_rad_s, false, "shaft speed [rpm]"},
+      {0, top_hertz(campbell), false, "frequency [Hz]"}};
   const std::string title = case_title("Campbell diagram", answers);
   SvgCanvas canvas(980, 564);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");

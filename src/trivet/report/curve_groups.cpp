@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/plain_text.h"
 #include "trivet/report/curve_groups.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <algorithm>
 #include <array>

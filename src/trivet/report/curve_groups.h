@@ -12,7 +12,8 @@ struct GroupedCurve {
   std::size_t curve = 0;
 };
 
-/// Curves that share a picture: "machine", "machine.seat", "ground" … with translations or forces above, rotations or moments below.
+/// Curves that share a picture: "machine", "machine.seat", "ground" … with translations or forces above, rotations or
+/// moments below.
 struct CurveGroup {
   std::string name;
   std::vector<GroupedCurve> upper, lower;

@@ -9,8 +9,8 @@
 namespace trivet::report {
 namespace {
 
-constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52, key_line = 15,
-                 title_height = 40;
+constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
+                 key_line = 15, title_height = 40;
 
 constexpr double widest_text = 36;  // signs that fit beside a panel
 constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
@@ -104,9 +104,12 @@ void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
 
 }  // namespace
 
-std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const std::vector<double>& x,
+                                                    const std::vector<double>& y) {
   const auto share = [&](std::size_t i) { return PixelPoint{p.x.position(x[i]), p.y.position(y[i])}; };
-  const auto pixel = [&](PixelPoint s) { return PixelPoint{p.corner.x + s.x * p.width, p.corner.y + (1 - s.y) * p.height}; };
+  const auto pixel = [&](PixelPoint s) {
+    return PixelPoint{p.corner.x + s.x * p.width, p.corner.y + (1 - s.y) * p.height};
+  };
   std::vector<std::vector<PixelPoint>> pieces;
   bool open = false;
   for (std::size_t i = 1; i < std::min(x.size(), y.size()); ++i) {

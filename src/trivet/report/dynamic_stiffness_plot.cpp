@@ -31,7 +31,8 @@ std::optional<Times> relaxation_times(const elements::Law& law) {
     return Times{*shortest, *longest};
   }
   if (const auto* zener = std::get_if<elements::Zener>(relaxing)) return Times{zener->time, zener->time};
-  if (const auto* fractional = std::get_if<elements::FractionalZener>(relaxing)) return Times{fractional->time, fractional->time};
+  if (const auto* fractional = std::get_if<elements::FractionalZener>(relaxing))
+    return Times{fractional->time, fractional->time};
   const double time = std::get<elements::KelvinVoigt>(*relaxing).time;
   return Times{time, time};
 }
@@ -40,11 +41,13 @@ std::optional<Times> relaxation_times(const elements::Law& law) {
 std::vector<double> frequencies(const elements::Law& law, const response::Band& band) {
   constexpr int even = 500, beside = 24;
   std::vector<double> grid;
-  for (int i = 0; i <= even; ++i) grid.push_back(band.from * std::pow(band.to / band.from, static_cast<double>(i) / even));
+  for (int i = 0; i <= even; ++i)
+    grid.push_back(band.from * std::pow(band.to / band.from, static_cast<double>(i) / even));
   if (law.inertia)
     for (const double nominal : law.inertia->angular_frequencies)
       for (int i = 0; i < beside; ++i)
-        for (const double side : {-1.0, 1.0}) grid.push_back(std::sqrt(law.scale) * nominal * (1 + side * 0.1 * std::pow(10.0, -4.0 * i / beside)));
+        for (const double side : {-1.0, 1.0})
+          grid.push_back(std::sqrt(law.scale) * nominal * (1 + side * 0.1 * std::pow(10.0, -4.0 * i / beside)));
   std::erase_if(grid, [&](double omega) { return omega < band.from || omega > band.to; });
   std::sort(grid.begin(), grid.end());
   return grid;
@@ -78,7 +81,8 @@ Axis magnitude_axis(const Curves& c, std::size_t first) {
   if (all.empty()) return {1, 10, true, ""};
   std::sort(all.begin(), all.end());
   const double median = all[all.size() / 2];
-  return {0.7 * std::max(all.front(), below_median * median), 1.4 * std::min(all.back(), above_median * median), true, ""};
+  return {0.7 * std::max(all.front(), below_median * median), 1.4 * std::min(all.back(), above_median * median), true,
+          ""};
 }
 
 void draw_own_frequencies(SvgCanvas& canvas, const PlotPanel& p, const elements::Law& law) {
@@ -87,7 +91,8 @@ void draw_own_frequencies(SvgCanvas& canvas, const PlotPanel& p, const elements:
     const double hertz = std::sqrt(law.scale) * nominal / two_pi;
     if (hertz < p.x.from || hertz > p.x.to) continue;
     const double x = p.at(hertz, p.y.from).x;
-    canvas.line({x, p.corner.y}, {x, p.corner.y + p.height}, "stroke=\"#888\" stroke-width=\"0.8\" stroke-dasharray=\"3,3\"");
+    canvas.line({x, p.corner.y}, {x, p.corner.y + p.height},
+                "stroke=\"#888\" stroke-width=\"0.8\" stroke-dasharray=\"3,3\"");
   }
 }
 
@@ -108,7 +113,8 @@ void draw_panel(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, 
     canvas.text({x + 31, y}, study::component_name(static_cast<int>(first + j)), "");
     if (!(largest > 0)) continue;
     std::vector<PixelPoint> points;
-    for (std::size_t i = 0; i < magnitude.size(); ++i) points.push_back(panel.at(c.hertz[i], magnitude[i] * unit.factor));
+    for (std::size_t i = 0; i < magnitude.size(); ++i)
+      points.push_back(panel.at(c.hertz[i], magnitude[i] * unit.factor));
     canvas.polyline(points, series_stroke(j));
   }
 }
@@ -117,20 +123,27 @@ void draw_panel(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, 
 
 std::optional<response::Band> dynamic_band(const elements::Law& law) {
   std::optional<response::Band> band;
-  const auto include = [&](double from, double to) { band = band ? response::Band{std::min(band->from, from), std::max(band->to, to)} : response::Band{from, to}; };
+  const auto include = [&](double from, double to) {
+    band = band ? response::Band{std::min(band->from, from), std::max(band->to, to)} : response::Band{from, to};
+  };
   if (const auto times = relaxation_times(law)) include(0.01 / times->longest, 100 / times->shortest);
   if (law.inertia && law.inertia->angular_frequencies.size() > 0)
-    include(0.03 * std::sqrt(law.scale) * law.inertia->angular_frequencies.minCoeff(), 1.2 * std::sqrt(law.scale) * law.inertia->angular_frequencies.maxCoeff());
-  if (const auto& given = law.frequency_dependence; given && std::isfinite(given->to)) band = response::Band{std::max(given->from, 1e-3 * given->to), given->to};
+    include(0.03 * std::sqrt(law.scale) * law.inertia->angular_frequencies.minCoeff(),
+            1.2 * std::sqrt(law.scale) * law.inertia->angular_frequencies.maxCoeff());
+  if (const auto& given = law.frequency_dependence; given && std::isfinite(given->to))
+    band = response::Band{std::max(given->from, 1e-3 * given->to), given->to};
   if (band && !(band->to > band->from)) return std::nullopt;
   return band;
 }
 
-void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, const response::Band& band) {
+void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law,
+                            const response::Band& band) {
   const Curves c = curves(law, band);
   if (c.hertz.size() < 2) return;
   const bool own = law.inertia && law.inertia->angular_frequencies.size() > 0;
-  canvas.text({corner.x + 490, corner.y + 22}, std::string("Dynamic stiffness of end K, N held") + (own ? "; dotted: own natural frequencies, both ends held" : ""),
+  canvas.text({corner.x + 490, corner.y + 22},
+              std::string("Dynamic stiffness of end K, N held") +
+                  (own ? "; dotted: own natural frequencies, both ends held" : ""),
               "text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\"");
   draw_panel(canvas, {corner.x + 86, corner.y + 62}, law, c, 0);
   draw_panel(canvas, {corner.x + 571, corner.y + 62}, law, c, 3);

@@ -11,8 +11,8 @@ namespace trivet::report {
 
 inline constexpr double dynamic_stiffness_plot_height = 330;  ///< [pixels], width 980
 
-/// Where the dynamic stiffness of a law is worth drawing [rad/s]: its table, its own natural frequencies, its relaxation times.
-/// None if it is the same at all frequencies but for a dashpot.
+/// Where the dynamic stiffness of a law is worth drawing [rad/s]: its table, its own natural frequencies, its
+/// relaxation times. None if it is the same at all frequencies but for a dashpot.
 [[nodiscard]] std::optional<response::Band> dynamic_band(const elements::Law& law);
 
 /// |D_ii| of the K end, N held, over frequency; translations left, rotations right, own natural frequencies as lines.

@@ -22,7 +22,8 @@ struct Panel {
   double x_from, x_to, y_from, y_to;
   bool logarithmic = false;  ///< the ordinate
   PixelPoint at(double x, double y) const {
-    const double share = logarithmic ? std::log(std::clamp(y, y_from, y_to) / y_from) / std::log(y_to / y_from) : (y - y_from) / (y_to - y_from);
+    const double share = logarithmic ? std::log(std::clamp(y, y_from, y_to) / y_from) / std::log(y_to / y_from)
+                                     : (y - y_from) / (y_to - y_from);
     return {left + (x - x_from) / (x_to - x_from) * width, top + height - share * height};
   }
 };
@@ -49,7 +50,8 @@ Extent extent(const study::ResponseAnswer& answer, const std::vector<GroupedCurv
   return {all.back(), all[all.size() / 2], visible == all.end() ? all.back() : *visible};
 }
 
-/// The amplitude axis of a panel: linear from zero, or logarithmic where a linear one would show one spike and nothing else.
+/// The amplitude axis of a panel: linear from zero, or logarithmic where a linear one would show one spike and nothing
+/// else.
 void set_amplitude_axis(Panel& panel, const Extent& e, double factor) {
   constexpr double spiky = 10;
   panel.logarithmic = e.largest > spiky * e.median && e.smallest > 0;
@@ -62,7 +64,8 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
   return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
 }
 
-void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label, const std::string& y_label) {
+void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label,
+                      const std::string& y_label) {
   for (const Tick& tick : linear_ticks(p.x_from, p.x_to, std::max(3, static_cast<int>(p.width / 70)))) {
     const PixelPoint low = p.at(tick.value, p.y_from);
     canvas.line({low.x, p.top}, low, "stroke=\"#e4e4e4\"");
@@ -76,12 +79,14 @@ void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>
   canvas.rectangle({p.left, p.top}, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
   if (!x_label.empty()) canvas.text({p.left + p.width / 2, p.top + p.height + 31}, x_label, "text-anchor=\"middle\"");
   const double x = p.left - 40, y = p.top + p.height / 2;
-  if (!y_label.empty()) canvas.text({x, y}, y_label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+  if (!y_label.empty())
+    canvas.text({x, y}, y_label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
 }
 
 void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCurve>& series) {
   const double width = 52, left = p.left + p.width - width - 6;
-  canvas.rectangle({left - 4, p.top + 5}, width + 4, 15.0 * static_cast<double>(series.size()) + 4, "fill=\"white\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
+  canvas.rectangle({left - 4, p.top + 5}, width + 4, 15.0 * static_cast<double>(series.size()) + 4,
+                   "fill=\"white\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double y = p.top + 15 + 15.0 * static_cast<double>(i);
     canvas.line({left, y}, {left + 26, y}, series_stroke(i));
@@ -90,13 +95,15 @@ void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCur
 }
 
 /// The parts of a curve between the lower and upper edge of its panel, cut where it crosses them.
-std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::vector<double>& x, const Eigen::VectorXd& y) {
+std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::vector<double>& x,
+                                                     const Eigen::VectorXd& y) {
   const auto height = [&](double value) { return p.logarithmic ? std::log(value) : value; };
   const auto inside = [&](double value) { return value >= p.y_from && value <= p.y_to; };
   std::vector<std::vector<PixelPoint>> pieces(1);
   for (Eigen::Index k = 0; k < y.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const bool crosses = k > 0 && inside(y(k)) != inside(y(k - 1)) && std::isfinite(y(k)) && std::isfinite(y(k - 1)) && !(p.logarithmic && std::min(y(k), y(k - 1)) <= 0);
+    const bool crosses = k > 0 && inside(y(k)) != inside(y(k - 1)) && std::isfinite(y(k)) && std::isfinite(y(k - 1)) &&
+        !(p.logarithmic && std::min(y(k), y(k - 1)) <= 0);
     if (crosses) {
       const double edge = std::max(y(k), y(k - 1)) > p.y_to ? p.y_to : p.y_from;
       const double share = (height(edge) - height(y(k - 1))) / (height(y(k)) - height(y(k - 1)));
@@ -108,28 +115,37 @@ std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::
   return pieces;
 }
 
-void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<GroupedCurve>& series, double factor) {
+void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers,
+                     const std::vector<GroupedCurve>& series, double factor) {
   const auto& omega = answers.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto& values = answers.response->curves.curves[series[i].curve].value;
-    for (const auto& piece : pieces_of_curve(p, omega, factor * values.cwiseAbs())) canvas.polyline(piece, series_stroke(i));
+    for (const auto& piece : pieces_of_curve(p, omega, factor * values.cwiseAbs()))
+      canvas.polyline(piece, series_stroke(i));
     if (!answers.peaks) continue;
     for (const response::Peak& peak : answers.peaks->peaks.list) {
-      const bool mine = answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
-      if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to && factor * peak.amplitude <= p.y_to && factor * peak.amplitude >= p.y_from)
-        canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", series_colour(i)));
+      const bool mine =
+          answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
+      if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to &&
+          factor * peak.amplitude <= p.y_to && factor * peak.amplitude >= p.y_from)
+        canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3,
+                      fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", series_colour(i)));
     }
   }
   for (const study::LimitAnswer& limit : answers.limits)
     for (std::size_t i = 0; i < series.size(); ++i)
-      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to && factor * limit.limit >= p.y_from) {
-        canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit), "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
+      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to &&
+          factor * limit.limit >= p.y_from) {
+        canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit),
+                    "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
         canvas.text({p.left + p.width * 0.45, p.at(0, factor * limit.limit).y - 4}, "limit " + series[i].label,
-                    "fill=\"#b00020\" text-anchor=\"middle\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
+                    "fill=\"#b00020\" text-anchor=\"middle\" paint-order=\"stroke\" stroke=\"white\" "
+                    "stroke-width=\"4\" stroke-linejoin=\"round\"");
       }
 }
 
-void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers, const std::vector<GroupedCurve>& series) {
+void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers,
+                 const std::vector<GroupedCurve>& series) {
   const auto& omega = answers.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Eigen::VectorXd& phase = answers.response->phase[series[i].curve];
@@ -138,7 +154,8 @@ void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answer
     for (std::size_t k = 0; k < omega.size(); ++k) {
       const double degrees = phase(static_cast<Eigen::Index>(k)) * 180 / std::numbers::pi;
       if (!std::isfinite(degrees)) continue;
-      if (!points.empty() && std::abs(degrees - last) > 270) {  // the curve leaves at ±180° and enters at the other side
+      if (!points.empty() &&
+          std::abs(degrees - last) > 270) {  // the curve leaves at ±180° and enters at the other side
         canvas.polyline(points, series_stroke(i));
         points.clear();
       }
@@ -164,16 +181,24 @@ std::string quantity_of(const study::ResponseAnswer& answer, const std::vector<G
   return quantity_name(answer.curves.curves[series.front().curve].unit);
 }
 
-bool is_drawable(const study::Answers& answers) { return answers.response && answers.response->curves.angular_frequency.size() >= 2; }
+bool is_drawable(const study::Answers& answers) {
+  return answers.response && answers.response->curves.angular_frequency.size() >= 2;
+}
 
 /// The case that shows the very curves of the base model (as where the base is the first of a series), if there is one.
 const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
-  const auto base = std::find_if(cases.begin(), cases.end(), [](const study::Answers& answers) { return answers.case_name.empty() && is_drawable(answers); });
+  const auto base = std::find_if(cases.begin(), cases.end(), [](const study::Answers& answers) {
+    return answers.case_name.empty() && is_drawable(answers);
+  });
   if (base == cases.end()) return nullptr;
-  const auto same = [](const response::Curve& a, const response::Curve& b) { return a.name == b.name && a.value.size() == b.value.size() && a.value == b.value; };
+  const auto same = [](const response::Curve& a, const response::Curve& b) {
+    return a.name == b.name && a.value.size() == b.value.size() && a.value == b.value;
+  };
   const auto& curves = base->response->curves.curves;
   const auto found = std::find_if(cases.begin(), cases.end(), [&](const study::Answers& other) {
-    if (&other == &*base || !is_drawable(other) || other.response->curves.angular_frequency != base->response->curves.angular_frequency) return false;
+    if (&other == &*base || !is_drawable(other) ||
+        other.response->curves.angular_frequency != base->response->curves.angular_frequency)
+      return false;
     const auto& others = other.response->curves.curves;
     return std::equal(curves.begin(), curves.end(), others.begin(), others.end(), same);
   });
@@ -197,8 +222,9 @@ Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
     const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
     Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
-    draw_curve_frame(canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]",
-                     fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
+    draw_curve_frame(
+        canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]",
+        fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
@@ -228,10 +254,12 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   const study::Answers* const as_base = repeating_case(cases);
   std::vector<const study::Answers*> shown;
   for (const study::Answers& answers : cases)
-    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && as_base)) shown.push_back(&answers);
+    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && as_base))
+      shown.push_back(&answers);
   const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
   const std::size_t rows = (shown.size() + columns - 1) / columns;
-  const double canvas_width = std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
+  const double canvas_width =
+      std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
   SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases compare.
@@ -244,16 +272,23 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const study::Answers& answers = *shown[i];
     const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
-    const double left = 68 + column_pitch * static_cast<double>(i % columns), top = 66 + row_pitch * static_cast<double>(i / columns);
-    canvas.text({left + width / 2, top - 8}, (answers.case_name.empty() ? "Base model" : answers.case_name) + (&answers == as_base ? " = base model: " : ": ") + group.name, "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    const double left = 68 + column_pitch * static_cast<double>(i % columns),
+                 top = 66 + row_pitch * static_cast<double>(i / columns);
+    canvas.text({left + width / 2, top - 8},
+                (answers.case_name.empty() ? "Base model" : answers.case_name) +
+                    (&answers == as_base ? " = base model: " : ": ") + group.name,
+                "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const Extent& range = ranges[static_cast<std::size_t>(part)];
       const UnitPrefix unit = unit_prefix(range.largest, answers.response->curves.curves[series->front().curve].unit);
-      Panel panel{left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0, 1};
+      Panel panel{
+          left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0,
+          1};
       set_amplitude_axis(panel, range, unit.factor);
       draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
-                       fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit, panel.logarithmic ? ", log" : ""));
+                       fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit,
+                                   panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);
     }

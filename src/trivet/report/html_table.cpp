@@ -27,7 +27,9 @@ Cell quantity_cell(double value, const std::string& unit) {
   return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
 }
 
-Cell number_cell(double value, int digits) { return {std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "∞", true}; }
+Cell number_cell(double value, int digits) {
+  return {std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "∞", true};
+}
 
 Cell right(std::string text) { return {std::move(text), true}; }
 
@@ -42,8 +44,9 @@ std::string folded(const std::string& title, const std::string& html) {
 }
 
 std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows) {
-  std::string html = fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table><thead><tr>",
-                                 rows.size() >= tall_from ? " tall" : "");
+  std::string html =
+      fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table><thead><tr>",
+                  rows.size() >= tall_from ? " tall" : "");
   for (const Cell& heading : headings) html += cell(heading, "th");
   html += "</tr></thead><tbody>";
   for (const auto& row : rows) {

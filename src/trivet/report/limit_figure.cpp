@@ -22,22 +22,27 @@ std::vector<double> levels(const study::LimitLineResult& answer, double factor) 
   std::vector<double> result;
   for (std::size_t i = 0; i < answer.comparison.angular_frequency.size(); ++i) {
     const double margin = answer.comparison.margin(static_cast<Eigen::Index>(i));
-    const double limit =
-        response::zero_to_peak_limit(answer.line, answer.comparison.angular_frequency[i]) * (answer.line.rms ? std::sqrt(0.5) : 1);
-    result.push_back(margin > 0 && std::isfinite(margin) ? factor * limit / margin : std::numeric_limits<double>::quiet_NaN());
+    const double limit = response::zero_to_peak_limit(answer.line, answer.comparison.angular_frequency[i]) *
+        (answer.line.rms ? std::sqrt(0.5) : 1);
+    result.push_back(margin > 0 && std::isfinite(margin) ? factor * limit / margin
+                                                         : std::numeric_limits<double>::quiet_NaN());
   }
   const std::vector<double>& omega = answer.comparison.angular_frequency;
-  for (std::size_t i = 1; i < result.size(); ++i)  // at a step both margins stand, but the lower limit belongs to one of them
+  for (std::size_t i = 1; i < result.size();
+       ++i)  // at a step both margins stand, but the lower limit belongs to one of them
     if (omega[i] == omega[i - 1]) result[i - 1] = result[i] = std::max(result[i - 1], result[i]);
   return result;
 }
 
 PanelRow limit_row(const study::LimitLineResult& answer) {
   const response::LimitComparison& comparison = answer.comparison;
-  const UnitPrefix unit = unit_prefix(*std::max_element(answer.line.limit.begin(), answer.line.limit.end()), answer.line.unit);
+  const UnitPrefix unit =
+      unit_prefix(*std::max_element(answer.line.limit.begin(), answer.line.limit.end()), answer.line.unit);
   PanelRow row;
-  PanelCurve limit{
-      {answer.line.name.empty() ? "limit" : answer.line.name}, {}, {}, "stroke=\"#b00020\" stroke-width=\"2\" stroke-dasharray=\"10,4\""};
+  PanelCurve limit{{answer.line.name.empty() ? "limit" : answer.line.name},
+                   {},
+                   {},
+                   "stroke=\"#b00020\" stroke-width=\"2\" stroke-dasharray=\"10,4\""};
   for (std::size_t i = 0; i < answer.line.limit.size(); ++i) {
     limit.x.push_back(answer.line.angular_frequency[i] / two_pi);
     limit.y.push_back(answer.line.limit[i] * unit.factor);
@@ -46,17 +51,21 @@ PanelRow limit_row(const study::LimitLineResult& answer) {
   for (const double omega : comparison.angular_frequency) level.x.push_back(omega / two_pi);
   if (std::isfinite(comparison.least_margin))
     level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
-  if (std::isfinite(comparison.least_margin)) level.key.push_back(fmt::format("at {:.4g} Hz", comparison.least_margin_at / two_pi));
+  if (std::isfinite(comparison.least_margin))
+    level.key.push_back(fmt::format("at {:.4g} Hz", comparison.least_margin_at / two_pi));
   if (comparison.least_margin > 0 && std::isfinite(comparison.least_margin)) {
-    const double lowest = response::zero_to_peak_limit(answer.line, comparison.least_margin_at) * (answer.line.rms ? std::sqrt(0.5) : 1);
-    row.marks.push_back({comparison.least_margin_at / two_pi, unit.factor * lowest / comparison.least_margin, series_colour(0),
-                         fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
+    const double lowest =
+        response::zero_to_peak_limit(answer.line, comparison.least_margin_at) * (answer.line.rms ? std::sqrt(0.5) : 1);
+    row.marks.push_back({comparison.least_margin_at / two_pi, unit.factor * lowest / comparison.least_margin,
+                         series_colour(0), fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
   }
   for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(band.from / two_pi, band.to / two_pi);
   row.curves = {std::move(limit), std::move(level)};
-  row.x = {std::max(comparison.compared.from / two_pi, 1e-4 * comparison.compared.to / two_pi), comparison.compared.to / two_pi, true, "f [Hz]"};
-  row.y = logarithmic_axis(row.curves, invisible_limit,
-                           fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), answer.line.rms ? "rms" : "amplitude", unit.unit));
+  row.x = {std::max(comparison.compared.from / two_pi, 1e-4 * comparison.compared.to / two_pi),
+           comparison.compared.to / two_pi, true, "f [Hz]"};
+  row.y = logarithmic_axis(
+      row.curves, invisible_limit,
+      fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), answer.line.rms ? "rms" : "amplitude", unit.unit));
   return row;
 }
 
@@ -66,8 +75,8 @@ std::vector<Figure> limit_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
   for (const study::LimitLineResult& answer : answers.limit_lines) {
     if (answer.comparison.angular_frequency.size() < 2) continue;
-    const std::string title =
-        case_title(answer.of + " against its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
+    const std::string title = case_title(
+        answer.of + " against its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
     figures.push_back({title, "limit-" + file_part(answer.of) + ".svg", stacked_rows(title, {limit_row(answer)})});
   }
   return figures;

@@ -21,7 +21,8 @@ namespace trivet::report {
 namespace {
 
 // Okabe and Ito's rule_colours mixed with white: neighbours in this order differ in lightness too.
-constexpr std::array<const char*, 7> rule_colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab", "#dba6c6", "#f5ec8e", "#7aa9cf"};
+constexpr std::array<const char*, 7> rule_colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab",
+                                                     "#dba6c6", "#f5ec8e", "#7aa9cf"};
 constexpr const char* other_colour = "#d8d8d8";
 constexpr const char* unknown_colour = "#8f8f8f";
 
@@ -31,11 +32,14 @@ const char* colour_of(const MapRegion& region, std::size_t rank) {
   return rank < rule_colours.size() ? rule_colours[rank] : other_colour;
 }
 
-/// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while rule_colours follow the nearest design of their side.
+/// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while rule_colours
+/// follow the nearest design of their side.
 void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& heading) {
   const auto paint = [&](std::vector<design::MapLine> MapRegion::* side) {
     for (std::size_t rank = 0; rank < regions.size(); ++rank)
-      picture.canvas.area(picture.rings(regions[rank].*side), fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
+      picture.canvas.area(
+          picture.rings(regions[rank].*side),
+          fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
   };
   paint(&MapRegion::broken);
   const auto outline = picture.rings(picture.map.feasible.rings);
@@ -44,11 +48,15 @@ void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, co
   paint(&MapRegion::kept);
   picture.canvas.end_clip();
   picture.canvas.area(outline, lighter);
-  for (const design::MapLine& line : picture.map.feasible.lines) picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
+  for (const design::MapLine& line : picture.map.feasible.lines)
+    picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
 }
 
 void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& regions, Key& key) {
-  const auto share = [&](std::size_t designs) { return fmt::format("{:.1f} % of the designs", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
+  const auto share = [&](std::size_t designs) {
+    return fmt::format("{:.1f} % of the designs",
+                       100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size()));
+  };
   key.heading("Rule with the least margin");
   MapRegion others;
   for (std::size_t rank = 0; rank < regions.size(); ++rank) {
@@ -60,33 +68,42 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
       if (broken) others.broken = region.broken;
       if (kept) others.kept = region.kept;
     } else {
-      key.region(rule_colours[rank], broken, kept, region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map) : map.rules[region.governing].words, share(region.designs));
+      key.region(rule_colours[rank], broken, kept,
+                 region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map)
+                                                          : map.rules[region.governing].words,
+                 share(region.designs));
     }
   }
-  if (others.designs > 0) key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
-  if (map.unknown > 0) key.region(unknown_colour, true, false, "no answer: no real body, or no model", share(map.unknown));
+  if (others.designs > 0)
+    key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
+  if (map.unknown > 0)
+    key.region(unknown_colour, true, false, "no answer: no real body, or no model", share(map.unknown));
 }
 
 void explain_feasible(const study::DesignMap& map, Key& key) {
   key.heading("Feasible region");
   if (map.feasible.rings.empty()) return key.words("no design of this map keeps every rule", "");
-  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)", fmt::format("{} of {} designs", map.kept, map.outcomes.size()));
+  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)",
+            fmt::format("{} of {} designs", map.kept, map.outcomes.size()));
   key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
 }
 
 /// Pixels from a point to the nearest of some lines' points, or to the frame.
 double room_at(const MapPicture& picture, PixelPoint p) {
   const PlotPanel& panel = picture.panel;
-  double room = std::min(std::min(p.x - panel.corner.x, panel.corner.x + panel.width - p.x), std::min(p.y - panel.corner.y, panel.corner.y + panel.height - p.y));
+  double room = std::min(std::min(p.x - panel.corner.x, panel.corner.x + panel.width - p.x),
+                         std::min(p.y - panel.corner.y, panel.corner.y + panel.height - p.y));
   for (const design::MapLine& line : picture.map.feasible.lines)
-    for (const design::MapPlace& place : line) room = std::min(room, std::hypot(picture.at(place).x - p.x, picture.at(place).y - p.y));
+    for (const design::MapPlace& place : line)
+      room = std::min(room, std::hypot(picture.at(place).x - p.x, picture.at(place).y - p.y));
   return room;
 }
 
 /// On the longest piece of a line, far from the boundary, where nothing else stands.
 std::optional<PixelPoint> label_place(const MapPicture& picture, const design::MarginLine& margin, double half_width) {
   constexpr double least = 10, enough = 45;  // pixels of room
-  const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(),
+                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
   if (longest == margin.lines.end()) return std::nullopt;
   double most = least;
   std::optional<PixelPoint> best;
@@ -100,8 +117,8 @@ std::optional<PixelPoint> label_place(const MapPicture& picture, const design::M
   return best;
 }
 
-/// Lines of equal margin with their numbers; a line without room for its number would say nothing. Numbers stand on a ground of their own above all lines: a dash
-/// between two digits reads as a sign.
+/// Lines of equal margin with their numbers; a line without room for its number would say nothing. Numbers stand on a
+/// ground of their own above all lines: a dash between two digits reads as a sign.
 void draw_margins(MapPicture& picture, Key& key) {
   constexpr const char* style = "stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
   std::vector<std::pair<PixelPoint, std::string>> labels;
@@ -116,23 +133,31 @@ void draw_margins(MapPicture& picture, Key& key) {
   }
   for (const auto& [place, text] : labels) {
     const double width = width_of(text) + 3;
-    picture.canvas.rectangle({place.x - width / 2, place.y - 6}, width, 12, "rx=\"3\" fill=\"white\" fill-opacity=\"0.85\"");
+    picture.canvas.rectangle({place.x - width / 2, place.y - 6}, width, 12,
+                             "rx=\"3\" fill=\"white\" fill-opacity=\"0.85\"");
     picture.canvas.text({place.x, place.y + 4}, text, "text-anchor=\"middle\" fill=\"#333\" font-size=\"10\"");
   }
   if (!labels.empty()) key.stroke(style, "margin = limit / value, as written");
 }
 
-/// Paths of the two numbers, small, where the axes are called otherwise; then what was asked, and what the picture does not show.
+/// Paths of the two numbers, small, where the axes are called otherwise; then what was asked, and what the picture does
+/// not show.
 void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
   constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
   const PlotPanel& panel = picture.panel;
-  const auto path = [](const project::MapAxis& axis) { return results::axis_name(axis) == axis.parameter ? "" : axis.parameter; };
-  const double bottom = panel.corner.y + panel.height, x = panel.corner.x - y_title_distance(panel) - 18, y = panel.corner.y + panel.height / 2;
+  const auto path = [](const project::MapAxis& axis) {
+    return results::axis_name(axis) == axis.parameter ? "" : axis.parameter;
+  };
+  const double bottom = panel.corner.y + panel.height, x = panel.corner.x - y_title_distance(panel) - 18,
+               y = panel.corner.y + panel.height / 2;
   picture.canvas.text({panel.corner.x + panel.width / 2, bottom + 44}, path(picture.map.request.x), small);
-  picture.canvas.text({x, y}, path(picture.map.request.y), fmt::format("{} transform=\"rotate(-90 {:.2f} {:.2f})\"", small, x, y));
+  picture.canvas.text({x, y}, path(picture.map.request.y),
+                      fmt::format("{} transform=\"rotate(-90 {:.2f} {:.2f})\"", small, x, y));
   double at = bottom + 66;
   for (const std::string& note : notes) {
-    picture.canvas.text({panel.corner.x, at}, note, fmt::format("font-size=\"{:.1f}\" fill=\"#333\"", std::clamp(11 * 860 / width_of(note), 6.0, 11.0)));
+    picture.canvas.text(
+        {panel.corner.x, at}, note,
+        fmt::format("font-size=\"{:.1f}\" fill=\"#333\"", std::clamp(11 * 860 / width_of(note), 6.0, 11.0)));
     at += 16;
   }
 }
@@ -145,13 +170,8 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;
-  MapPicture picture{map,
-                     SvgCanvas(width, height),
-                     {{96, 44},
-                      590,
-                      520,
-                      drawn_axis(map.request.x),
-                      drawn_axis(map.request.y)}};
+  MapPicture picture{
+      map, SvgCanvas(width, height), {{96, 44}, 590, 520, drawn_axis(map.request.x), drawn_axis(map.request.y)}};
   picture.canvas.text({width / 2, 22}, heading, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   Key key(picture.canvas, {picture.panel.corner.x + picture.panel.width + 22, picture.panel.corner.y});
   const std::vector<MapRegion> regions = map_regions(map);

@@ -11,13 +11,16 @@ namespace {
 constexpr double letter = 6.1;  // width of a sign of 11 pixels, about
 
 bool is_inside(const PlotPanel& panel, const Box& b) {
-  return b.left >= panel.corner.x + 2 && b.right <= panel.corner.x + panel.width - 2 && b.top >= panel.corner.y + 2 && b.bottom <= panel.corner.y + panel.height - 2;
+  return b.left >= panel.corner.x + 2 && b.right <= panel.corner.x + panel.width - 2 && b.top >= panel.corner.y + 2 &&
+      b.bottom <= panel.corner.y + panel.height - 2;
 }
 
 }  // namespace
 
 double width_of(const std::string& text) {
-  return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
+           return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+         }));
 }
 
 std::vector<PixelPoint> MapPicture::line(const design::MapLine& places) const {
@@ -47,7 +50,8 @@ void Key::patch(const std::string& style, const std::string& text, const std::st
   words(text, second);
 }
 
-void Key::region(const std::string& colour, bool broken, bool kept, const std::string& text, const std::string& second) {
+void Key::region(const std::string& colour, bool broken, bool kept, const std::string& text,
+                 const std::string& second) {
   const PixelPoint corner{at_.x, at_.y - 9};
   canvas_.rectangle(corner, 22, 13, fmt::format("fill=\"{}\"", colour));
   if (kept) canvas_.rectangle({corner.x + (broken ? 11 : 0), corner.y}, broken ? 11 : 22, 13, lighter);

@@ -11,14 +11,17 @@
 namespace trivet::report {
 
 /// White around letters.
-inline constexpr const char* halo = "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
+inline constexpr const char* halo =
+    "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
 
 /// Laid over the colours of designs that keep every rule.
 inline constexpr const char* lighter = "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"";
 
 struct Box {
   double left = 0, top = 0, right = 0, bottom = 0;
-  [[nodiscard]] bool meets(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
+  [[nodiscard]] bool meets(const Box& o) const {
+    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
+  }
 };
 
 /// Of a line of 11 pixels, about.
@@ -31,7 +34,9 @@ struct MapPicture {
   PlotPanel panel;
   std::vector<Box> taken = {};
 
-  [[nodiscard]] PixelPoint at(const design::MapPlace& p) const { return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height}; }
+  [[nodiscard]] PixelPoint at(const design::MapPlace& p) const {
+    return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height};
+  }
   [[nodiscard]] std::vector<PixelPoint> line(const design::MapLine& places) const;
   [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<design::MapLine>& lines) const;
   /// Inside the frame, and nothing is written there.

@@ -14,7 +14,9 @@ namespace trivet::report {
 namespace {
 
 void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
-  canvas.circle(p, 4.5, kept ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\"" : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
+  canvas.circle(p, 4.5,
+                kept ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\""
+                     : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
   if (kept) return;
   canvas.line({p.x - 2, p.y - 2}, {p.x + 2, p.y + 2}, "stroke=\"black\" stroke-width=\"1.3\"");
   canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
@@ -23,7 +25,8 @@ void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
 /// Full where it keeps every rule.
 void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
   canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
-              kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\"" : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
+              kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\""
+                   : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
 }
 
 /// Does a line of margin 1 run through a box?
@@ -45,12 +48,30 @@ bool meets_boundary(const MapPicture& picture, const Box& box) {
 bool is_placed(MapPicture& picture, PixelPoint p, const std::string& text, bool on_boundary) {
   const double width = width_of(text);
   for (const double distance : {9.0, 20.0, 34.0, 50.0, 70.0})
-    for (const auto& [dx, dy] : {std::pair{1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, -0.8}, {-0.8, 0.8}}) {
-      const double left = p.x + dx * distance - (dx < 0 ? width : dx == 0 ? width / 2 : 0), base = p.y + 4 + dy * (distance + 4);
+    for (const auto& [dx, dy] : {std::pair{1.0, 0.0},
+                                 {0.0, -1.0},
+                                 {0.0, 1.0},
+                                 {-1.0, 0.0},
+                                 {0.8, -0.8},
+                                 {0.8, 0.8},
+                                 {-0.8, -0.8},
+                                 {-0.8, 0.8}}) {
+      const double left = p.x + dx * distance -
+          (dx < 0        ? width
+               : dx == 0 ? width / 2
+                         : 0),
+                   base = p.y + 4 + dy * (distance + 4);
       const Box box{left - 2, base - 11, left + width + 2, base + 3};
       if (!picture.is_free(box) || (!on_boundary && meets_boundary(picture, box))) continue;
       picture.taken.push_back(box);
-      if (distance > 9) picture.canvas.line({p.x + 5 * dx, p.y + 5 * dy}, {std::clamp(p.x + dx * distance, left, left + width), base - 4 + (dy < 0 ? 5 : dy > 0 ? -5 : 0)}, "stroke=\"#333\" stroke-width=\"0.8\"");
+      if (distance > 9)
+        picture.canvas.line({p.x + 5 * dx, p.y + 5 * dy},
+                            {std::clamp(p.x + dx * distance, left, left + width),
+                             base - 4 +
+                                 (dy < 0       ? 5
+                                      : dy > 0 ? -5
+                                               : 0)},
+                            "stroke=\"#333\" stroke-width=\"0.8\"");
       picture.canvas.text({left, base}, text, halo);
       return true;
     }
@@ -69,15 +90,21 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
   const design::DesignPoint p = map.point(*map.best);
   draw_best(canvas, key.sample(), best.kept());
   const std::size_t ends = results::best_ends(map).size();
-  const std::string where = fmt::format("{}, {}{}", results::axis_value(p.x, map.request.x), results::axis_value(p.y, map.request.y), ends == 0 ? "" : ends == 1 ? ": an axis ends there" : ": both axes end there");
+  const std::string where =
+      fmt::format("{}, {}{}", results::axis_value(p.x, map.request.x), results::axis_value(p.y, map.request.y),
+                  ends == 0       ? ""
+                      : ends == 1 ? ": an axis ends there"
+                                  : ": both axes end there");
   if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
   else if (best.margin == 0) key.words("midst of equals: every margin is 0", where);
-  else key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
+  else
+    key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
 }
 
 PixelPoint best_point(const MapPicture& picture) {
   const auto nx = static_cast<std::size_t>(picture.map.grid.nx);
-  return picture.at(picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
+  return picture.at(
+      picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
 }
 
 }  // namespace
@@ -88,7 +115,9 @@ std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
     if (!is_drawn(picture.map, mark)) continue;
     const PixelPoint p = picture.at({picture.map.request.x.share(*mark.x), picture.map.request.y.share(*mark.y)});
     const std::string name = mark.name.empty() ? "base" : mark.name;
-    const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) { return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1; });
+    const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) {
+      return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1;
+    });
     if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.kept()});
     else same->names += ", " + name;
   }
@@ -96,7 +125,9 @@ std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
 }
 
 void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed) {
-  const auto around = [&](PixelPoint p, double room) { picture.taken.push_back({p.x - room, p.y - room, p.x + room, p.y + room}); };
+  const auto around = [&](PixelPoint p, double room) {
+    picture.taken.push_back({p.x - room, p.y - room, p.x + room, p.y + room});
+  };
   for (const PlacedMark& mark : placed) around(mark.point, 6);
   if (picture.map.best) around(best_point(picture), 8);
 }

@@ -11,20 +11,26 @@
 namespace trivet::report {
 namespace {
 
-using Labels = std::array<std::uint8_t, 4>;           // of a cell's corners, counter-clockwise
+using Labels = std::array<std::uint8_t, 4>;  // of a cell's corners, counter-clockwise
 using Parts = std::map<std::uint8_t, std::vector<design::MapLine>>;
 
-design::MapPlace middle(const design::MapPlace& a, const design::MapPlace& b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
+design::MapPlace middle(const design::MapPlace& a, const design::MapPlace& b) {
+  return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+}
 
-std::uint8_t label_of(const design::DesignOutcome& outcome) { return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing; }
+std::uint8_t label_of(const design::DesignOutcome& outcome) {
+  return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing;
+}
 
-/// The part of a cell that belongs to one label: its corners, cut at the middles of the edges; with three or four labels in quarters.
+/// The part of a cell that belongs to one label: its corners, cut at the middles of the edges; with three or four
+/// labels in quarters.
 void add_parts(const std::array<design::MapPlace, 4>& corner, const Labels& label, Parts& parts) {
   const std::set<std::uint8_t> labels(label.begin(), label.end());
   const design::MapPlace centre = middle(corner[0], corner[2]);
   if (labels.size() > 2) {
     for (std::size_t c = 0; c < 4; ++c)
-      parts[label[c]].push_back({corner[c], middle(corner[c], corner[(c + 1) % 4]), centre, middle(corner[c], corner[(c + 3) % 4])});
+      parts[label[c]].push_back(
+          {corner[c], middle(corner[c], corner[(c + 1) % 4]), centre, middle(corner[c], corner[(c + 3) % 4])});
     return;
   }
   for (const std::uint8_t each : labels) {
@@ -62,24 +68,32 @@ class Side {
   }
 
  private:
-  static bool is_uniform(const Labels& labels) { return std::all_of(labels.begin(), labels.end(), [&](std::uint8_t label) { return label == labels.front(); }); }
-  [[nodiscard]] design::MapPlace place(std::size_t i, std::size_t j) const { return map_.grid.place(map_.drawn.columns[i], map_.drawn.rows[j]); }
+  static bool is_uniform(const Labels& labels) {
+    return std::all_of(labels.begin(), labels.end(), [&](std::uint8_t label) { return label == labels.front(); });
+  }
+  [[nodiscard]] design::MapPlace place(std::size_t i, std::size_t j) const {
+    return map_.grid.place(map_.drawn.columns[i], map_.drawn.rows[j]);
+  }
   [[nodiscard]] std::optional<std::uint8_t> label(int column, int row) const {
     const design::DesignOutcome& outcome = map_.outcomes[map_.grid.index(column, row)];
     return outcome.kept() == kept_ ? std::optional(label_of(outcome)) : std::nullopt;
   }
 
-  /// Of a drawn cell; a corner beyond the boundary takes that of the nearest on this side. None if the cell has no design on this side.
+  /// Of a drawn cell; a corner beyond the boundary takes that of the nearest on this side. None if the cell has no
+  /// design on this side.
   [[nodiscard]] std::optional<Labels> labels_of(std::size_t i, std::size_t j) const {
-    const int left = map_.drawn.columns[i], right = map_.drawn.columns[i + 1], low = map_.drawn.rows[j], high = map_.drawn.rows[j + 1];
-    const std::array<std::optional<std::uint8_t>, 4> own = {label(left, low), label(right, low), label(right, high), label(left, high)};
+    const int left = map_.drawn.columns[i], right = map_.drawn.columns[i + 1], low = map_.drawn.rows[j],
+              high = map_.drawn.rows[j + 1];
+    const std::array<std::optional<std::uint8_t>, 4> own = {label(left, low), label(right, low), label(right, high),
+                                                            label(left, high)};
     std::optional<std::uint8_t> any;
     for (const auto& corner : own)
       if (!any) any = corner;
     if (!any) any = label_between(left, right, low, high);
     if (!any) return std::nullopt;
     Labels labels{};
-    for (std::size_t c = 0; c < 4; ++c) labels[c] = own[c].value_or(own[(c + 1) % 4].value_or(own[(c + 3) % 4].value_or(*any)));
+    for (std::size_t c = 0; c < 4; ++c)
+      labels[c] = own[c].value_or(own[(c + 1) % 4].value_or(own[(c + 3) % 4].value_or(*any)));
     return labels;
   }
 
@@ -108,7 +122,9 @@ std::vector<MapRegion> map_regions(const study::DesignMap& map) {
     region.governing = governing;
     result.push_back(std::move(region));
   }
-  std::stable_sort(result.begin(), result.end(), [](const MapRegion& a, const MapRegion& b) { return a.known() != b.known() ? a.known() : a.designs > b.designs; });
+  std::stable_sort(result.begin(), result.end(), [](const MapRegion& a, const MapRegion& b) {
+    return a.known() != b.known() ? a.known() : a.designs > b.designs;
+  });
   return result;
 }
 

@@ -12,17 +12,22 @@
 namespace trivet::report {
 namespace {
 
-std::string value_or_dash(const std::optional<double>& value, const project::MapAxis& axis) { return value ? results::axis_value(*value, axis) : "–"; }
+std::string value_or_dash(const std::optional<double>& value, const project::MapAxis& axis) {
+  return value ? results::axis_value(*value, axis) : "–";
+}
 
 std::string rules_table(const study::DesignMap& map) {
   std::vector<std::vector<Cell>> rows;
-  const auto share = [&](std::size_t designs) { return percent_cell(static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
+  const auto share = [&](std::size_t designs) {
+    return percent_cell(static_cast<double>(designs) / static_cast<double>(map.outcomes.size()));
+  };
   std::size_t limited = 0;
   for (const std::size_t r : results::governing_rules(map)) {
     rows.push_back({{map.rules[r].words}, share(map.shares[r].broken), share(map.shares[r].kept)});
     limited += map.shares[r].kept;
   }
-  if (map.kept > limited) rows.push_back({{"no rule limits them: " + results::unlimited_words(map)}, right(""), share(map.kept - limited)});
+  if (map.kept > limited)
+    rows.push_back({{"no rule limits them: " + results::unlimited_words(map)}, right(""), share(map.kept - limited)});
   return html_table({{"rule"}, right("governs, broken"), right("governs, kept")}, rows);
 }
 
@@ -30,12 +35,22 @@ std::string marks_table(const study::DesignMap& map) {
   std::vector<std::vector<Cell>> rows;
   for (const study::MapMark& mark : map.marks) {
     std::string words;
-    for (const std::string& sentence : results::verdict_words(map, mark)) words += (words.empty() ? "" : "; ") + sentence;
+    for (const std::string& sentence : results::verdict_words(map, mark))
+      words += (words.empty() ? "" : "; ") + sentence;
     const bool kept = mark.judged && mark.judged->governing.kept();
-    rows.push_back({{mark.name.empty() ? "base model" : mark.name}, right(value_or_dash(mark.x, map.request.x)), right(value_or_dash(mark.y, map.request.y)),
-                    {kept ? "keeps every rule" : "breaks a rule", false, !kept}, {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
+    rows.push_back({{mark.name.empty() ? "base model" : mark.name},
+                    right(value_or_dash(mark.x, map.request.x)),
+                    right(value_or_dash(mark.y, map.request.y)),
+                    {kept ? "keeps every rule" : "breaks a rule", false, !kept},
+                    {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
-  return rows.empty() ? "" : html_table({{"case"}, right(results::axis_name(map.request.x)), right(results::axis_name(map.request.y)), {"verdict"}, {"found"}}, rows);
+  return rows.empty() ? ""
+                      : html_table({{"case"},
+                                    right(results::axis_name(map.request.x)),
+                                    right(results::axis_name(map.request.y)),
+                                    {"verdict"},
+                                    {"found"}},
+                                   rows);
 }
 
 }  // namespace
@@ -45,7 +60,8 @@ std::string map_tables(const study::Answers& answers) {
   const study::DesignMap& map = *answers.map;
   std::string text = "Asked: " + results::asked_words(map) + ". " + results::feasible_words(map) + ".";
   if (map.best) text += " " + results::best_words(map) + ".";
-  for (const design::MissingReason& reason : map.report.missing) text += fmt::format(" {} designs without an answer, for instance: {}.", reason.designs, reason.words);
+  for (const design::MissingReason& reason : map.report.missing)
+    text += fmt::format(" {} designs without an answer, for instance: {}.", reason.designs, reason.words);
   for (const std::string& doubt : doubts(map)) text += " " + doubt;
   return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));
 }

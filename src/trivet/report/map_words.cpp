@@ -12,8 +12,9 @@ namespace trivet::report {
 namespace {
 
 /// Too short for ticks that show whole numbers.
-bool is_narrow(const project::MapAxis& axis) { return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to)); }
-
+bool is_narrow(const project::MapAxis& axis) {
+  return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to));
+}
 
 /// "A, B and 3 more"
 std::string listed(const std::vector<std::string>& names) {
@@ -31,17 +32,21 @@ bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
 }  // namespace
 
 std::string axis_label(const project::MapAxis& axis) {
-  const std::string unit = results::axis_unit(axis), words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
+  const std::string unit = results::axis_unit(axis),
+                    words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
   if (results::is_pure_number(axis)) return words;
   return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }
 
 Axis drawn_axis(const project::MapAxis& axis) {
-  if (is_narrow(axis)) return {0, axis.to - axis.from, false, axis_label(axis)};  // so short a logarithmic axis is a straight one
+  if (is_narrow(axis))
+    return {0, axis.to - axis.from, false, axis_label(axis)};  // so short a logarithmic axis is a straight one
   return {axis.from, axis.to, axis.logarithmic, axis_label(axis)};
 }
 
-bool is_drawn(const study::DesignMap& map, const study::MapMark& mark) { return mark.placed() && mark.of_this_model && mark.judged && in_frame(map, mark); }
+bool is_drawn(const study::DesignMap& map, const study::MapMark& mark) {
+  return mark.placed() && mark.of_this_model && mark.judged && in_frame(map, mark);
+}
 
 std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
   std::vector<std::string> outside, another, failed;
@@ -54,11 +59,15 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
     }
     const char* verdict = mark.judged->governing.kept() ? "keeps every rule" : "breaks a rule";
     if (!mark.placed() || !mark.of_this_model) another.push_back(fmt::format("{} ({})", name, verdict));
-    else outside.push_back(fmt::format("{} ({}, {}: {})", name, results::axis_value(*mark.x, map.request.x), results::axis_value(*mark.y, map.request.y), verdict));
+    else
+      outside.push_back(fmt::format("{} ({}, {}: {})", name, results::axis_value(*mark.x, map.request.x),
+                                    results::axis_value(*mark.y, map.request.y), verdict));
   }
   std::vector<std::string> sentences;
   if (!outside.empty()) sentences.push_back("Outside the frame: " + listed(outside) + ".");
-  if (!another.empty()) sentences.push_back("Not drawn because they differ from this map in more than the two numbers: " + listed(another) + ".");
+  if (!another.empty())
+    sentences.push_back("Not drawn because they differ from this map in more than the two numbers: " + listed(another) +
+                        ".");
   if (!failed.empty()) sentences.push_back("Not drawn because they could not be computed: " + listed(failed) + ".");
   return sentences;
 }

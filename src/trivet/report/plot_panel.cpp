@@ -15,13 +15,19 @@ constexpr std::array<const char*, 6> dashes = {"", "7,3", "2,2", "9,3,2,3", "5,2
 
 }  // namespace
 
-double Axis::position(double value) const { return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from); }
+double Axis::position(double value) const {
+  return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
+}
 
 double Axis::share(double value) const { return position(std::clamp(value, from, to)); }
 
-std::vector<Tick> Axis::ticks(int wanted) const { return logarithmic ? decade_ticks(from, to) : linear_ticks(from, to, wanted); }
+std::vector<Tick> Axis::ticks(int wanted) const {
+  return logarithmic ? decade_ticks(from, to) : linear_ticks(from, to, wanted);
+}
 
-PixelPoint PlotPanel::at(double x_value, double y_value) const { return {corner.x + x.share(x_value) * width, corner.y + (1 - y.share(y_value)) * height}; }
+PixelPoint PlotPanel::at(double x_value, double y_value) const {
+  return {corner.x + x.share(x_value) * width, corner.y + (1 - y.share(y_value)) * height};
+}
 
 namespace {
 
@@ -78,7 +84,8 @@ const char* series_colour(std::size_t series) { return colours[series % colours.
 
 std::string series_stroke(std::size_t series) {
   const char* dash = dashes[(series + series / dashes.size()) % dashes.size()];
-  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", series_colour(series), dash[0] ? fmt::format(" stroke-dasharray=\"{}\"", dash) : "");
+  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", series_colour(series),
+                     dash[0] ? fmt::format(" stroke-dasharray=\"{}\"", dash) : "");
 }
 
 }  // namespace trivet::report

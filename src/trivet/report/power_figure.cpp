@@ -17,8 +17,8 @@ constexpr double invisible_power = 1e-8;  // of the largest power
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Power one way, gaps where it flows the other way.
-PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& power, double factor, std::vector<std::string> key,
-                   std::string stroke) {
+PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& power, double factor,
+                   std::vector<std::string> key, std::string stroke) {
   PanelCurve curve{std::move(key), hertz, {}, std::move(stroke)};
   for (const double p : power) curve.y.push_back(p * factor > 0 ? p * factor : none);
   return curve;
@@ -28,21 +28,23 @@ PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& powe
 bool flows(const response::PowerFlow& power) {
   constexpr double round_off = 1e-12;
   return power.into_ground.cwiseAbs().maxCoeff() >
-         round_off * std::max(power.by_forces.cwiseAbs().maxCoeff(), power.by_ground.cwiseAbs().maxCoeff());
+      round_off * std::max(power.by_forces.cwiseAbs().maxCoeff(), power.by_ground.cwiseAbs().maxCoeff());
 }
 
 std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
   const double largest = power.into_ground.cwiseAbs().maxCoeff();
   std::vector<std::size_t> found;
   for (Eigen::Index m = 0; m < power.into_ground.rows(); ++m)
-    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible_power * largest) found.push_back(static_cast<std::size_t>(m));
+    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible_power * largest)
+      found.push_back(static_cast<std::size_t>(m));
   return found;
 }
 
 /// All of it: logarithmic, dotted where it comes out of the ground.
 PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& hertz, const UnitPrefix& unit) {
   PanelRow row;
-  row.curves.push_back(one_way(hertz, power.into_ground_in_total, unit.factor, {"all mounts"}, "stroke=\"#000000\" stroke-width=\"2\""));
+  row.curves.push_back(
+      one_way(hertz, power.into_ground_in_total, unit.factor, {"all mounts"}, "stroke=\"#000000\" stroke-width=\"2\""));
   PanelCurve back = one_way(hertz, power.into_ground_in_total, -unit.factor, {"all mounts, out of the ground"},
                             "stroke=\"#000000\" stroke-width=\"2\" stroke-dasharray=\"1,4\"");
   if (std::any_of(back.y.begin(), back.y.end(), [](double y) { return y > 0; })) row.curves.push_back(std::move(back));
@@ -50,9 +52,10 @@ PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& 
   return row;
 }
 
-/// Mount by mount: linear with both signs, since what goes in at one mount may come out at another; logarithmic where nothing comes out.
-PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size_t>& mounts, const std::vector<double>& hertz,
-                   const UnitPrefix& unit) {
+/// Mount by mount: linear with both signs, since what goes in at one mount may come out at another; logarithmic where
+/// nothing comes out.
+PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size_t>& mounts,
+                   const std::vector<double>& hertz, const UnitPrefix& unit) {
   PanelRow row;
   double low = 0, high = 0;
   for (std::size_t i = 0; i < mounts.size(); ++i) {
@@ -81,10 +84,8 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");
   const std::vector<std::size_t> mounts = mounts_with_power(power);
   std::vector<PanelRow> rows = {total_row(power, hertz, unit)};
-  if (mounts.size() == 1)
-    rows.front().curves.front().key = {"all of it by " + power.mounts[mounts.front()]};
-  else
-    rows.push_back(mount_row(power, mounts, hertz, unit));
+  if (mounts.size() == 1) rows.front().curves.front().key = {"all of it by " + power.mounts[mounts.front()]};
+  else rows.push_back(mount_row(power, mounts, hertz, unit));
   const double lowest = hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back());
   for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, "f [Hz]"};
   const std::string title = case_title("Power into the ground", answers);

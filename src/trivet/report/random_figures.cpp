@@ -36,11 +36,13 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
     const response::RandomAnswer& answer = answers[series[i].curve];
     PanelCurve curve{{series[i].label + ": " + rms_words(answer)}, hertz, {}, series_stroke(i)};
     if (!answer.vanishes)
-      for (const double density : random.curves.density[series[i].curve]) curve.y.push_back(two_pi * unit.factor * unit.factor * density);
+      for (const double density : random.curves.density[series[i].curve])
+        curve.y.push_back(two_pi * unit.factor * unit.factor * density);
     row.curves.push_back(std::move(curve));
   }
   row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-4 * hertz.back()), hertz.back(), true, "f [Hz]"};
-  row.y = logarithmic_axis(row.curves, invisible_random, fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
+  row.y = logarithmic_axis(row.curves, invisible_random,
+                           fmt::format("{} density [{}]", quantity_name(si), density_unit(unit.unit)));
   return row;
 }
 

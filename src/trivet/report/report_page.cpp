@@ -35,13 +35,15 @@ std::string inside_script(const std::string& json) {
 std::string case_blocks(const std::vector<study::Answers>& answers) {
   std::string blocks;
   for (std::size_t i = 0; i < answers.size(); ++i)
-    blocks += fmt::format("<div data-case=\"{}\"{}>{}</div>\n", i, i == 0 ? "" : " hidden", answer_sections(answers[i]));
+    blocks +=
+        fmt::format("<div data-case=\"{}\"{}>{}</div>\n", i, i == 0 ? "" : " hidden", answer_sections(answers[i]));
   return blocks;
 }
 
 }  // namespace
 
-std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers, const std::string& results) {
+std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers,
+                        const std::string& results) {
   const std::string title = project.title.empty() ? project.source : project.title;
   std::string page = page_html;
   // From the end to the start: a name that looks like a place stands behind the place itself.

@@ -14,8 +14,8 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 using foundation::rpm_per_rad_s;
+using foundation::two_pi;
 constexpr std::size_t most_orders = 5;
 constexpr double spiky = 30, invisible = 1e-4;
 
@@ -47,7 +47,8 @@ Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
     if (std::isfinite(y)) overall.push_back(y);
   std::sort(overall.begin(), overall.end());
   const double top = tallest(curves);
-  if (!overall.empty() && top > spiky * overall[overall.size() / 2]) return logarithmic_axis(curves, invisible, std::move(label));
+  if (!overall.empty() && top > spiky * overall[overall.size() / 2])
+    return logarithmic_axis(curves, invisible, std::move(label));
   return airy_axis(0, top, std::move(label));
 }
 
@@ -57,7 +58,8 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * rpm_per_rad_s);
   PanelRow row;
-  PanelCurve all{{name + ", all orders, rms"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
+  PanelCurve all{
+      {name + ", all orders, rms"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
   for (const double rms : overall.rms) all.y.push_back(rms * unit.factor);
   row.curves.push_back(std::move(all));
   const std::vector<std::size_t> shown = tallest_orders(run_up, curve);
@@ -69,11 +71,13 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
     row.curves.push_back(std::move(one));
     for (const response::CriticalSpeed& critical : run_up.critical)
       if (critical.curve == curve && critical.order == order.order && critical.relative_height >= 0.2)
-        row.marks.push_back({critical.speed * rpm_per_rad_s, critical.amplitude * unit.factor, series_colour(style),
-                             critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * rpm_per_rad_s) : ""});
+        row.marks.push_back(
+            {critical.speed * rpm_per_rad_s, critical.amplitude * unit.factor, series_colour(style),
+             critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * rpm_per_rad_s) : ""});
   }
   const std::size_t left_out = run_up.orders.size() - shown.size();
-  if (left_out > 0) row.curves.back().key.push_back(fmt::format("({} weaker order{} not drawn)", left_out, left_out > 1 ? "s" : ""));
+  if (left_out > 0)
+    row.curves.back().key.push_back(fmt::format("({} weaker order{} not drawn)", left_out, left_out > 1 ? "s" : ""));
   row.x = {rpm.front(), rpm.back(), false, "shaft speed [rpm]"};
   row.y = amplitude_axis(row.curves, fmt::format("{} [{}]", quantity_name(overall.unit), unit.unit));
   return row;

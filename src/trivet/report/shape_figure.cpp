@@ -113,12 +113,16 @@ class Drawing {
   }
   void draw(const Skeleton& s, const std::string& colour, double width) {
     for (const auto& [a, b] : s.springs)
-      canvas_.line(at(a), at(b), fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-dasharray=\"3,2\"", colour, width));
-    for (const auto& [a, b] : s.limbs) canvas_.line(at(a), at(b), fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\"", colour, width));
+      canvas_.line(at(a), at(b),
+                   fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-dasharray=\"3,2\"", colour, width));
+    for (const auto& [a, b] : s.limbs)
+      canvas_.line(at(a), at(b), fmt::format("stroke=\"{}\" stroke-width=\"{:.1f}\"", colour, width));
     for (const auto& r : s.feet) triangle(at(r), colour);
     for (const auto& r : s.heads) canvas_.circle(at(r), 2.2, fmt::format("fill=\"{}\"", colour));
-    for (const auto& r : s.points) canvas_.circle(at(r), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.3\"", colour));
-    for (const auto& r : s.poles) canvas_.rectangle({at(r).x - 3.5, at(r).y - 3.5}, 7, 7, fmt::format("fill=\"{}\"", colour));
+    for (const auto& r : s.points)
+      canvas_.circle(at(r), 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.3\"", colour));
+    for (const auto& r : s.poles)
+      canvas_.rectangle({at(r).x - 3.5, at(r).y - 3.5}, 7, 7, fmt::format("fill=\"{}\"", colour));
   }
   /// The ellipse on which a place goes round.
   void draw_path(const response::MovingPlace& place, double scale, const std::string& colour) {
@@ -129,7 +133,8 @@ class Drawing {
 
  private:
   void triangle(PixelPoint p, const std::string& colour) {
-    canvas_.polyline({p, {p.x - 4, p.y + 7}, {p.x + 4, p.y + 7}, p}, fmt::format("stroke=\"{}\" stroke-width=\"1.2\"", colour));
+    canvas_.polyline({p, {p.x - 4, p.y + 7}, {p.x + 4, p.y + 7}, p},
+                     fmt::format("stroke=\"{}\" stroke-width=\"1.2\"", colour));
   }
   SvgCanvas& canvas_;
   const View& view_;
@@ -159,7 +164,8 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
   const Frame size = frame(shape);
   const Farthest most = farthest(shape);
   const double scale = most.excursion > 0 ? drawn_excursion * size.size / most.excursion : 0;
-  const std::string title = case_title(fmt::format("Operating deflection shape at {:.4g} Hz", shape.angular_frequency / two_pi), answers);
+  const std::string title =
+      case_title(fmt::format("Operating deflection shape at {:.4g} Hz", shape.angular_frequency / two_pi), answers);
   SvgCanvas canvas(980, 740);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
@@ -178,13 +184,17 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
   const UnitPrefix unit = unit_prefix(most.excursion, "m");
   canvas.text(
       {490, 708},
-      fmt::format("Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
-                  "points. Motion × {}.",
-                  std::fmod(most.phase * 360 / two_pi + 360, 360), most.name, most.excursion * unit.factor, unit.unit, three_digits(scale)),
+      fmt::format(
+          "Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
+          "points. Motion × {}.",
+          std::fmod(most.phase * 360 / two_pi + 360, 360), most.name, most.excursion * unit.factor, unit.unit,
+          three_digits(scale)),
       "text-anchor=\"middle\"");
-  canvas.text({490, 726}, "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.",
+  canvas.text({490, 726},
+              "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.",
               "text-anchor=\"middle\" fill=\"#444\"");
-  return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / two_pi))), canvas.svg(title)};
+  return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / two_pi))),
+          canvas.svg(title)};
 }
 
 }  // namespace

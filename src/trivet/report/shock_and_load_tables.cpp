@@ -19,9 +19,11 @@ std::string shock_table(const study::Answers& answers) {
   for (const study::ShockSpectrumResult& s : *spectra) {
     if (s.spectrum.empty()) continue;
     const auto most = [&](const auto& of) {
-      return *std::max_element(s.spectrum.begin(), s.spectrum.end(), [&](const auto& a, const auto& b) { return of(a) < of(b); });
+      return *std::max_element(s.spectrum.begin(), s.spectrum.end(),
+                               [&](const auto& a, const auto& b) { return of(a) < of(b); });
     };
-    const auto up = most([](const auto& r) { return r.largest(); }), down = most([](const auto& r) { return -r.smallest(); });
+    const auto up = most([](const auto& r) { return r.largest(); }),
+               down = most([](const auto& r) { return -r.smallest(); });
     const auto far = most([](const auto& r) { return r.relative_displacement; }),
                fast = most([](const auto& r) { return r.pseudo_velocity(); });
     rows.push_back({{s.excitation},
@@ -50,16 +52,20 @@ std::string earthquake_tables(const study::Answers& answers) {
   const response::EarthquakeResponse& e = *found;
   std::vector<std::vector<Cell>> rows, modes;
   for (const response::CombinedAnswer& a : e.answers)
-    rows.push_back({{a.name}, quantity_cell(a.complete_quadratic, a.unit), quantity_cell(a.square_root_of_sum_of_squares, a.unit)});
+    rows.push_back({{a.name},
+                    quantity_cell(a.complete_quadratic, a.unit),
+                    quantity_cell(a.square_root_of_sum_of_squares, a.unit)});
   for (const response::ModalShare& m : e.modes)
-    modes.push_back(
-        {hertz_cell(m.angular_frequency), number_cell(m.damping_ratio), number_cell(m.effective_mass),
-         std::isfinite(m.spectral_acceleration) ? quantity_cell(m.spectral_acceleration, "m/s²") : right("beyond the spectrum")});
+    modes.push_back({hertz_cell(m.angular_frequency), number_cell(m.damping_ratio), number_cell(m.effective_mass),
+                     std::isfinite(m.spectral_acceleration) ? quantity_cell(m.spectral_acceleration, "m/s²")
+                                                            : right("beyond the spectrum")});
   return html_table({{"answer"}, right("CQC"), right("SRSS")}, rows) +
-         hint(fmt::format("Estimated largest values. The modes within the spectrum hold {:.1f} % of the effective mass.",
-                          100 * e.effective_mass_share)) +
-         folded("Modes of the estimate",
-                html_table({right("f [Hz]"), right("damping ratio"), right("effective mass [kg]"), right("spectral acceleration")}, modes));
+      hint(fmt::format("Estimated largest values. The modes within the spectrum hold {:.1f} % of the effective mass.",
+                       100 * e.effective_mass_share)) +
+      folded("Modes of the estimate",
+             html_table({right("f [Hz]"), right("damping ratio"), right("effective mass [kg]"),
+                         right("spectral acceleration")},
+                        modes));
 }
 
 std::string limit_line_table(const study::Answers& answers) {
@@ -69,17 +75,25 @@ std::string limit_line_table(const study::Answers& answers) {
     const response::LimitComparison& c = l.comparison;
     std::string bands;
     for (const response::Band& band : c.exceeded)
-      bands +=
-          fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / (2 * std::numbers::pi), band.to / (2 * std::numbers::pi));
+      bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / (2 * std::numbers::pi),
+                           band.to / (2 * std::numbers::pi));
     rows.push_back({{l.of},
                     {l.line.name},
-                    {fmt::format("{:.4g} … {:.4g}", c.compared.from / (2 * std::numbers::pi), c.compared.to / (2 * std::numbers::pi))},
+                    {fmt::format("{:.4g} … {:.4g}", c.compared.from / (2 * std::numbers::pi),
+                                 c.compared.to / (2 * std::numbers::pi))},
                     number_cell(response::margin_level(c.least_margin)),
                     hertz_cell(c.least_margin_at),
                     {bands.empty() ? "–" : bands},
                     {c.kept() ? "✓ kept" : "✗ EXCEEDED", false, !c.kept()}});
   }
-  return html_table({{"answer"}, {"limit line"}, {"compared [Hz]"}, right("least margin [dB]"), right("at [Hz]"), {"exceeded [Hz]"}, {"verdict"}}, rows);
+  return html_table({{"answer"},
+                     {"limit line"},
+                     {"compared [Hz]"},
+                     right("least margin [dB]"),
+                     right("at [Hz]"),
+                     {"exceeded [Hz]"},
+                     {"verdict"}},
+                    rows);
 }
 
 std::string load_sharing_table(const study::Answers& answers) {
@@ -92,9 +106,9 @@ std::string load_sharing_table(const study::Answers& answers) {
     rows.push_back(std::move(row));
   }
   return html_table({{"mount"}, right("bears"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
-         hint(fmt::format(
-             "Along gravity, {:.5g} N in total; a negative share holds down. Deflections of end K against N in the element's axes.",
-             answers.load_sharing->bearing_in_total));
+      hint(fmt::format("Along gravity, {:.5g} N in total; a negative share holds down. Deflections of end K against N "
+                       "in the element's axes.",
+                       answers.load_sharing->bearing_in_total));
 }
 
 }  // namespace trivet::report

@@ -26,7 +26,8 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
     after.push_back(r.residual() * unit.factor);
   }
   PanelRow row;
-  row.x = {hertz.front(), hertz.back(), true, fmt::format("natural frequency [Hz], damping ratio {:.4g}", answer.damping_ratio)};
+  row.x = {hertz.front(), hertz.back(), true,
+           fmt::format("natural frequency [Hz], damping ratio {:.4g}", answer.damping_ratio)};
   row.curves = {{{"positive maximax"}, hertz, up, series_stroke(0)},
                 {{"negative maximax"}, hertz, down, series_stroke(1)},
                 {{"residual: after the shock,", "either sign"}, hertz, after, series_stroke(2)}};
@@ -35,7 +36,8 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
   row.marks = {{top->angular_frequency / (2 * std::numbers::pi), top->maximax() * unit.factor,
                 series_colour(top->largest() >= -top->smallest() ? 0 : 1),
                 fmt::format("{:.4g} {}", top->maximax() * unit.factor, unit.unit)}};
-  row.y = logarithmic_axis(row.curves, invisible_shock, fmt::format("absolute {} [{}]", quantity_name(answer.unit), unit.unit));
+  row.y = logarithmic_axis(row.curves, invisible_shock,
+                           fmt::format("absolute {} [{}]", quantity_name(answer.unit), unit.unit));
   return row;
 }
 
@@ -48,7 +50,8 @@ std::vector<Figure> shock_figures(const study::Answers& answers) {
   for (const study::ShockSpectrumResult& answer : *spectra) {
     if (answer.spectrum.size() < 2) continue;
     const std::string title = case_title("Shock response spectrum: " + answer.excitation, answers);
-    figures.push_back({title, "shock-" + file_part(answer.excitation) + ".svg", stacked_rows(title, {spectrum_row(answer)})});
+    figures.push_back(
+        {title, "shock-" + file_part(answer.excitation) + ".svg", stacked_rows(title, {spectrum_row(answer)})});
   }
   return figures;
 }

@@ -44,15 +44,21 @@ void draw_cells(SvgCanvas& canvas, PixelPoint corner, const elements::Matrix12& 
     for (int j = 0; j < 12; ++j) {
       const double value = scaled(k, i, j);
       const PixelPoint at{corner.x + left + cell_size * j, corner.y + top + cell_size * i};
-      canvas.rectangle(at, cell_size, cell_size, fmt::format("fill=\"{}\" stroke=\"#ddd\" stroke-width=\"0.6\"", colour(value)));
+      canvas.rectangle(at, cell_size, cell_size,
+                       fmt::format("fill=\"{}\" stroke=\"#ddd\" stroke-width=\"0.6\"", colour(value)));
       const char* ink = std::abs(value) < round_off ? "#999" : std::abs(value) > 0.75 ? "white" : "#111";
-      canvas.text({at.x + cell_size / 2, at.y + cell_size / 2 + 4}, number(value), fmt::format("text-anchor=\"middle\" fill=\"{}\"{}", ink, std::abs(value) < 0.0995 ? " font-size=\"10\"" : ""));
+      canvas.text({at.x + cell_size / 2, at.y + cell_size / 2 + 4}, number(value),
+                  fmt::format("text-anchor=\"middle\" fill=\"{}\"{}", ink,
+                              std::abs(value) < 0.0995 ? " font-size=\"10\"" : ""));
     }
   for (int block = 0; block <= 4; ++block) {  // between the ends, and between translations and rotations
     const double offset = 3 * cell_size * block;
-    const std::string style = block % 2 == 0 ? "stroke=\"#222\" stroke-width=\"1.8\"" : "stroke=\"#222\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
-    canvas.line({corner.x + left + offset, corner.y + top}, {corner.x + left + offset, corner.y + top + 12 * cell_size}, style);
-    canvas.line({corner.x + left, corner.y + top + offset}, {corner.x + left + 12 * cell_size, corner.y + top + offset}, style);
+    const std::string style = block % 2 == 0 ? "stroke=\"#222\" stroke-width=\"1.8\""
+                                             : "stroke=\"#222\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
+    canvas.line({corner.x + left + offset, corner.y + top}, {corner.x + left + offset, corner.y + top + 12 * cell_size},
+                style);
+    canvas.line({corner.x + left, corner.y + top + offset}, {corner.x + left + 12 * cell_size, corner.y + top + offset},
+                style);
   }
 }
 
@@ -66,7 +72,9 @@ void draw_labels(SvgCanvas& canvas, PixelPoint corner) {
     const double middle = cell_size * (6 * end + 3), x = corner.x + 16, y = corner.y + top + middle;
     const std::string name = end == 0 ? "end N" : "end K";
     canvas.text({corner.x + left + middle, corner.y + top - 26}, name, "text-anchor=\"middle\" font-weight=\"bold\"");
-    canvas.text({x, y}, name, fmt::format("text-anchor=\"middle\" font-weight=\"bold\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+    canvas.text(
+        {x, y}, name,
+        fmt::format("text-anchor=\"middle\" font-weight=\"bold\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
   }
 }
 
@@ -74,7 +82,8 @@ void draw_diagonal(SvgCanvas& canvas, PixelPoint at, const elements::Matrix12& k
   canvas.text({at.x, at.y + top - 26}, "diagonal K_ii", "font-weight=\"bold\"");
   for (int i = 0; i < 12; ++i) {
     const UnitPrefix unit = unit_prefix(std::abs(k(i, i)), i % 6 < 3 ? "N/m" : "N m/rad");
-    canvas.text({at.x, at.y + top + cell_size * (i + 0.5) + 4}, fmt::format("{:.5g} {}", k(i, i) * unit.factor, unit.unit), "");
+    canvas.text({at.x, at.y + top + cell_size * (i + 0.5) + 4},
+                fmt::format("{:.5g} {}", k(i, i) * unit.factor, unit.unit), "");
   }
 }
 
@@ -84,10 +93,12 @@ void draw_colour_bar(SvgCanvas& canvas, PixelPoint at) {
   const double above = at.y + top + 6 * cell_size - height / 2;
   canvas.text({at.x, at.y + top - 26}, "K_ij / √(K_ii K_jj)", "font-weight=\"bold\"");
   for (int s = 0; s < steps; ++s)
-    canvas.rectangle({at.x, above + height * s / steps}, width, height / steps + 0.5, fmt::format("fill=\"{}\"", colour(1 - 2 * (s + 0.5) / steps)));
+    canvas.rectangle({at.x, above + height * s / steps}, width, height / steps + 0.5,
+                     fmt::format("fill=\"{}\"", colour(1 - 2 * (s + 0.5) / steps)));
   canvas.rectangle({at.x, above}, width, height, "fill=\"none\" stroke=\"#333\"");
   for (const double value : {1.0, 0.5, 0.0, -0.5, -1.0})
-    canvas.text({at.x + width + 6, above + height * (1 - value) / 2 + 4}, (value < 0 ? "−" : "") + fmt::format("{:g}", std::abs(value)), "");
+    canvas.text({at.x + width + 6, above + height * (1 - value) / 2 + 4},
+                (value < 0 ? "−" : "") + fmt::format("{:g}", std::abs(value)), "");
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ std::string path_of(const std::vector<std::vector<PixelPoint>>& rings) {
   std::string path;
   for (const auto& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i)
-      path += fmt::format("{}{:.2f} {:.2f}{}", i == 0 ? "M" : "L", ring[i].x, ring[i].y, i + 1 == ring.size() ? "Z" : "");
+      path +=
+          fmt::format("{}{:.2f} {:.2f}{}", i == 0 ? "M" : "L", ring[i].x, ring[i].y, i + 1 == ring.size() ? "Z" : "");
   return path;
 }
 
@@ -26,7 +27,8 @@ std::string identifier(std::string_view name) {
 }  // namespace
 
 void SvgCanvas::line(PixelPoint a, PixelPoint b, std::string_view style) {
-  body_ += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", a.x, a.y, b.x, b.y, style);
+  body_ +=
+      fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", a.x, a.y, b.x, b.y, style);
 }
 
 void SvgCanvas::polyline(const std::vector<PixelPoint>& points, std::string_view style) {
@@ -43,7 +45,9 @@ void SvgCanvas::area(const std::vector<std::vector<PixelPoint>>& rings, std::str
 
 void SvgCanvas::begin_clip(const std::vector<std::vector<PixelPoint>>& rings, std::string_view name) {
   const std::string id = identifier(name);
-  body_ += fmt::format("<clipPath id=\"{0}\"><path clip-rule=\"evenodd\" d=\"{1}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n", id, path_of(rings));
+  body_ += fmt::format(
+      "<clipPath id=\"{0}\"><path clip-rule=\"evenodd\" d=\"{1}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n", id,
+      path_of(rings));
 }
 
 void SvgCanvas::end_clip() { body_ += "</g>\n"; }
@@ -53,7 +57,8 @@ void SvgCanvas::circle(PixelPoint centre, double radius, std::string_view style)
 }
 
 void SvgCanvas::rectangle(PixelPoint corner, double width, double height, std::string_view style) {
-  body_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n", corner.x, corner.y, width, height, style);
+  body_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n", corner.x, corner.y,
+                       width, height, style);
 }
 
 void SvgCanvas::text(PixelPoint at, std::string_view content, std::string_view attributes) {
@@ -72,11 +77,20 @@ std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;

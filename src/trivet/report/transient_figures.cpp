@@ -15,11 +15,15 @@ namespace {
 /// Time on the axis: milliseconds and less where all is over within a second.
 UnitPrefix time_unit(const Eigen::VectorXd& time) { return unit_prefix(time.cwiseAbs().maxCoeff(), "s"); }
 
-std::string extreme_words(const char* which, const response::Extreme& extreme, const UnitPrefix& unit, const UnitPrefix& second) {
-  return fmt::format("{} {:.4g} {} at {:.4g} {}", which, extreme.value * unit.factor, unit.unit, extreme.time * second.factor, second.unit);
+std::string extreme_words(const char* which, const response::Extreme& extreme, const UnitPrefix& unit,
+                          const UnitPrefix& second) {
+  return fmt::format("{} {:.4g} {} at {:.4g} {}", which, extreme.value * unit.factor, unit.unit,
+                     extreme.time * second.factor, second.unit);
 }
 
-double absolute(const response::TimeCurve& c) { return std::max(std::abs(c.largest.value), std::abs(c.smallest.value)); }
+double absolute(const response::TimeCurve& c) {
+  return std::max(std::abs(c.largest.value), std::abs(c.smallest.value));
+}
 
 PanelRow history_row(const response::TransientResponse& transient, const std::vector<GroupedCurve>& series) {
   const response::TimeCurve* tallest = &transient.curves[series.front().curve];
@@ -37,23 +41,25 @@ PanelRow history_row(const response::TransientResponse& transient, const std::ve
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::TimeCurve& c = transient.curves[series[i].curve];
     const bool still = is_round_off(transient, c);
-    PanelCurve curve{
-        {series[i].label + ", " + extreme_words("max", c.largest, unit, second), extreme_words("min", c.smallest, unit, second)},
-        time,
-        {},
-        series_stroke(i)};
+    PanelCurve curve{{series[i].label + ", " + extreme_words("max", c.largest, unit, second),
+                      extreme_words("min", c.smallest, unit, second)},
+                     time,
+                     {},
+                     series_stroke(i)};
     if (still) curve.key = {series[i].label + ": ≈ 0"};
     for (const double value : c.values) curve.y.push_back(value * unit.factor);
     row.curves.push_back(std::move(curve));
     const bool above = c.largest.value >= -c.smallest.value;
     for (const auto* extreme : {&c.largest, &c.smallest})
       if (!still)
-        row.marks.push_back(
-            {extreme->time * second.factor, extreme->value * unit.factor, series_colour(i),
-             &c == tallest && above == (extreme == &c.largest) ? fmt::format("{:.4g} {}", extreme->value * unit.factor, unit.unit) : ""});
+        row.marks.push_back({extreme->time * second.factor, extreme->value * unit.factor, series_colour(i),
+                             &c == tallest && above == (extreme == &c.largest)
+                                 ? fmt::format("{:.4g} {}", extreme->value * unit.factor, unit.unit)
+                                 : ""});
   }
   row.x = {time.front(), time.back(), false, fmt::format("t [{}]", second.unit)};
-  row.y = airy_axis(low * unit.factor, high * unit.factor, fmt::format("{} [{}]", quantity_name(tallest->unit), unit.unit));
+  row.y =
+      airy_axis(low * unit.factor, high * unit.factor, fmt::format("{} [{}]", quantity_name(tallest->unit), unit.unit));
   row.levels = {0};
   return row;
 }

@@ -18,8 +18,9 @@ constexpr double deepest = -80;  // dB
 
 std::string isolation_words(const response::Crossover& crossover) {
   if (!crossover.angular_frequency) return "does not isolate";
-  return *crossover.angular_frequency == 0 ? "isolates everywhere"
-                                           : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / two_pi);
+  return *crossover.angular_frequency == 0
+      ? "isolates everywhere"
+      : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / two_pi);
 }
 
 }  // namespace
@@ -46,12 +47,14 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
     for (const response::Crossover& crossover : answer.crossovers) {
       if (crossover.name != c.name || answer.is_share(i)) continue;
       curve.key.push_back(isolation_words(crossover));
-      if (crossover.angular_frequency && *crossover.angular_frequency / two_pi > row.x.from && *crossover.angular_frequency / two_pi < row.x.to)
+      if (crossover.angular_frequency && *crossover.angular_frequency / two_pi > row.x.from &&
+          *crossover.angular_frequency / two_pi < row.x.to)
         row.marks.push_back({*crossover.angular_frequency / two_pi, 0, series_colour(i), ""});
     }
     row.curves.push_back(std::move(curve));
   }
-  row.y = {std::max(deepest, 10 * std::floor(low / 10 - 0.2)), 10 * std::ceil(high / 10 + 0.2), false, "transmissibility [dB]"};
+  row.y = {std::max(deepest, 10 * std::floor(low / 10 - 0.2)), 10 * std::ceil(high / 10 + 0.2), false,
+           "transmissibility [dB]"};
   row.levels = {0};
   const std::string title = case_title("Transmissibility: " + answer.words, answers);
   return {{title, "transmissibility-level.svg", stacked_rows(title, {row})}};

@@ -16,8 +16,8 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 using foundation::rpm_per_rad_s;
+using foundation::two_pi;
 constexpr int spectra = 41;
 
 /// The curve with the highest rms among those of the first unit that moves at all.
@@ -26,7 +26,8 @@ std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
   for (std::size_t c = 0; c < run_up.overall.size(); ++c) {
     const double height = highest_finite(run_up.overall[c].rms);
     if (height > 0 &&
-        (!best || (run_up.overall[c].unit == run_up.overall[*best].unit && height > highest_finite(run_up.overall[*best].rms))))
+        (!best ||
+         (run_up.overall[c].unit == run_up.overall[*best].unit && height > highest_finite(run_up.overall[*best].rms))))
       best = c;
   }
   return best;
@@ -41,7 +42,8 @@ struct Space {
 
   PixelPoint at(double hertz, double rpm, double amplitude) const {
     const double depth = (rpm - rpm_from) / (rpm_to - rpm_from);
-    return {origin.x + width * hertz / hertz_to + back.x * depth, origin.y + back.y * depth - height * amplitude / amplitude_to};
+    return {origin.x + width * hertz / hertz_to + back.x * depth,
+            origin.y + back.y * depth - height * amplitude / amplitude_to};
   }
 };
 
@@ -76,8 +78,8 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
 }
 
 /// Lines of one order keep their colour; the farthest spectrum is drawn first.
-void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response::WaterfallLine>& lines, const std::vector<double>& orders,
-                  double factor) {
+void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response::WaterfallLine>& lines,
+                  const std::vector<double>& orders, double factor) {
   for (std::size_t i = lines.size(); i-- > 0;) {
     const response::WaterfallLine& line = lines[i];
     const double rpm = line.speed * rpm_per_rad_s, hertz = line.angular_frequency / two_pi;
@@ -120,7 +122,8 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
   Space space;
   space.rpm_from = run_up.speed.front() * rpm_per_rad_s;
   space.rpm_to = run_up.speed.back() * rpm_per_rad_s;
-  space.hertz_to = orders.front() * run_up.speed.back() / two_pi;  // all of the lowest order, and whatever is visible of the others
+  space.hertz_to =
+      orders.front() * run_up.speed.back() / two_pi;  // all of the lowest order, and whatever is visible of the others
   for (const response::WaterfallLine& line : lines)
     if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / two_pi);
   space.amplitude_to = largest * unit.factor;

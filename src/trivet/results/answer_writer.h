@@ -23,20 +23,23 @@ struct CsvWriter {
 
 /// How the answer to one question is written. Each is defined in NAME_results.cpp.
 struct AnswerWriter {
-  const char* name = nullptr;  ///< of the question in [analyses], of its command, and its key in results.json; given by answer_writers()
+  const char* name = nullptr;  ///< of the question in [analyses], of its command, and its key in results.json; given by
+                               ///< answer_writers()
   /// None: where `answers` has one of this name, as of all questions of project/analyses/question_table.h.
   bool (*has_answer)(const project::Case& variant, const study::Answers& answers) = nullptr;
   json::Json (*json)(const project::Case& variant, const study::Answers& answers);
   std::vector<CsvWriter> tables = {};  ///< of the result folder; the first one is what --csv prints
-  std::string (*text)(const project::Case& variant, const study::Answers& answers);     ///< for the screen
-  std::string (*summary)(const project::Case& variant, const study::Answers& answers) = nullptr;  ///< where `run` says less than the command
+  std::string (*text)(const project::Case& variant, const study::Answers& answers);  ///< for the screen
+  std::string (*summary)(const project::Case& variant,
+                         const study::Answers& answers) = nullptr;  ///< where `run` says less than the command
 
   [[nodiscard]] bool is_there(const project::Case& variant, const study::Answers& answers) const {
     return has_answer ? has_answer(variant, answers) : answers.of_questions.contains(name);
   }
 };
 
-extern const AnswerWriter modes_results, roots_results, response_results, peaks_results, static_results, limit_lines_results, load_sharing_results;
+extern const AnswerWriter modes_results, roots_results, response_results, peaks_results, static_results,
+    limit_lines_results, load_sharing_results;
 #define TRIVET_WRITER(name) extern const AnswerWriter name##_results;
 TRIVET_QUESTIONS(TRIVET_WRITER)
 #undef TRIVET_WRITER
@@ -45,7 +48,9 @@ TRIVET_QUESTIONS(TRIVET_WRITER)
 [[nodiscard]] const std::vector<AnswerWriter>& answer_writers();
 
 [[nodiscard]] inline double hertz(double omega) { return omega / foundation::two_pi; }
-[[nodiscard]] inline std::string mode_words(const std::optional<int>& mode) { return mode ? std::to_string(*mode) : "–"; }
+[[nodiscard]] inline std::string mode_words(const std::optional<int>& mode) {
+  return mode ? std::to_string(*mode) : "–";
+}
 
 namespace json {
 /// A curve with its complex values.

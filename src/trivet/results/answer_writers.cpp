@@ -46,8 +46,7 @@ const std::vector<AnswerWriter>& answer_writers() {
 #define TRIVET_WRITER(name) project::named(#name, name##_results),
   static const std::vector<AnswerWriter> list = {
       TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
-      TRIVET_QUESTIONS(TRIVET_WRITER)
-      TRIVET_WRITER(limit_lines) TRIVET_WRITER(map) TRIVET_WRITER(load_sharing)};
+          TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(map) TRIVET_WRITER(load_sharing)};
 #undef TRIVET_WRITER
   return list;
 }
@@ -56,7 +55,8 @@ namespace {
 
 const AnswerWriter& writer_of(const std::string& question) {
   const auto& list = answer_writers();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const AnswerWriter& one) { return one.name == question; });
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const AnswerWriter& one) { return one.name == question; });
   if (found == list.end()) throw foundation::InvalidInput("no answer is called \"" + question + "\"");
   return *found;
 }

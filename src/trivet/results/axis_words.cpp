@@ -59,14 +59,17 @@ constexpr std::array<ComponentOf, 12> component_tables = {{{"at", "place", "m"},
 const ComponentOf* component_table(const std::vector<std::string>& keys) {
   if (keys.size() < 4) return nullptr;
   const bool damps = keys[keys.size() - 3] == "damping";  // translation and rotation of a damping measure otherwise
-  const auto found = std::find_if(component_tables.begin(), component_tables.end(), [&](const ComponentOf& one) { return keys[keys.size() - 2] == one.table; });
+  const auto found = std::find_if(component_tables.begin(), component_tables.end(),
+                                  [&](const ComponentOf& one) { return keys[keys.size() - 2] == one.table; });
   return damps || found == component_tables.end() ? nullptr : found;
 }
 
 int digits_on(const project::MapAxis& axis) {
   constexpr int usual = 5, most = 17;
   const double steps = axis.points - 1;
-  const double step = axis.logarithmic ? std::expm1(std::log(axis.to / axis.from) / steps) : (axis.to - axis.from) / steps / std::max(std::abs(axis.from), std::abs(axis.to));
+  const double step = axis.logarithmic
+      ? std::expm1(std::log(axis.to / axis.from) / steps)
+      : (axis.to - axis.from) / steps / std::max(std::abs(axis.from), std::abs(axis.to));
   return std::clamp(1 + static_cast<int>(std::ceil(-std::log10(step))), usual, most);
 }
 
@@ -75,7 +78,8 @@ int digits_on(const project::MapAxis& axis) {
 std::string axis_name(const project::MapAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
-  if (const ComponentOf* part = component_table(keys)) return fmt::format("{} {} of {}", part->words, keys.back(), keys[1]);
+  if (const ComponentOf* part = component_table(keys))
+    return fmt::format("{} {} of {}", part->words, keys.back(), keys[1]);
   std::string words = keys.back();
   std::replace(words.begin(), words.end(), '_', ' ');
   for (const auto& [key, meaning] : known_keys)
@@ -87,14 +91,16 @@ std::string axis_unit(const project::MapAxis& axis) {
   if (!axis.unit.empty()) return axis.unit;
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (const ComponentOf* part = component_table(keys)) return part->unit;
-  const auto found = std::find_if(units.begin(), units.end(), [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
+  const auto found = std::find_if(units.begin(), units.end(),
+                                  [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
   return found == units.end() ? "" : found->second;
 }
 
 bool is_pure_number(const project::MapAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (keys.empty() || !axis_unit(axis).empty()) return false;
-  static constexpr std::array<const char*, 6> pure = {"scale", "stiffening", "loss_factor", "damping_factor", "mass_about_center", "modal_factor"};
+  static constexpr std::array<const char*, 6> pure = {"scale",          "stiffening",        "loss_factor",
+                                                      "damping_factor", "mass_about_center", "modal_factor"};
   return component_table(keys) || std::find(pure.begin(), pure.end(), keys.back()) != pure.end();
 }
 

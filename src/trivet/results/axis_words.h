@@ -10,7 +10,8 @@ namespace trivet::results {
 /// What an axis is called: its name, or what its path means in the field's words ("stiffness scale of suspension").
 [[nodiscard]] std::string axis_name(const project::MapAxis& axis);
 
-/// The unit of the numbers on an axis: that written beside from and to, else the SI unit that a bare number of this key has; empty if it has none or that is not known.
+/// The unit of the numbers on an axis: that written beside from and to, else the SI unit that a bare number of this key
+/// has; empty if it has none or that is not known.
 [[nodiscard]] std::string axis_unit(const project::MapAxis& axis);
 
 /// A number that no unit belongs to.

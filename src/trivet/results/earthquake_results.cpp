@@ -17,11 +17,21 @@ namespace {
 
 Json earthquake(const project::Case&, const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
-  Json result{{"results", Json::array()}, {"modes", Json::array()}, {"effective_mass_share", e.effective_mass_share}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"results", Json::array()},
+              {"modes", Json::array()},
+              {"effective_mass_share", e.effective_mass_share},
+              {"warnings", warnings(answers.warnings)}};
   for (const response::CombinedAnswer& a : e.answers)
-    result["results"].push_back({{"name", a.name}, {"unit", a.unit}, {"srss", a.square_root_of_sum_of_squares}, {"cqc", a.complete_quadratic}, {"modal_maxima", list(a.modal_maxima)}});
+    result["results"].push_back({{"name", a.name},
+                                 {"unit", a.unit},
+                                 {"srss", a.square_root_of_sum_of_squares},
+                                 {"cqc", a.complete_quadratic},
+                                 {"modal_maxima", list(a.modal_maxima)}});
   for (const response::ModalShare& m : e.modes)
-    result["modes"].push_back({{"angular_frequency", m.angular_frequency}, {"damping_ratio", m.damping_ratio}, {"participation", m.participation}, {"effective_mass", m.effective_mass},
+    result["modes"].push_back({{"angular_frequency", m.angular_frequency},
+                               {"damping_ratio", m.damping_ratio},
+                               {"participation", m.participation},
+                               {"effective_mass", m.effective_mass},
                                {"spectral_acceleration", number(m.spectral_acceleration)}});
   return result;
 }
@@ -35,10 +45,12 @@ namespace {
 std::string earthquake_csv(const project::Case&, const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   std::string text = "name,unit,cqc,srss";
-  for (std::size_t m = 0; m < e.modes.size(); ++m) text += "," + csv_field(fmt::format("largest in mode at {:.6g} Hz", hertz(e.modes[m].angular_frequency)));
+  for (std::size_t m = 0; m < e.modes.size(); ++m)
+    text += "," + csv_field(fmt::format("largest in mode at {:.6g} Hz", hertz(e.modes[m].angular_frequency)));
   text += "\n";
   for (const response::CombinedAnswer& a : e.answers) {
-    text += fmt::format("{},{},{},{}", csv_field(a.name), csv_field(a.unit), csv_number(a.complete_quadratic), csv_number(a.square_root_of_sum_of_squares));
+    text += fmt::format("{},{},{},{}", csv_field(a.name), csv_field(a.unit), csv_number(a.complete_quadratic),
+                        csv_number(a.square_root_of_sum_of_squares));
     for (Eigen::Index m = 0; m < a.modal_maxima.size(); ++m) text += "," + csv_number(a.modal_maxima(m));
     text += "\n";
   }
@@ -48,14 +60,19 @@ std::string earthquake_csv(const project::Case&, const study::Answers& answers) 
 std::string earthquake_text(const project::Case&, const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   TextTable modes({"f [Hz]", "damping ratio", "effective mass [kg]", "S_a [m/s²]"});
-  for (const response::ModalShare& m : e.modes) modes.add({shown(hertz(m.angular_frequency), 5), shown(m.damping_ratio, 3), shown(m.effective_mass, 5), shown(m.spectral_acceleration, 5)});
+  for (const response::ModalShare& m : e.modes)
+    modes.add({shown(hertz(m.angular_frequency), 5), shown(m.damping_ratio, 3), shown(m.effective_mass, 5),
+               shown(m.spectral_acceleration, 5)});
   TextTable table({"answer", "CQC", "SRSS", "unit"});
   std::map<std::string, double> largest;  // by unit
-  for (const response::CombinedAnswer& a : e.answers) largest[a.unit] = std::max({largest[a.unit], a.complete_quadratic, a.square_root_of_sum_of_squares});
   for (const response::CombinedAnswer& a : e.answers)
-    table.add({a.name, shown(without_round_off(a.complete_quadratic, largest[a.unit])), shown(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
-  return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() + table.text() +
-         fmt::format("  the spectrum reaches modes with {} of the effective mass\n", percent(e.effective_mass_share));
+    largest[a.unit] = std::max({largest[a.unit], a.complete_quadratic, a.square_root_of_sum_of_squares});
+  for (const response::CombinedAnswer& a : e.answers)
+    table.add({a.name, shown(without_round_off(a.complete_quadratic, largest[a.unit])),
+               shown(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
+  return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() +
+      table.text() +
+      fmt::format("  the spectrum reaches modes with {} of the effective mass\n", percent(e.effective_mass_share));
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 std::vector<std::string> selected(const project::Analyses& asked, const std::string& question) {
   if (question == "peaks" && asked.peaks) return asked.peaks->wanted.excitations;
   if (const auto* own = asked.find<project::Question>(question)) return own->wanted.excitations;
-  return (question == "peaks" || question == "response") && asked.response ? asked.response->wanted.excitations : std::vector<std::string>();
+  return (question == "peaks" || question == "response") && asked.response ? asked.response->wanted.excitations
+                                                                           : std::vector<std::string>();
 }
 
 }  // namespace
@@ -22,7 +23,8 @@ std::string excited_at_once(const project::Case& variant, const std::string& que
   int count = 0;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
     const bool acts = chosen.empty() || std::find(chosen.begin(), chosen.end(), excitation.name) != chosen.end();
-    if (acts && project::drives(excitation, project::drive_of(question))) names += (count++ > 0 ? ", " : "") + excitation.name;
+    if (acts && project::drives(excitation, project::drive_of(question)))
+      names += (count++ > 0 ? ", " : "") + excitation.name;
   }
   return count > 1 ? "Excited at once by " + names + " (`excitations` of the question selects some)\n" : "";
 }

@@ -16,16 +16,18 @@ using json::Json;
 
 Json trial_json(const std::optional<study::Trial>& trial) {
   if (!trial) return nullptr;
-  return {
-      {"parameter", trial->parameter},
-      {"amount", trial->amount},
-      {"first_order",
-       {{"angular_frequency", json::optional(trial->predicted_angular_frequency)},
-        {"amplitude", json::optional(trial->predicted_amplitude)}}},
-      {"solved_again", {{"angular_frequency", json::optional(trial->angular_frequency)}, {"amplitude", json::optional(trial->amplitude)}}}};
+  return {{"parameter", trial->parameter},
+          {"amount", trial->amount},
+          {"first_order",
+           {{"angular_frequency", json::optional(trial->predicted_angular_frequency)},
+            {"amplitude", json::optional(trial->predicted_amplitude)}}},
+          {"solved_again",
+           {{"angular_frequency", json::optional(trial->angular_frequency)},
+            {"amplitude", json::optional(trial->amplitude)}}}};
 }
 
-Json shares_json(const project::Case& variant, const study::Explanation& explanation, const response::PeakShares& shares) {
+Json shares_json(const project::Case& variant, const study::Explanation& explanation,
+                 const response::PeakShares& shares) {
   Json modes = Json::array(), elements = Json::array();
   for (const response::ModeShare& mode : shares.modes)
     modes.push_back({{"mode", mode.mode},
@@ -64,7 +66,8 @@ Json sensitivities_json(const study::Explanation& explanation, const study::Expl
 }  // namespace
 
 std::string explain_json(const project::Case& variant, const study::Explanation& explanation) {
-  Json result{{"peaks", Json::array()}, {"left_out", explanation.left_out}, {"warnings", json::warnings(explanation.warnings)}};
+  Json result{
+      {"peaks", Json::array()}, {"left_out", explanation.left_out}, {"warnings", json::warnings(explanation.warnings)}};
   for (const study::ExplainedPeak& peak : explanation.peaks)
     result["peaks"].push_back({{"name", peak.name},
                                {"unit", peak.unit},
@@ -82,17 +85,21 @@ std::string explain_json(const project::Case& variant, const study::Explanation&
 }
 
 std::string explain_csv(const study::Explanation& explanation) {
-  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); };
-  std::string text = "name,unit,angular_frequency [rad/s],amplitude,parameter,change,relative height change,relative frequency change\n";
+  const auto number = [](const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : std::string();
+  };
+  std::string text =
+      "name,unit,angular_frequency [rad/s],amplitude,parameter,change,relative height change,relative frequency "
+      "change\n";
   for (const study::ExplainedPeak& peak : explanation.peaks)
     for (const response::Sensitivity& s : peak.sensitivities) {
       const response::Parameter& parameter = explanation.parameters[s.parameter];
       const auto changed = [&](const std::optional<double>& slope) {
         return slope ? std::optional(*slope * parameter.size) : std::nullopt;
       };
-      text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(peak.name), csv_field(peak.unit), peak.peak.angular_frequency,
-                          peak.peak.amplitude, csv_field(parameter.name), csv_field(parameter.change), number(changed(s.height)),
-                          number(changed(s.frequency)));
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(peak.name), csv_field(peak.unit),
+                          peak.peak.angular_frequency, peak.peak.amplitude, csv_field(parameter.name),
+                          csv_field(parameter.change), number(changed(s.height)), number(changed(s.frequency)));
     }
   return text;
 }

@@ -19,7 +19,8 @@ constexpr std::chrono::milliseconds pause(10);
 
 }  // namespace
 
-FolderLock::FolderLock(const foundation::FolderHandle& folder, const std::filesystem::path& shown) : own_(folder.folder(".")) {
+FolderLock::FolderLock(const foundation::FolderHandle& folder, const std::filesystem::path& shown)
+    : own_(folder.folder(".")) {
   const auto end = std::chrono::steady_clock::now() + longest_wait;
   while (flock(own_.descriptor(), LOCK_EX | LOCK_NB) != 0) {
     error_ = errno;

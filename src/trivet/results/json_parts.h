@@ -13,7 +13,9 @@ namespace trivet::results::json {
 using Json = nlohmann::ordered_json;
 
 /// As text. File names need not be UTF-8, JSON must be: what is not becomes U+FFFD.
-[[nodiscard]] inline std::string text(const Json& json, int indent = -1) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+[[nodiscard]] inline std::string text(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 /// A number, or null where it is not finite.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -23,7 +25,9 @@ Json optional(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-inline Json complex_number(const std::complex<double>& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()) ? Json{z.real(), z.imag()} : Json(nullptr); }
+inline Json complex_number(const std::complex<double>& z) {
+  return std::isfinite(z.real()) && std::isfinite(z.imag()) ? Json{z.real(), z.imag()} : Json(nullptr);
+}
 
 template <typename Vector>
 Json list(const Vector& values) {

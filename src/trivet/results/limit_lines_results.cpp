@@ -14,9 +14,16 @@ Json limit_lines(const study::Answers& answers) {
   for (const study::LimitLineResult& l : answers.limit_lines) {
     Json exceeded = Json::array();
     for (const response::Band& band : l.comparison.exceeded) exceeded.push_back({band.from, band.to});
-    result.push_back({{"name", l.line.name}, {"of", l.of}, {"unit", l.line.unit}, {"level", l.line.rms ? "rms" : "zero_to_peak"}, {"compared", {l.comparison.compared.from, l.comparison.compared.to}},
-                      {"least_margin", number(l.comparison.least_margin)}, {"least_margin_db", number(response::margin_level(l.comparison.least_margin))}, {"at", l.comparison.least_margin_at},
-                      {"exceeded", std::move(exceeded)}, {"kept", l.comparison.kept()}});
+    result.push_back({{"name", l.line.name},
+                      {"of", l.of},
+                      {"unit", l.line.unit},
+                      {"level", l.line.rms ? "rms" : "zero_to_peak"},
+                      {"compared", {l.comparison.compared.from, l.comparison.compared.to}},
+                      {"least_margin", number(l.comparison.least_margin)},
+                      {"least_margin_db", number(response::margin_level(l.comparison.least_margin))},
+                      {"at", l.comparison.least_margin_at},
+                      {"exceeded", std::move(exceeded)},
+                      {"kept", l.comparison.kept()}});
   }
   return result;
 }
@@ -25,11 +32,17 @@ Json limit_lines(const study::Answers& answers) {
 
 std::string limit_lines_text(const study::Answers& answers) {
   if (answers.limit_lines.empty()) return "";
-  TextTable table({"limit line", "answer", "compared [Hz]", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
+  TextTable table(
+      {"limit line", "answer", "compared [Hz]", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
   for (const study::LimitLineResult& l : answers.limit_lines) {
     std::string bands;
-    for (const response::Band& band : l.comparison.exceeded) bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", hertz(band.from), hertz(band.to));
-    table.add({l.line.name, l.of, fmt::format("{:.4g} … {:.4g}", hertz(l.comparison.compared.from), hertz(l.comparison.compared.to)), shown(response::margin_level(l.comparison.least_margin), 4), shown(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands, l.comparison.kept() ? "kept" : "EXCEEDED"});
+    for (const response::Band& band : l.comparison.exceeded)
+      bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", hertz(band.from), hertz(band.to));
+    table.add({l.line.name, l.of,
+               fmt::format("{:.4g} … {:.4g}", hertz(l.comparison.compared.from), hertz(l.comparison.compared.to)),
+               shown(response::margin_level(l.comparison.least_margin), 4),
+               shown(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands,
+               l.comparison.kept() ? "kept" : "EXCEEDED"});
   }
   return "Limit lines\n" + table.text();
 }
@@ -38,13 +51,17 @@ namespace {
 
 /// One row per limit line; what is exceeded as "from … to" in hertz.
 std::string limit_lines_csv(const project::Case&, const study::Answers& answers) {
-  std::string text = "limit line,name,unit,level,compared [Hz],least_margin,least_margin [dB],at [rad/s],exceeded [Hz],kept\n";
+  std::string text =
+      "limit line,name,unit,level,compared [Hz],least_margin,least_margin [dB],at [rad/s],exceeded [Hz],kept\n";
   for (const study::LimitLineResult& l : answers.limit_lines) {
     std::string bands;
-    for (const response::Band& band : l.comparison.exceeded) bands += (bands.empty() ? "" : "; ") + fmt::format("{} to {}", hertz(band.from), hertz(band.to));
-    text += fmt::format("{},{},{},{},{} to {},{},{},{},{},{}\n", csv_field(l.line.name), csv_field(l.of), csv_field(l.line.unit), l.line.rms ? "rms" : "zero_to_peak",
-                        hertz(l.comparison.compared.from), hertz(l.comparison.compared.to), csv_number(l.comparison.least_margin),
-                        csv_number(response::margin_level(l.comparison.least_margin)), csv_number(l.comparison.least_margin_at), csv_field(bands), l.comparison.kept() ? "yes" : "no");
+    for (const response::Band& band : l.comparison.exceeded)
+      bands += (bands.empty() ? "" : "; ") + fmt::format("{} to {}", hertz(band.from), hertz(band.to));
+    text += fmt::format("{},{},{},{},{} to {},{},{},{},{},{}\n", csv_field(l.line.name), csv_field(l.of),
+                        csv_field(l.line.unit), l.line.rms ? "rms" : "zero_to_peak", hertz(l.comparison.compared.from),
+                        hertz(l.comparison.compared.to), csv_number(l.comparison.least_margin),
+                        csv_number(response::margin_level(l.comparison.least_margin)),
+                        csv_number(l.comparison.least_margin_at), csv_field(bands), l.comparison.kept() ? "yes" : "no");
   }
   return text;
 }

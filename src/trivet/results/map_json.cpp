@@ -19,17 +19,27 @@ namespace {
 using json::Json;
 
 Json axis(const project::MapAxis& a) {
-  return {{"parameter", a.parameter}, {"name", a.name}, {"from", a.from}, {"to", a.to}, {"unit", axis_unit(a)}, {"spacing", a.logarithmic ? "logarithmic" : "linear"}, {"points", a.points}};
+  return {{"parameter", a.parameter}, {"name", a.name},
+          {"from", a.from},           {"to", a.to},
+          {"unit", axis_unit(a)},     {"spacing", a.logarithmic ? "logarithmic" : "linear"},
+          {"points", a.points}};
 }
 
-const char* kind(design::DesignRule::Kind kind) { return kind == design::DesignRule::Kind::amplitude ? "amplitude" : "no_peak"; }
+const char* kind(design::DesignRule::Kind kind) {
+  return kind == design::DesignRule::Kind::amplitude ? "amplitude" : "no_peak";
+}
 
 Json rules(const study::DesignMap& map) {
   Json list = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
-    list.push_back({{"kind", kind(rule.kind)}, {"name", rule.answer}, {"unit", rule.unit}, {"allowed", rule.allowed}, {"words", rule.words},
-                    {"governs_kept", map.shares[r].kept}, {"governs_broken", map.shares[r].broken}});
+    list.push_back({{"kind", kind(rule.kind)},
+                    {"name", rule.answer},
+                    {"unit", rule.unit},
+                    {"allowed", rule.allowed},
+                    {"words", rule.words},
+                    {"governs_kept", map.shares[r].kept},
+                    {"governs_broken", map.shares[r].broken}});
   }
   return list;
 }
@@ -68,7 +78,8 @@ void write_grid(const study::DesignMap& map, Pieces& out) {
   out.text() += "{\"order\":\"row after row of y, x running\",\"margin\":[";
   const char* separator = "";
   for (const design::DesignOutcome& outcome : map.outcomes) {
-    if (outcome.known() && std::isfinite(outcome.margin)) fmt::format_to(std::back_inserter(out.text()), "{}{}", separator, outcome.margin);
+    if (outcome.known() && std::isfinite(outcome.margin))
+      fmt::format_to(std::back_inserter(out.text()), "{}{}", separator, outcome.margin);
     else (out.text() += separator) += "null";
     separator = ",";
   }
@@ -76,7 +87,8 @@ void write_grid(const study::DesignMap& map, Pieces& out) {
   separator = "";
   for (const design::DesignOutcome& outcome : map.outcomes) {
     out.text() += separator;
-    if (!outcome.known()) out.text() += outcome.governing == design::DesignOutcome::no_model ? "\"no model\"" : "\"not computed\"";
+    if (!outcome.known())
+      out.text() += outcome.governing == design::DesignOutcome::no_model ? "\"no model\"" : "\"not computed\"";
     else if (std::isinf(outcome.margin)) out.text() += "\"none\"";
     else fmt::format_to(std::back_inserter(out.text()), "{}", outcome.governing);
     separator = ",";
@@ -87,7 +99,12 @@ void write_grid(const study::DesignMap& map, Pieces& out) {
 Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
 
 Json mark(const study::DesignMap& map, const study::MapMark& m) {
-  Json result{{"case", m.name}, {"x", json::optional(m.x)}, {"y", json::optional(m.y)}, {"of_this_model", m.of_this_model}, {"has_own_rules", m.has_own_rules}, {"words", verdict_words(map, m)}};
+  Json result{{"case", m.name},
+              {"x", json::optional(m.x)},
+              {"y", json::optional(m.y)},
+              {"of_this_model", m.of_this_model},
+              {"has_own_rules", m.has_own_rules},
+              {"words", verdict_words(map, m)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.kept();
   result["margin"] = json::number(m.judged->governing.margin);
@@ -96,12 +113,20 @@ Json mark(const study::DesignMap& map, const study::MapMark& m) {
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
     const double value = m.judged->rules.values[r], margin = design::margin({rule.kind, 0, rule.allowed}, value);
-    result["rules"].push_back({{"words", rule.words}, {"value", json::number(value)}, {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])}, {"allowed", rule.allowed}, {"margin", json::number(margin)}, {"kept", margin >= 1}});
+    result["rules"].push_back({{"words", rule.words},
+                               {"value", json::number(value)},
+                               {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])},
+                               {"allowed", rule.allowed},
+                               {"margin", json::number(margin)},
+                               {"kept", margin >= 1}});
   }
   result["peaks"] = Json::array();
   for (const response::Peak& peak : m.judged->peaks.list)
-    result["peaks"].push_back({{"name", m.judged->peaks.curves[peak.curve].name}, {"unit", m.judged->peaks.curves[peak.curve].unit}, {"angular_frequency", peak.angular_frequency},
-                               {"amplitude", json::number(peak.amplitude)}, {"relative_prominence", json::number(response::relative_prominence(peak))}});
+    result["peaks"].push_back({{"name", m.judged->peaks.curves[peak.curve].name},
+                               {"unit", m.judged->peaks.curves[peak.curve].unit},
+                               {"angular_frequency", peak.angular_frequency},
+                               {"amplitude", json::number(peak.amplitude)},
+                               {"relative_prominence", json::number(response::relative_prominence(peak))}});
   return result;
 }
 
@@ -112,18 +137,26 @@ Json without_grid(const study::DesignMap& map) {
   result["designs"] = map.outcomes.size();
   result["kept"] = map.kept;
   result["without_answer"] = map.unknown;
-  result["feasible"] = {{"share", map.feasible.area}, {"tolerance", map.boundary_tolerance}, {"boundary", lines(map, map.feasible.lines)}, {"rings", lines(map, map.feasible.rings)}};
+  result["feasible"] = {{"share", map.feasible.area},
+                        {"tolerance", map.boundary_tolerance},
+                        {"boundary", lines(map, map.feasible.lines)},
+                        {"rings", lines(map, map.feasible.rings)}};
   result["best"] = nullptr;
   if (map.best) {
     const design::DesignPoint p = map.point(*map.best);
     const design::DesignOutcome& outcome = map.outcomes[*map.best];
-    result["best"] = {{"x", p.x}, {"y", p.y}, {"margin", json::number(outcome.margin)}, {"governing", governing(outcome.margin, outcome.governing)}, {"kept", outcome.kept()},
+    result["best"] = {{"x", p.x},
+                      {"y", p.y},
+                      {"margin", json::number(outcome.margin)},
+                      {"governing", governing(outcome.margin, outcome.governing)},
+                      {"kept", outcome.kept()},
                       {"without_bound", map.without_bound}};
   }
   result["marks"] = Json::array();
   for (const study::MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
   result["way"] = map.report.words();
-  result["evaluation"] = {{"proven", map.report.proven}, {"redone", map.report.redone}, {"one_by_one", map.report.one_by_one}};
+  result["evaluation"] = {
+      {"proven", map.report.proven}, {"redone", map.report.redone}, {"one_by_one", map.report.one_by_one}};
   result["missing"] = Json::array();
   for (const design::MissingReason& reason : map.report.missing) {
     const design::DesignPoint p = map.point(reason.first);
@@ -167,7 +200,9 @@ void write_map_json(const study::DesignMap& map, const foundation::Problems& war
 }
 
 void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
-  const auto head = [](const project::MapAxis& a) { return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]"); };
+  const auto head = [](const project::MapAxis& a) {
+    return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]");
+  };
   Pieces pieces(sink);
   pieces.text() += head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
   std::vector<std::string> words;
@@ -177,7 +212,9 @@ void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
     const design::DesignOutcome& o = map.outcomes[k];
     std::string& text = pieces.text();
     fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
-    if (o.known()) fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin, std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
+    if (o.known())
+      fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin,
+                     std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
     else text += o.governing == design::DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
   pieces.hand_on();

@@ -17,7 +17,8 @@ namespace {
 using RuleKind = design::DesignRule::Kind;
 
 bool has(const study::DesignMap& map, RuleKind kind) {
-  return std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) { return rule.kind == kind; });
+  return std::any_of(map.rules.begin(), map.rules.end(),
+                     [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
 std::string band_words(const std::optional<response::Band>& band) {
@@ -32,19 +33,27 @@ std::string asked_words(const study::DesignMap& map) {
   std::string text;
   if (has(map, RuleKind::amplitude)) text = band_words(map.request.band);
   if (has(map, RuleKind::no_peak))
-    text += fmt::format("{}resonance peaks wherever they lie, from {:g} % above the minimum beside them (rises below {:g} of a curve are none)", text.empty() ? "" : "; ",
-                        100 * map.request.peak_tolerance, map.request.min_prominence);
+    text += fmt::format(
+        "{}resonance peaks wherever they lie, from {:g} % above the minimum beside them (rises below {:g} of a curve "
+        "are none)",
+        text.empty() ? "" : "; ", 100 * map.request.peak_tolerance, map.request.min_prominence);
   return text;
 }
 
 std::string feasible_words(const study::DesignMap& map) {
   const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
   const bool rounded_up = share == "100.00 %" && (map.kept < map.outcomes.size() || map.passages.pairs > 0);
-  std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share, map.kept, map.outcomes.size());
+  std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share,
+                                 map.kept, map.outcomes.size());
   if (map.steep > 0)
-    text += fmt::format("; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies between them, a resonance of little damping for instance, "
-                        "may break a rule unseen; take more points there", map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
-  if (std::any_of(map.marks.begin(), map.marks.end(), [&](const study::MapMark& mark) { return study::contradicts(map, mark); })) text += "; not to be trusted: a case contradicts all designs around it";
+    text += fmt::format(
+        "; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies "
+        "between them, a resonance of little damping for instance, "
+        "may break a rule unseen; take more points there",
+        map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
+  if (std::any_of(map.marks.begin(), map.marks.end(),
+                  [&](const study::MapMark& mark) { return study::contradicts(map, mark); }))
+    text += "; not to be trusted: a case contradicts all designs around it";
   return text;
 }
 
@@ -53,13 +62,20 @@ std::string best_words(const study::DesignMap& map) {
   const design::DesignOutcome& best = map.outcomes[*map.best];
   const design::DesignPoint p = map.point(*map.best);
   const project::MapAxis &x = map.request.x, &y = map.request.y;
-  const std::string place = fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
+  const std::string place =
+      fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
   if (std::isinf(best.margin))
-    return fmt::format("Best design: {}; margin ∞ (no rule limits {} designs; of these the one farthest from all others and from the frame)", place, map.without_bound);
+    return fmt::format(
+        "Best design: {}; margin ∞ (no rule limits {} designs; of these the one farthest from all others and from the "
+        "frame)",
+        place, map.without_bound);
   const std::string& rule = map.rules[best.governing].words;
-  if (best.margin == 0) return fmt::format("No design keeps every rule, and none is nearer than another: margin 0 ({}); in their midst: {}", rule, place);
-  std::string text = fmt::format("{}: {}; margin {:.4g} ({}{})", best.kept() ? "Best design" : "No design keeps every rule; the nearest", place, best.margin, rule,
-                                 map.equals > 1 ? fmt::format("; in the midst of {} as good ones", map.equals) : "");
+  if (best.margin == 0)
+    return fmt::format("No design keeps every rule, and none is nearer than another: margin 0 ({}); in their midst: {}",
+                       rule, place);
+  std::string text = fmt::format(
+      "{}: {}; margin {:.4g} ({}{})", best.kept() ? "Best design" : "No design keeps every rule; the nearest", place,
+      best.margin, rule, map.equals > 1 ? fmt::format("; in the midst of {} as good ones", map.equals) : "");
   const std::vector<std::string> ends = best_ends(map);
   for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "; at " : " and ") + ends[k];
   return text + (ends.empty() ? "" : ", a better one may lie beyond");
@@ -71,7 +87,8 @@ std::vector<std::string> best_ends(const study::DesignMap& map) {
   const design::DesignPoint p = map.point(*map.best);
   std::vector<std::string> ends;
   const auto look = [&](const project::MapAxis& axis, double value, std::size_t at, std::size_t points) {
-    if (value != 0 && (at == 0 || at + 1 == points)) ends.push_back(fmt::format("the {} end of {}", at == 0 ? "lower" : "upper", axis_name(axis)));
+    if (value != 0 && (at == 0 || at + 1 == points))
+      ends.push_back(fmt::format("the {} end of {}", at == 0 ? "lower" : "upper", axis_name(axis)));
   };
   look(map.request.x, p.x, *map.best % nx, nx);
   look(map.request.y, p.y, *map.best / nx, ny);
@@ -87,6 +104,8 @@ std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
   return order;
 }
 
-std::string unlimited_words(const study::DesignMap& map) { return has(map, RuleKind::amplitude) ? "nothing moves" : "no peak"; }
+std::string unlimited_words(const study::DesignMap& map) {
+  return has(map, RuleKind::amplitude) ? "nothing moves" : "no peak";
+}
 
 }  // namespace trivet::results

@@ -17,7 +17,8 @@ namespace trivet::results {
 /// The best design, or the nearest, with its margin. Empty if there is none.
 [[nodiscard]] std::string best_words(const study::DesignMap& map);
 
-/// Ends of the axes at which the best design stands ("the upper end of δ"): a better one may lie beyond. Not an end at 0, and none where margins do not lead there.
+/// Ends of the axes at which the best design stands ("the upper end of δ"): a better one may lie beyond. Not an end at
+/// 0, and none where margins do not lead there.
 [[nodiscard]] std::vector<std::string> best_ends(const study::DesignMap& map);
 
 /// Rules that govern somewhere, that of most designs first.

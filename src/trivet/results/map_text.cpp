@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "trivet/results/text_table.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/map_summary.h"
 #include "trivet/results/map_verdicts.h"
 #include "trivet/results/shown_apart.h"
+#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {
@@ -20,21 +20,28 @@ std::string point_words(const study::DesignMap& map, const design::DesignPoint& 
 }
 
 std::string axis_words(const project::MapAxis& axis) {
-  const std::string name = axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")", unit = axis_unit(axis);
+  const std::string name = axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")",
+                    unit = axis_unit(axis);
   const auto [from, to] = shown_apart(axis.from, axis.to, 6);
-  return fmt::format("{}{} {} … {}{}, {} points{}", name, path, from, to, unit.empty() ? "" : " " + unit, axis.points, axis.logarithmic ? ", logarithmic" : "");
+  return fmt::format("{}{} {} … {}{}, {} points{}", name, path, from, to, unit.empty() ? "" : " " + unit, axis.points,
+                     axis.logarithmic ? ", logarithmic" : "");
 }
 
 /// A region smaller than a cell of the grid is not seen.
 std::string coarse_words(const study::DesignMap& map) {
   constexpr int enough = 21;
   const int fewest = std::min(map.grid.nx, map.grid.ny);
-  return fewest >= enough ? "" : fmt::format(" (a coarse grid: regions below {:.0f} % of an axis are not seen; take more points)", 100.0 / (fewest - 1));
+  return fewest >= enough
+      ? ""
+      : fmt::format(" (a coarse grid: regions below {:.0f} % of an axis are not seen; take more points)",
+                    100.0 / (fewest - 1));
 }
 
 std::string shares_text(const study::DesignMap& map) {
   TextTable table({"rule", "governs, broken", "governs, kept"});
-  const auto percent = [&](std::size_t designs) { return fmt::format("{:.1f} %", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size())); };
+  const auto percent = [&](std::size_t designs) {
+    return fmt::format("{:.1f} %", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size()));
+  };
   const std::vector<std::size_t> governing = governing_rules(map);
   std::size_t limited = 0;
   for (const std::size_t r : governing) {
@@ -47,9 +54,14 @@ std::string shares_text(const study::DesignMap& map) {
 }
 
 std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
-  const auto place = [&](const std::optional<double>& value, const project::MapAxis& axis) { return value ? axis_value(*value, axis) : std::string("not in the file"); };
-  std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name, place(mark.x, map.request.x), place(mark.y, map.request.y),
-                                 !mark.judged ? "NOT COMPUTED" : mark.judged->governing.kept() ? "keeps every rule" : "BREAKS the rules");
+  const auto place = [&](const std::optional<double>& value, const project::MapAxis& axis) {
+    return value ? axis_value(*value, axis) : std::string("not in the file");
+  };
+  std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name,
+                                 place(mark.x, map.request.x), place(mark.y, map.request.y),
+                                 !mark.judged                        ? "NOT COMPUTED"
+                                     : mark.judged->governing.kept() ? "keeps every rule"
+                                                                     : "BREAKS the rules");
   if (!mark.of_this_model) text += ", a model of its own beside the two numbers";
   text += "\n";
   for (const std::string& words : verdict_words(map, mark)) text += "      " + words + "\n";
@@ -59,14 +71,17 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
 }  // namespace
 
 std::string map_text(const study::DesignMap& map) {
-  std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(), map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x), axis_words(map.request.y));
+  std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(),
+                                 map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x),
+                                 axis_words(map.request.y));
   text += "  " + asked_words(map) + "\n";
   text += feasible_words(map) + coarse_words(map) + "\n";
   if (map.best) text += best_words(map) + "\n";
   text += shares_text(map);
   for (const design::MissingReason& reason : map.report.missing)
-    text += fmt::format("  {} design{} without an answer, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s", reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)),
-                        reason.words);
+    text +=
+        fmt::format("  {} design{} without an answer, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s",
+                    reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)), reason.words);
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
   return text + "  " + map.report.words() + "\n";

@@ -21,7 +21,9 @@ std::string peak_words(bool counted, double tallest) {
 
 std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark) {
   std::vector<std::string> words;
-  if (mark.has_own_rules) words.push_back(fmt::format("judged by the rules of this map; its own map asks otherwise: {}", mark.name.empty() ? "map without --case" : "map --case \"" + mark.name + "\""));
+  if (mark.has_own_rules)
+    words.push_back(fmt::format("judged by the rules of this map; its own map asks otherwise: {}",
+                                mark.name.empty() ? "map without --case" : "map --case \"" + mark.name + "\""));
   if (!mark.judged) {
     words.push_back("not computed: " + mark.failure);
     return words;
@@ -33,7 +35,8 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     if (rule.kind != design::DesignRule::Kind::amplitude || design::keeps_limit(value, rule.allowed)) continue;
     const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
     if (std::isinf(value)) {
-      words.push_back(fmt::format("{} has no bound {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
+      words.push_back(
+          fmt::format("{} has no bound {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
       continue;
     }
     const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
@@ -43,19 +46,25 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
       const std::string& name = judged.peaks.curves[c].name;
-      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& r) { return r.kind == design::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit; });
+      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& r) {
+        return r.kind == design::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit;
+      });
       std::string list;
       double tallest = 0;
       for (const response::Peak& peak : judged.peaks.list) {
         const double prominence = response::relative_prominence(peak);
         if (!ruled || peak.curve != c || (design::margin(no_peak, prominence) < 1) != counted) continue;
         tallest = std::max(tallest, prominence);
-        list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency, std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
+        list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency,
+                            std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
       }
       if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, peak_words(counted, tallest), list));
     }
   if (judged.governing.kept())
-    words.push_back(std::isinf(judged.governing.margin) ? "no rule limits it" : fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));
+    words.push_back(
+        std::isinf(judged.governing.margin)
+            ? "no rule limits it"
+            : fmt::format("least margin {:.4g}: {}", judged.governing.margin, map.rules[judged.governing.rule].words));
   return words;
 }
 

@@ -26,7 +26,8 @@ Json element_names(const project::Case& variant) {
 Json screws(const std::vector<spatial::Screw>& list_of_screws) {
   Json result = Json::array();
   for (const spatial::Screw& screw : list_of_screws) {
-    Json one{{"direction", list(screw.direction)}, {"point", nullptr}, {"pitch", nullptr}, {"rotation", screw.rotation}};
+    Json one{
+        {"direction", list(screw.direction)}, {"point", nullptr}, {"pitch", nullptr}, {"rotation", screw.rotation}};
     if (!screw.pure_translation) {
       one["point"] = list(screw.point);
       one["pitch"] = screw.pitch;
@@ -54,7 +55,11 @@ Json mode(const modal::Mode& m) {
 }
 
 Json modes(const project::Case& variant, const study::Answers& answers) {
-  Json result{{"bodies", body_names(variant)}, {"elements", element_names(variant)}, {"modes", Json::array()}, {"free_motions", answers.free_motions}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"bodies", body_names(variant)},
+              {"elements", element_names(variant)},
+              {"modes", Json::array()},
+              {"free_motions", answers.free_motions},
+              {"warnings", warnings(answers.warnings)}};
   for (const modal::Mode& m : answers.modes.list) result["modes"].push_back(mode(m));
   return result;
 }
@@ -69,15 +74,19 @@ using foundation::two_pi;
 std::string modes_csv(const project::Case& variant, const study::Answers& answers) {
   std::string text = "mode,eigenvalue_squared [rad2/s2],angular_frequency [rad/s],frequency [Hz],name";
   for (const auto& body : variant.system.bodies())
-    for (const char* coordinate : model::coordinate_names) text += "," + csv_field(fmt::format("shape {}.{}", body.name, coordinate));
+    for (const char* coordinate : model::coordinate_names)
+      text += "," + csv_field(fmt::format("shape {}.{}", body.name, coordinate));
   for (const auto& element : variant.system.elements()) text += "," + csv_field("strain energy share " + element.name);
   text += "\n";
   for (const modal::Mode& mode : answers.modes.list) {
-    text += fmt::format("{},{},{},{},{}", mode.number, csv_number(mode.eigenvalue_squared), csv_number(mode.angular_frequency),
-                        mode.angular_frequency ? csv_number(*mode.angular_frequency / two_pi) : "", csv_field(mode.name));
+    text += fmt::format(
+        "{},{},{},{},{}", mode.number, csv_number(mode.eigenvalue_squared), csv_number(mode.angular_frequency),
+        mode.angular_frequency ? csv_number(*mode.angular_frequency / two_pi) : "", csv_field(mode.name));
     for (const double component : mode.shape) text += "," + csv_number(component);
     for (std::size_t e = 0; e < variant.system.elements().size(); ++e)
-      text += "," + (mode.strain_energy_share ? csv_number((*mode.strain_energy_share)(static_cast<Eigen::Index>(e))) : std::string());
+      text += "," +
+          (mode.strain_energy_share ? csv_number((*mode.strain_energy_share)(static_cast<Eigen::Index>(e)))
+                                    : std::string());
     text += "\n";
   }
   return text;
@@ -94,7 +103,8 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
   TextTable table({"mode", "ω [rad/s]", "f [Hz]", "ω² [rad²/s²]", "most strain energy in", "motion"});
   for (const modal::Mode& mode : answers.modes.list) {
     const double omega = mode.angular_frequency.value_or(nothing);
-    table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / two_pi, 7), shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
+    table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / two_pi, 7),
+               shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
                mode.name + (mode.repeated ? " (repeated root: one of an orthonormal basis)" : "")});
   }
   return "Undamped modes\n" + table.text();

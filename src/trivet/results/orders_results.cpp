@@ -18,23 +18,45 @@ namespace {
 Json orders(const project::Case&, const study::Answers& answers) {
   const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
   const response::Campbell& campbell = answers.find<study::OrdersResult>("orders")->campbell;
-  Json result{{"speed", run.speed}, {"orders", Json::array()}, {"overall", Json::array()}, {"critical_speeds", Json::array()},
-              {"campbell", {{"orders", campbell.orders}, {"natural", Json::array()}, {"interference", Json::array()}}}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"speed", run.speed},
+              {"orders", Json::array()},
+              {"overall", Json::array()},
+              {"critical_speeds", Json::array()},
+              {"campbell", {{"orders", campbell.orders}, {"natural", Json::array()}, {"interference", Json::array()}}},
+              {"warnings", warnings(answers.warnings)}};
   for (const response::OrderCurves& order : run.orders) {
     Json curves = Json::array();
     for (const response::Curve& c : order.curves) curves.push_back(curve(c));
     result["orders"].push_back({{"order", order.order}, {"results", std::move(curves)}});
   }
   for (const response::Overall& o : run.overall)
-    result["overall"].push_back({{"name", o.name}, {"unit", o.unit}, {"highest_rms", number(o.highest_rms)}, {"highest_rms_at", number(o.highest_rms_at)}, {"rms", list(o.rms)}, {"bound", list(o.bound)}});
+    result["overall"].push_back({{"name", o.name},
+                                 {"unit", o.unit},
+                                 {"highest_rms", number(o.highest_rms)},
+                                 {"highest_rms_at", number(o.highest_rms_at)},
+                                 {"rms", list(o.rms)},
+                                 {"bound", list(o.bound)}});
   for (const response::CriticalSpeed& c : run.critical)
-    result["critical_speeds"].push_back({{"name", run.overall[c.curve].name}, {"unit", run.overall[c.curve].unit}, {"order", c.order}, {"speed", c.speed}, {"angular_frequency", c.angular_frequency},
-                                         {"amplitude", number(c.amplitude)}, {"prominence", number(c.prominence)}, {"relative_height", c.relative_height}, {"nearest_mode", optional(c.nearest_mode)}});
+    result["critical_speeds"].push_back({{"name", run.overall[c.curve].name},
+                                         {"unit", run.overall[c.curve].unit},
+                                         {"order", c.order},
+                                         {"speed", c.speed},
+                                         {"angular_frequency", c.angular_frequency},
+                                         {"amplitude", number(c.amplitude)},
+                                         {"prominence", number(c.prominence)},
+                                         {"relative_height", c.relative_height},
+                                         {"nearest_mode", optional(c.nearest_mode)}});
   for (const response::NaturalLine& line : campbell.natural)
-    result["campbell"]["natural"].push_back({{"angular_frequency", line.angular_frequency}, {"damping_ratio", line.damping_ratio}, {"nearest_mode", optional(line.nearest_mode)}});
+    result["campbell"]["natural"].push_back({{"angular_frequency", line.angular_frequency},
+                                             {"damping_ratio", line.damping_ratio},
+                                             {"nearest_mode", optional(line.nearest_mode)}});
   for (const response::Interference& point : campbell.points)
-    result["campbell"]["interference"].push_back({{"order", point.order}, {"speed", point.speed}, {"angular_frequency", point.angular_frequency}, {"mode", optional(point.mode)},
-                                                  {"modal_force_share", optional(point.modal_force_share)}, {"excited", point.excited}});
+    result["campbell"]["interference"].push_back({{"order", point.order},
+                                                  {"speed", point.speed},
+                                                  {"angular_frequency", point.angular_frequency},
+                                                  {"mode", optional(point.mode)},
+                                                  {"modal_force_share", optional(point.modal_force_share)},
+                                                  {"excited", point.excited}});
   return result;
 }
 
@@ -54,13 +76,15 @@ std::string orders_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "speed [rad/s],speed [rpm]";
   for (const response::Overall& o : run.overall) text += "," + csv_field(fmt::format("{} rms [{}]", o.name, o.unit));
   for (const response::OrderCurves& order : run.orders)
-    for (const response::Curve& c : order.curves) text += "," + csv_field(fmt::format("{} order {} [{}]", c.name, order.order, c.unit));
+    for (const response::Curve& c : order.curves)
+      text += "," + csv_field(fmt::format("{} order {} [{}]", c.name, order.order, c.unit));
   text += "\n";
   for (std::size_t k = 0; k < run.speed.size(); ++k) {
     text += fmt::format("{},{}", run.speed[k], run.speed[k] * 60 / two_pi);
     for (const response::Overall& o : run.overall) text += "," + csv_number(o.rms(static_cast<Eigen::Index>(k)));
     for (const response::OrderCurves& order : run.orders)
-      for (const response::Curve& c : order.curves) text += "," + csv_number(std::abs(c.value(static_cast<Eigen::Index>(k))));
+      for (const response::Curve& c : order.curves)
+        text += "," + csv_number(std::abs(c.value(static_cast<Eigen::Index>(k))));
     text += "\n";
   }
   return text;
@@ -68,10 +92,12 @@ std::string orders_csv(const project::Case&, const study::Answers& answers) {
 
 std::string critical_speeds_csv(const project::Case&, const study::Answers& answers) {
   const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
-  std::string text = "name,order,speed [rad/s],speed [rpm],angular_frequency [rad/s],amplitude,unit,relative_height,nearest_mode\n";
+  std::string text =
+      "name,order,speed [rad/s],speed [rpm],angular_frequency [rad/s],amplitude,unit,relative_height,nearest_mode\n";
   for (const response::CriticalSpeed& c : run.critical)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(run.overall[c.curve].name), c.order, c.speed, c.speed * 60 / two_pi, c.angular_frequency, csv_number(c.amplitude), csv_field(run.overall[c.curve].unit),
-                        c.relative_height, csv_number(c.nearest_mode));
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(run.overall[c.curve].name), c.order, c.speed,
+                        c.speed * 60 / two_pi, c.angular_frequency, csv_number(c.amplitude),
+                        csv_field(run.overall[c.curve].unit), c.relative_height, csv_number(c.nearest_mode));
   return text;
 }
 
@@ -85,16 +111,24 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"speed [rpm]", "order", "f [Hz]", "answer", "amplitude", "unit", "of its highest", "nearest mode"});
   for (std::size_t i = 0; i < std::min(most_rows, tall.size()); ++i) {
     const response::CriticalSpeed& c = tall[i];
-    table.add({shown(rpm(c.speed)), shown(c.order, 4), shown(hertz(c.angular_frequency)), run.overall[c.curve].name, shown(c.amplitude), run.overall[c.curve].unit, percent(c.relative_height), mode_words(c.nearest_mode)});
+    table.add({shown(rpm(c.speed)), shown(c.order, 4), shown(hertz(c.angular_frequency)), run.overall[c.curve].name,
+               shown(c.amplitude), run.overall[c.curve].unit, percent(c.relative_height), mode_words(c.nearest_mode)});
   }
-  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest of their answer)\n" + (tall.empty() ? std::string("  none in the range\n") : table.text());
-  if (tall.size() > most_rows) text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
+  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest of their answer)\n" +
+      (tall.empty() ? std::string("  none in the range\n") : table.text());
+  if (tall.size() > most_rows)
+    text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
   TextTable overall({"answer", "highest rms of all orders", "at [rpm]", "unit"});
-  for (const response::Overall& o : run.overall) overall.add({o.name, shown(o.highest_rms), shown(rpm(o.highest_rms_at)), o.unit});
+  for (const response::Overall& o : run.overall)
+    overall.add({o.name, shown(o.highest_rms), shown(rpm(o.highest_rms_at)), o.unit});
   TextTable points({"speed [rpm]", "order", "f [Hz]", "mode", "share of the modal force", "excited"});
   for (const response::Interference& p : answers.find<study::OrdersResult>("orders")->campbell.points)
-    points.add({shown(rpm(p.speed)), shown(p.order, 4), shown(hertz(p.angular_frequency)), mode_words(p.mode), p.modal_force_share ? percent(*p.modal_force_share) : "–", p.excited ? "yes" : "no"});
-  return text + overall.text() + (answers.find<study::OrdersResult>("orders")->campbell.points.empty() ? "" : "Campbell diagram: orders meet natural frequencies\n" + points.text());
+    points.add({shown(rpm(p.speed)), shown(p.order, 4), shown(hertz(p.angular_frequency)), mode_words(p.mode),
+                p.modal_force_share ? percent(*p.modal_force_share) : "–", p.excited ? "yes" : "no"});
+  return text + overall.text() +
+      (answers.find<study::OrdersResult>("orders")->campbell.points.empty()
+           ? ""
+           : "Campbell diagram: orders meet natural frequencies\n" + points.text());
 }
 
 }  // namespace

@@ -15,21 +15,26 @@ namespace {
 
 Json peaks(const project::Case&, const study::Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
-  Json result{{"peaks", Json::array()}, {"curves", Json::array()}, {"searched", {found.searched_from, number(found.searched_to)}}, {"min_prominence", answers.peaks->min_prominence},
-              {"peak_tolerance", answers.peaks->peak_tolerance}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"peaks", Json::array()},
+              {"curves", Json::array()},
+              {"searched", {found.searched_from, number(found.searched_to)}},
+              {"min_prominence", answers.peaks->min_prominence},
+              {"peak_tolerance", answers.peaks->peak_tolerance},
+              {"warnings", warnings(answers.warnings)}};
   for (const response::Peak& peak : found.list) {
-    result["peaks"].push_back({{"name", found.curves[peak.curve].name},
-                               {"unit", found.curves[peak.curve].unit},
-                               {"angular_frequency", peak.angular_frequency},
-                               {"amplitude", number(peak.amplitude)},
-                               {"prominence", number(peak.prominence)},
-                               {"relative_prominence", number(relative_prominence(peak))},
-                               {"ratio_to_static", peak.ratio_to_static ? number(*peak.ratio_to_static) : Json(nullptr)},
-                               {"nearest_mode", optional(peak.nearest_mode)},
-                               {"unbounded", std::isinf(peak.amplitude)},
-                               {"angular_frequency_uncertainty", peak.frequency_uncertainty},
-                               {"amplitude_uncertainty", peak.amplitude_uncertainty},
-                               {"method", response::method(found, peak)}});
+    result["peaks"].push_back(
+        {{"name", found.curves[peak.curve].name},
+         {"unit", found.curves[peak.curve].unit},
+         {"angular_frequency", peak.angular_frequency},
+         {"amplitude", number(peak.amplitude)},
+         {"prominence", number(peak.prominence)},
+         {"relative_prominence", number(relative_prominence(peak))},
+         {"ratio_to_static", peak.ratio_to_static ? number(*peak.ratio_to_static) : Json(nullptr)},
+         {"nearest_mode", optional(peak.nearest_mode)},
+         {"unbounded", std::isinf(peak.amplitude)},
+         {"angular_frequency_uncertainty", peak.frequency_uncertainty},
+         {"amplitude_uncertainty", peak.amplitude_uncertainty},
+         {"method", response::method(found, peak)}});
   }
   for (const response::CurveSummary& curve : found.curves)
     result["curves"].push_back({{"name", curve.name},
@@ -50,12 +55,18 @@ namespace {
 using foundation::two_pi;
 
 std::string peaks_csv(const project::Case&, const study::Answers& answers) {
-  std::string text = "name,unit,angular_frequency [rad/s],amplitude,prominence,relative_prominence,ratio_to_static,nearest_mode,angular_frequency_uncertainty [rad/s],amplitude_uncertainty,method\n";
+  std::string text =
+      "name,unit,angular_frequency "
+      "[rad/s],amplitude,prominence,relative_prominence,ratio_to_static,nearest_mode,angular_frequency_uncertainty "
+      "[rad/s],amplitude_uncertainty,method\n";
   const response::Peaks& found = answers.peaks->peaks;
   for (const response::Peak& peak : found.list)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(found.curves[peak.curve].name), csv_field(found.curves[peak.curve].unit), csv_number(peak.angular_frequency),
-                        csv_number(peak.amplitude), csv_number(peak.prominence), csv_number(response::relative_prominence(peak)), csv_number(peak.ratio_to_static), csv_number(peak.nearest_mode),
-                        csv_number(peak.frequency_uncertainty), csv_number(peak.amplitude_uncertainty), response::method(found, peak));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(found.curves[peak.curve].name),
+                        csv_field(found.curves[peak.curve].unit), csv_number(peak.angular_frequency),
+                        csv_number(peak.amplitude), csv_number(peak.prominence),
+                        csv_number(response::relative_prominence(peak)), csv_number(peak.ratio_to_static),
+                        csv_number(peak.nearest_mode), csv_number(peak.frequency_uncertainty),
+                        csv_number(peak.amplitude_uncertainty), response::method(found, peak));
   return text;
 }
 
@@ -63,22 +74,39 @@ std::string peaks_table(const project::Case&, const study::Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
   TextTable table({"curve", "ω [rad/s]", "f [Hz]", "amplitude", "unit", "× static", "above minimum", "nearest mode"});
   for (const response::Peak& peak : found.list)
-    table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / two_pi), shown(peak.amplitude, 9), found.curves[peak.curve].unit,
-               shown(peak.ratio_to_static.value_or(nothing), 4), std::isinf(response::relative_prominence(peak)) ? "∞" : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)), peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
-  std::string text = (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4)) : std::string("Resonance peaks, 0 < ω < ∞\n")) + (found.list.empty() ? std::string() : table.text());
+    table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / two_pi),
+               shown(peak.amplitude, 9), found.curves[peak.curve].unit,
+               shown(peak.ratio_to_static.value_or(nothing), 4),
+               std::isinf(response::relative_prominence(peak))
+                   ? "∞"
+                   : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)),
+               peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
+  std::string text =
+      (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4))
+                                        : std::string("Resonance peaks, 0 < ω < ∞\n")) +
+      (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
     if (curve.vanishes) text += fmt::format("  {}: zero but for round-off\n", curve.name);
     else if (curve.peaks == 0)
-      text += fmt::format("  {}: no resonance peak (prominence above {:g} of its maximum); the maximum is {} {} at ω = {} rad/s\n", curve.name,
-                          answers.peaks->min_prominence, shown(curve.highest), curve.unit, shown(curve.highest_at));
+      text += fmt::format(
+          "  {}: no resonance peak (prominence above {:g} of its maximum); the maximum is {} {} at ω = {} rad/s\n",
+          curve.name, answers.peaks->min_prominence, shown(curve.highest), curve.unit, shown(curve.highest_at));
   }
   if (std::isfinite(found.searched_to))
-    text += fmt::format("  searched from ω = {} to {} rad/s: with elements that depend on frequency in their own way, or with delays, there is no last resonance; a `response.band` that ends higher extends the search, up to the end of the tables\n", shown(found.searched_from, 3), shown(found.searched_to, 4));
-  else if (found.searched_from > 0) text += fmt::format("  searched from ω = {} rad/s: below it the free motion rules\n", shown(found.searched_from, 3));
+    text += fmt::format(
+        "  searched from ω = {} to {} rad/s: with elements that depend on frequency in their own way, or with delays, "
+        "there is no last resonance; a `response.band` that ends higher extends the search, up to the end of the "
+        "tables\n",
+        shown(found.searched_from, 3), shown(found.searched_to, 4));
+  else if (found.searched_from > 0)
+    text +=
+        fmt::format("  searched from ω = {} rad/s: below it the free motion rules\n", shown(found.searched_from, 3));
   return text;
 }
 
-std::string peaks_text(const project::Case& variant, const study::Answers& answers) { return excited_at_once(variant, "peaks") + peaks_table(variant, answers); }
+std::string peaks_text(const project::Case& variant, const study::Answers& answers) {
+  return excited_at_once(variant, "peaks") + peaks_table(variant, answers);
+}
 
 }  // namespace
 

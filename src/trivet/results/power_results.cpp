@@ -15,10 +15,21 @@ namespace {
 
 Json power(const project::Case&, const study::Answers& answers) {
   const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
-  Json result{{"angular_frequency", p.angular_frequency}, {"mounts", Json::array()}, {"into_ground_in_total", list(p.into_ground_in_total)}, {"by_forces", list(p.by_forces)},
-              {"by_ground", list(p.by_ground)}, {"elements", Json::array()}, {"dissipated_by_foundations", list(p.dissipated_by_foundations)}, {"dissipated_by_system", list(p.dissipated_by_system)}, {"warnings", warnings(answers.warnings)}};
-  for (std::size_t i = 0; i < p.mounts.size(); ++i) result["mounts"].push_back({{"name", p.mounts[i]}, {"into_ground", list(p.into_ground.row(static_cast<Eigen::Index>(i)))}});
-  for (std::size_t i = 0; i < p.elements.size(); ++i) result["elements"].push_back({{"name", p.elements[i]}, {"dissipated", list(p.dissipated.row(static_cast<Eigen::Index>(i)))}});
+  Json result{{"angular_frequency", p.angular_frequency},
+              {"mounts", Json::array()},
+              {"into_ground_in_total", list(p.into_ground_in_total)},
+              {"by_forces", list(p.by_forces)},
+              {"by_ground", list(p.by_ground)},
+              {"elements", Json::array()},
+              {"dissipated_by_foundations", list(p.dissipated_by_foundations)},
+              {"dissipated_by_system", list(p.dissipated_by_system)},
+              {"warnings", warnings(answers.warnings)}};
+  for (std::size_t i = 0; i < p.mounts.size(); ++i)
+    result["mounts"].push_back(
+        {{"name", p.mounts[i]}, {"into_ground", list(p.into_ground.row(static_cast<Eigen::Index>(i)))}});
+  for (std::size_t i = 0; i < p.elements.size(); ++i)
+    result["elements"].push_back(
+        {{"name", p.elements[i]}, {"dissipated", list(p.dissipated.row(static_cast<Eigen::Index>(i)))}});
   return result;
 }
 
@@ -34,7 +45,8 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
   text += "\n";
   for (std::size_t k = 0; k < p.angular_frequency.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    text += fmt::format("{},{},{},{}", p.angular_frequency[k], csv_number(p.by_forces(column)), csv_number(p.by_ground(column)), csv_number(p.into_ground_in_total(column)));
+    text += fmt::format("{},{},{},{}", p.angular_frequency[k], csv_number(p.by_forces(column)),
+                        csv_number(p.by_ground(column)), csv_number(p.into_ground_in_total(column)));
     for (Eigen::Index m = 0; m < p.into_ground.rows(); ++m) text += "," + csv_number(p.into_ground(m, column));
     text += "\n";
   }
@@ -45,13 +57,16 @@ std::string power_text(const project::Case& variant, const study::Answers& answe
   const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   if (p.angular_frequency.empty()) return "";
   TextTable table({"mount", "highest power into the ground [W]", "at [Hz]"});
-  const double most = std::max({p.by_forces.cwiseAbs().maxCoeff(), p.by_ground.cwiseAbs().maxCoeff(), p.into_ground.cwiseAbs().maxCoeff()});
+  const double most = std::max(
+      {p.by_forces.cwiseAbs().maxCoeff(), p.by_ground.cwiseAbs().maxCoeff(), p.into_ground.cwiseAbs().maxCoeff()});
   const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
     const double highest = without_round_off(power.maxCoeff(&at), most);
-    table.add({name, shown(highest), highest == 0 ? "–" : shown(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
+    table.add({name, shown(highest),
+               highest == 0 ? "–" : shown(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
   };
-  for (std::size_t m = 0; m < p.mounts.size(); ++m) add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());
+  for (std::size_t m = 0; m < p.mounts.size(); ++m)
+    add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());
   add("in total", p.into_ground_in_total);
   return excited_at_once(variant, "power") + "Mean power into the ground (negative: out of it)\n" + table.text();
 }

@@ -27,7 +27,8 @@ std::string damping_words(const elements::Damping& damping) {
 }
 
 std::string damping_words(const model::SystemDamping& damping) {
-  if (const auto* r = std::get_if<model::RayleighDamping>(&damping)) return fmt::format("B += {:.6g} 1/s × A + {:.6g} s × K", r->mass, r->stiffness);
+  if (const auto* r = std::get_if<model::RayleighDamping>(&damping))
+    return fmt::format("B += {:.6g} 1/s × A + {:.6g} s × K", r->mass, r->stiffness);
   if (const auto* m = std::get_if<model::ModalDamping>(&damping)) {
     std::string ratios;
     for (const double ratio : m->ratios) ratios += fmt::format("{}{:.6g}", ratios.empty() ? "" : ", ", ratio);
@@ -46,11 +47,19 @@ Json facts_json(const model::Element& element) {
 Json excitation_json(const model::Description& d, const model::Excitation& excitation) {
   const model::Action& action = excitation.action;
   const bool real = action.amplitude.imag().isZero(0);
-  const Eigen::VectorXd size = real ? Eigen::VectorXd(action.amplitude.real()) : Eigen::VectorXd(action.amplitude.cwiseAbs());
-  const Eigen::VectorXd phase = real ? Eigen::VectorXd(Eigen::VectorXd::Zero(6)) : Eigen::VectorXd(action.amplitude.cwiseArg());
+  const Eigen::VectorXd size =
+      real ? Eigen::VectorXd(action.amplitude.real()) : Eigen::VectorXd(action.amplitude.cwiseAbs());
+  const Eigen::VectorXd phase =
+      real ? Eigen::VectorXd(Eigen::VectorXd::Zero(6)) : Eigen::VectorXd(action.amplitude.cwiseArg());
   const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
-  const bool orders = std::holds_alternative<model::Orders>(excitation.course), random = std::holds_alternative<model::Random>(excitation.course);
-  const char* type = !harmonic ? (orders ? "orders" : random ? "random" : "time") : harmonic->power_of_frequency == 2 ? "unbalance" : action.body ? "harmonic" : "base";
+  const bool orders = std::holds_alternative<model::Orders>(excitation.course),
+             random = std::holds_alternative<model::Random>(excitation.course);
+  const char* type = !harmonic            ? (orders       ? "orders"
+                                                 : random ? "random"
+                                                          : "time")
+      : harmonic->power_of_frequency == 2 ? "unbalance"
+      : action.body                       ? "harmonic"
+                                          : "base";
   Json result{{"name", excitation.name}, {"type", type}, {"at", json::list(action.at)}, {"phase", json::list(phase)}};
   if (!action.body) {
     static constexpr const char* translation[] = {"m", "m/s", "m/s²"};
@@ -69,32 +78,52 @@ Json excitation_json(const model::Description& d, const model::Excitation& excit
 
 Json model_json(const project::Case& variant) {
   const model::Description& d = variant.system.description();
-  Json result{{"bodies", Json::array()}, {"elements", Json::array()}, {"excitations", Json::array()},
-              {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)}, {"damping", damping_words(d.damping)}};
+  Json result{{"bodies", Json::array()},
+              {"elements", Json::array()},
+              {"excitations", Json::array()},
+              {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)},
+              {"damping", damping_words(d.damping)}};
   for (const auto& body : d.bodies) {
     Json points = Json::object();
     for (const auto& point : body.points) points[point.name] = json::list(point.at);
     Json free = Json::array();
     for (std::size_t j = 0; j < 6; ++j)
       if (body.free[j]) free.push_back(model::coordinate_names[j]);
-    result["bodies"].push_back({{"name", body.name}, {"mass", body.mass.mass}, {"center_of_mass", json::list(body.mass.centre)},
+    result["bodies"].push_back({{"name", body.name},
+                                {"mass", body.mass.mass},
+                                {"center_of_mass", json::list(body.mass.centre)},
                                 {"inertia_about_pole", json::rows(spatial::inertia_about_pole(body.mass))},
                                 {"principal_moments", json::list(spatial::principal_inertia(body.mass).moments)},
-                                {"position", json::list(body.pose.position)}, {"rotation", json::rows(body.pose.rotation)},
-                                {"points", std::move(points)}, {"free", std::move(free)}});
+                                {"position", json::list(body.pose.position)},
+                                {"rotation", json::rows(body.pose.rotation)},
+                                {"points", std::move(points)},
+                                {"free", std::move(free)}});
   }
   for (const auto& element : d.elements)
-    result["elements"].push_back({{"name", element.name}, {"type", element.type}, {"scale", element.law.scale},
-                                  {"damping", damping_words(element.law.damping)}, {"facts", facts_json(element)},
-                                  {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)}, {"n", json::end(variant, element.n)},
-                                  {"k", json::end(variant, element.k)}, {"stiffness", json::rows(elements::stiffness(element.law))},
+    result["elements"].push_back({{"name", element.name},
+                                  {"type", element.type},
+                                  {"scale", element.law.scale},
+                                  {"damping", damping_words(element.law.damping)},
+                                  {"facts", facts_json(element)},
+                                  {"preload", element.law.preload ? json::list(*element.law.preload) : Json(nullptr)},
+                                  {"n", json::end(variant, element.n)},
+                                  {"k", json::end(variant, element.k)},
+                                  {"stiffness", json::rows(elements::stiffness(element.law))},
                                   {"viscous_damping", json::rows(elements::viscous_damping(element.law))}});
   for (const model::Foundation& foundation : d.foundations)
-    result["foundations"].push_back({{"name", foundation.name}, {"mass", json::rows(foundation.mass)}, {"damping", json::rows(foundation.damping)}, {"stiffness", json::rows(foundation.stiffness)}});
-  for (const model::Excitation& excitation : d.excitations) result["excitations"].push_back(excitation_json(d, excitation));
+    result["foundations"].push_back({{"name", foundation.name},
+                                     {"mass", json::rows(foundation.mass)},
+                                     {"damping", json::rows(foundation.damping)},
+                                     {"stiffness", json::rows(foundation.stiffness)}});
+  for (const model::Excitation& excitation : d.excitations)
+    result["excitations"].push_back(excitation_json(d, excitation));
   for (const auto& force : d.constant_forces)
-    result["excitations"].push_back({{"name", force.name}, {"type", "constant"}, {"on", d.bodies[force.body].name}, {"at", json::list(force.at)},
-                                     {"force", json::list(force.wrench.force)}, {"moment", json::list(force.wrench.moment)}});
+    result["excitations"].push_back({{"name", force.name},
+                                     {"type", "constant"},
+                                     {"on", d.bodies[force.body].name},
+                                     {"at", json::list(force.at)},
+                                     {"force", json::list(force.wrench.force)},
+                                     {"moment", json::list(force.wrench.moment)}});
   return result;
 }
 
@@ -105,13 +134,25 @@ const std::vector<std::string> drawn_by_page = {"modes", "roots", "peaks", "stat
 
 Json case_json(const project::Case& variant, const study::Answers& answers, Reader reader) {
   Json checks = Json::array();
-  for (const study::CheckLine& line : study::check_lines(variant)) checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
+  for (const study::CheckLine& line : study::check_lines(variant))
+    checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
   Json limits = Json::array();
   for (const study::LimitAnswer& limit : answers.limits)
-    limits.push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}, {"in_band", json::number(limit.in_band)},
-                      {"in_band_at", limit.in_band_at}, {"anywhere", json::number(limit.anywhere)}, {"kept", limit.kept}});
-  Json result{{"name", answers.case_name}, {"changes", answers.changes}, {"warnings", json::warnings(answers.warnings)},
-              {"free_motions", answers.free_motions}, {"not_computed", answers.failures}, {"model", model_json(variant)}, {"checks", std::move(checks)}, {"limits", std::move(limits)}};
+    limits.push_back({{"name", limit.name},
+                      {"unit", limit.unit},
+                      {"limit", limit.limit},
+                      {"in_band", json::number(limit.in_band)},
+                      {"in_band_at", limit.in_band_at},
+                      {"anywhere", json::number(limit.anywhere)},
+                      {"kept", limit.kept}});
+  Json result{{"name", answers.case_name},
+              {"changes", answers.changes},
+              {"warnings", json::warnings(answers.warnings)},
+              {"free_motions", answers.free_motions},
+              {"not_computed", answers.failures},
+              {"model", model_json(variant)},
+              {"checks", std::move(checks)},
+              {"limits", std::move(limits)}};
   for (const AnswerWriter& writer : answer_writers()) {
     if (!writer.is_there(variant, answers)) continue;
     const std::string name = writer.name;
@@ -119,32 +160,48 @@ Json case_json(const project::Case& variant, const study::Answers& answers, Read
     if (reader == Reader::file) result[name] = writer.json(variant, answers);
     else if (name == "response") result[name] = json::drawn_response(answers);
     else if (name == "map") result[name] = json::map_marks(*answers.map);
-    else if (std::find(drawn_by_page.begin(), drawn_by_page.end(), name) != drawn_by_page.end()) result[name] = writer.json(variant, answers);
+    else if (std::find(drawn_by_page.begin(), drawn_by_page.end(), name) != drawn_by_page.end())
+      result[name] = writer.json(variant, answers);
   }
   return result;
 }
 
 std::string all_results(const project::Project& project, const std::vector<study::Answers>& answers, Reader reader) {
-  Json result{{"format", "trivet-results"}, {"format_version", 1}, {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
-              {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
-              {"title", project.title}, {"cases", Json::array()}};
-  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
+  Json result{
+      {"format", "trivet-results"},
+      {"format_version", 1},
+      {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
+      {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
+      {"title", project.title},
+      {"cases", Json::array()}};
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
   return json::text(result) + "\n";
 }
 
 }  // namespace
 
-std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) { return all_results(project, answers, Reader::file); }
+std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) {
+  return all_results(project, answers, Reader::file);
+}
 
-std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers) { return all_results(project, answers, Reader::page); }
+std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers) {
+  return all_results(project, answers, Reader::page);
+}
 
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
                           const std::vector<study::CaseCheck>& cases) {
   Json list = Json::array();
   const foundation::Problems first = foundation::listed(problems);
   for (const auto& p : first.list())
-    list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"}, {"file", p.origin.source}, {"line", p.origin.line},
-                    {"subject", p.subject}, {"finding", p.finding}, {"rule", p.rule}, {"remedy", p.remedy}, {"message", foundation::message(p)}});
+    list.push_back({{"severity", p.severity == foundation::Severity::error ? "error" : "warning"},
+                    {"file", p.origin.source},
+                    {"line", p.origin.line},
+                    {"subject", p.subject},
+                    {"finding", p.finding},
+                    {"rule", p.rule},
+                    {"remedy", p.remedy},
+                    {"message", foundation::message(p)}});
   Json result{{"ok", !problems.has_errors()},
               {"problems", std::move(list)},
               {"not_listed", problems.list().size() - first.list().size()},

@@ -20,8 +20,13 @@ namespace {
 
 Json random(const project::Case&, const study::Answers& answers) {
   const study::RandomResult& random = *answers.find<study::RandomResult>("random");
-  Json result{{"results", Json::array()}, {"method", response::name(random.response.method)}, {"remark", random.response.remark}, {"inputs", random.inputs},
-              {"band", {random.response.from, number(random.response.to)}}, {"angular_frequency", random.curves.angular_frequency}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"results", Json::array()},
+              {"method", response::name(random.response.method)},
+              {"remark", random.response.remark},
+              {"inputs", random.inputs},
+              {"band", {random.response.from, number(random.response.to)}},
+              {"angular_frequency", random.curves.angular_frequency},
+              {"warnings", warnings(answers.warnings)}};
   if (!random.total_values.empty()) {
     result["vibration_total_values"] = Json::object();
     result["vibration_total_axes"] = Json::object();
@@ -35,11 +40,23 @@ Json random(const project::Case&, const study::Answers& answers) {
     Json density = Json::array();
     for (const double s : random.curves.density[i]) density.push_back(number(2 * std::numbers::pi * s));
     Json infinite = Json::array();
-    for (const auto& [is, what] : {std::pair{a.infinite_rms, "rms"}, {a.infinite_rms_of_derivative, "rms_of_derivative"}, {a.infinite_weighted_rms, "weighted_rms"}})
+    for (const auto& [is, what] : {std::pair{a.infinite_rms, "rms"},
+                                   {a.infinite_rms_of_derivative, "rms_of_derivative"},
+                                   {a.infinite_weighted_rms, "weighted_rms"}})
       if (is) infinite.push_back(what);
-    result["results"].push_back({{"name", a.name}, {"unit", a.unit}, {"rms", optional(a.rms)}, {"three_sigma", optional(a.three_sigma)}, {"rms_of_derivative", optional(a.rms_of_derivative)},
-                                 {"zero_crossings", optional(a.zero_crossings)}, {"weighted_rms", optional(a.weighted_rms)}, {"infinite", std::move(infinite)}, {"variance_share", a.variance_share}, {"vanishes", a.vanishes},
-                                 {"estimated_error", number(a.estimated_error)}, {"reason", a.reason}, {"density_per_hz", std::move(density)}});
+    result["results"].push_back({{"name", a.name},
+                                 {"unit", a.unit},
+                                 {"rms", optional(a.rms)},
+                                 {"three_sigma", optional(a.three_sigma)},
+                                 {"rms_of_derivative", optional(a.rms_of_derivative)},
+                                 {"zero_crossings", optional(a.zero_crossings)},
+                                 {"weighted_rms", optional(a.weighted_rms)},
+                                 {"infinite", std::move(infinite)},
+                                 {"variance_share", a.variance_share},
+                                 {"vanishes", a.vanishes},
+                                 {"estimated_error", number(a.estimated_error)},
+                                 {"reason", a.reason},
+                                 {"density_per_hz", std::move(density)}});
   }
   return result;
 }
@@ -55,7 +72,9 @@ using foundation::two_pi;
 std::string bounded(const std::optional<double>& value, bool infinite) { return infinite ? "inf" : csv_number(value); }
 
 /// ∞ where a number has no bound, NaN where there is none.
-double bounded_number(const std::optional<double>& value, bool infinite) { return infinite ? std::numeric_limits<double>::infinity() : value.value_or(nothing); }
+double bounded_number(const std::optional<double>& value, bool infinite) {
+  return infinite ? std::numeric_limits<double>::infinity() : value.value_or(nothing);
+}
 
 /// How the variances were found and how well, if any is finite.
 std::string accuracy_text(const response::RandomResponse& random) {
@@ -64,8 +83,10 @@ std::string accuracy_text(const response::RandomResponse& random) {
     if (!std::isnan(a.estimated_error)) errors.push_back(a.estimated_error);
   if (errors.empty()) return "  no variance is finite, so none has an error\n";
   return fmt::format("  {}, relative error of the {} about {:.1e}{}\n",
-                     random.method == response::RandomMethod::poles ? "exact integration over the poles" : "adaptive quadrature over the poles",
-                     errors.size() == random.answers.size() ? "variances" : "finite variances", *std::max_element(errors.begin(), errors.end()),
+                     random.method == response::RandomMethod::poles ? "exact integration over the poles"
+                                                                    : "adaptive quadrature over the poles",
+                     errors.size() == random.answers.size() ? "variances" : "finite variances",
+                     *std::max_element(errors.begin(), errors.end()),
                      random.remark.empty() ? "" : "; " + random.remark);
 }
 
@@ -75,9 +96,12 @@ std::string random_csv(const project::Case&, const study::Answers& answers) {
   for (const std::string& input : random.inputs) text += "," + csv_field("variance share " + input);
   text += "\n";
   for (const response::RandomAnswer& a : random.response.answers) {
-    text += fmt::format("{},{},{},{},{},{},{}", csv_field(a.name), csv_field(a.unit), bounded(a.rms, a.infinite_rms), bounded(a.three_sigma, a.infinite_rms),
-                        bounded(a.rms_of_derivative, a.infinite_rms_of_derivative), csv_number(a.zero_crossings), bounded(a.weighted_rms, a.infinite_weighted_rms));
-    for (std::size_t i = 0; i < random.inputs.size(); ++i) text += "," + (i < a.variance_share.size() ? csv_number(a.variance_share[i]) : std::string());
+    text +=
+        fmt::format("{},{},{},{},{},{},{}", csv_field(a.name), csv_field(a.unit), bounded(a.rms, a.infinite_rms),
+                    bounded(a.three_sigma, a.infinite_rms), bounded(a.rms_of_derivative, a.infinite_rms_of_derivative),
+                    csv_number(a.zero_crossings), bounded(a.weighted_rms, a.infinite_weighted_rms));
+    for (std::size_t i = 0; i < random.inputs.size(); ++i)
+      text += "," + (i < a.variance_share.size() ? csv_number(a.variance_share[i]) : std::string());
     text += "\n";
   }
   return text;
@@ -86,7 +110,8 @@ std::string random_csv(const project::Case&, const study::Answers& answers) {
 std::string random_densities_csv(const project::Case&, const study::Answers& answers) {
   const study::RandomResult& random = *answers.find<study::RandomResult>("random");
   std::string text = "frequency [Hz]";
-  for (const response::RandomAnswer& a : random.response.answers) text += "," + csv_field(fmt::format("{} [({})²/Hz]", a.name, a.unit));
+  for (const response::RandomAnswer& a : random.response.answers)
+    text += "," + csv_field(fmt::format("{} [({})²/Hz]", a.name, a.unit));
   text += "\n";
   for (std::size_t k = 0; k < random.curves.angular_frequency.size(); ++k) {
     text += csv_number(random.curves.angular_frequency[k] / two_pi);
@@ -99,7 +124,9 @@ std::string random_densities_csv(const project::Case&, const study::Answers& ans
 std::string random_text(const project::Case&, const study::Answers& answers) {
   const study::RandomResult& random = *answers.find<study::RandomResult>("random");
   const auto& list = random.response.answers;
-  const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) { return a.weighted_rms || a.infinite_weighted_rms; });
+  const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) {
+    return a.weighted_rms || a.infinite_weighted_rms;
+  });
   std::vector<std::string> header = {"answer", "rms", "3σ", "unit", "zero crossings [1/s]"};
   if (weighted) header.push_back("weighted rms [m/s², rad/s²]");
   if (random.inputs.size() > 1)
@@ -107,15 +134,21 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
   TextTable table(header);
   std::string reasons;
   for (const response::RandomAnswer& a : list) {
-    std::vector<std::string> row = {a.name, shown(bounded_number(a.rms, a.infinite_rms)), shown(bounded_number(a.three_sigma, a.infinite_rms)), a.unit, shown(a.zero_crossings.value_or(nothing), 4)};
+    std::vector<std::string> row = {a.name, shown(bounded_number(a.rms, a.infinite_rms)),
+                                    shown(bounded_number(a.three_sigma, a.infinite_rms)), a.unit,
+                                    shown(a.zero_crossings.value_or(nothing), 4)};
     if (weighted) row.push_back(shown(bounded_number(a.weighted_rms, a.infinite_weighted_rms)));
-    for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i) row.push_back(i < a.variance_share.size() ? percent(a.variance_share[i]) : "–");
+    for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i)
+      row.push_back(i < a.variance_share.size() ? percent(a.variance_share[i]) : "–");
     table.add(row);
     if (!a.reason.empty()) reasons += "  " + a.name + ": " + a.reason + "\n";
   }
   for (const study::TotalValue& total : random.total_values)
-    reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s², of {}\n", total.name, shown(total.value, 4), fmt::join(total.axes, ", "));
-  return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4), shown(hertz(random.response.to), 4)) + table.text() + reasons + accuracy_text(random.response);
+    reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s², of {}\n", total.name,
+                           shown(total.value, 4), fmt::join(total.axes, ", "));
+  return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4),
+                     shown(hertz(random.response.to), 4)) +
+      table.text() + reasons + accuracy_text(random.response);
 }
 
 }  // namespace

@@ -36,20 +36,28 @@ Json solution_checks(const study::ResponseAnswer& answer) {
           {"interpolation_error", answer.curves.interpolation_error},
           {"undefined_at", check.undefined_at},
           {"second_solver",
-           {{"frequencies", deep.frequencies}, {"too_near_a_resonance", deep.incomparable}, {"worst_difference", number(deep.worst_difference)}, {"allowed", number(deep.allowed)},
-            {"at_angular_frequency", deep.at_angular_frequency}, {"passed", deep.passed}}}};
+           {{"frequencies", deep.frequencies},
+            {"too_near_a_resonance", deep.incomparable},
+            {"worst_difference", number(deep.worst_difference)},
+            {"allowed", number(deep.allowed)},
+            {"at_angular_frequency", deep.at_angular_frequency},
+            {"passed", deep.passed}}}};
 }
 
 }  // namespace
 
 Json response(const study::Answers& answers) {
   const study::ResponseAnswer& answer = *answers.response;
-  Json result{{"angular_frequency", answer.curves.angular_frequency}, {"results", Json::array()}, {"checks", solution_checks(answer)}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"angular_frequency", answer.curves.angular_frequency},
+              {"results", Json::array()},
+              {"checks", solution_checks(answer)},
+              {"warnings", warnings(answers.warnings)}};
   for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
     const response::Curve& curve = answer.curves.curves[c];
     Json values = Json::array();
     for (Eigen::Index i = 0; i < curve.value.size(); ++i) values.push_back(complex_number(curve.value(i)));
-    result["results"].push_back({{"name", curve.name}, {"unit", curve.unit}, {"complex", std::move(values)}, {"phase", list(answer.phase[c])}});
+    result["results"].push_back(
+        {{"name", curve.name}, {"unit", curve.unit}, {"complex", std::move(values)}, {"phase", list(answer.phase[c])}});
   }
   return result;
 }
@@ -58,20 +66,34 @@ Json drawn_response(const study::Answers& answers) {
   const study::ResponseAnswer& answer = *answers.response;
   if (!answer.model) return response(answers);
   const response::CurveModel& model = *answer.model;
-  Json result{{"band", {model.band.from, model.band.to}}, {"delays", model.delays}, {"pieces", Json::array()}, {"solves", model.solves}, {"tests", model.tests},
-              {"worst_error", model.worst_error}, {"worst_error_at", model.worst_error_at}, {"continuous_phase", answer.continuous_phase},
-              {"results", Json::array()}, {"checks", solution_checks(answer)}};
+  Json result{{"band", {model.band.from, model.band.to}},
+              {"delays", model.delays},
+              {"pieces", Json::array()},
+              {"solves", model.solves},
+              {"tests", model.tests},
+              {"worst_error", model.worst_error},
+              {"worst_error_at", model.worst_error_at},
+              {"continuous_phase", answer.continuous_phase},
+              {"results", Json::array()},
+              {"checks", solution_checks(answer)}};
   for (const response::ModelPiece& piece : model.pieces) {
     Json values = Json::array();
-    for (Eigen::Index row = 0; row < piece.fit.values.rows(); ++row) values.push_back(complex_list(piece.fit.values.row(row)));
-    result["pieces"].push_back({{"band", {piece.band.from, piece.band.to}}, {"nodes", list(piece.fit.nodes)}, {"weights", complex_list(piece.fit.weights)}, {"values", std::move(values)}});
+    for (Eigen::Index row = 0; row < piece.fit.values.rows(); ++row)
+      values.push_back(complex_list(piece.fit.values.row(row)));
+    result["pieces"].push_back({{"band", {piece.band.from, piece.band.to}},
+                                {"nodes", list(piece.fit.nodes)},
+                                {"weights", complex_list(piece.fit.weights)},
+                                {"values", std::move(values)}});
   }
   for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
     Json extrema = Json::array();
-    for (const response::Extremum& extremum : answer.extrema[c]) extrema.push_back({extremum.angular_frequency, extremum.maximum ? Json(extremum.amplitude) : Json(nullptr)});
+    for (const response::Extremum& extremum : answer.extrema[c])
+      extrema.push_back({extremum.angular_frequency, extremum.maximum ? Json(extremum.amplitude) : Json(nullptr)});
     const Eigen::VectorXd& phase = answer.phase[c];
     const auto first = std::find_if(phase.begin(), phase.end(), [](double angle) { return std::isfinite(angle); });
-    result["results"].push_back({{"name", answer.curves.curves[c].name}, {"unit", answer.curves.curves[c].unit}, {"extrema", std::move(extrema)},
+    result["results"].push_back({{"name", answer.curves.curves[c].name},
+                                 {"unit", answer.curves.curves[c].unit},
+                                 {"extrema", std::move(extrema)},
                                  {"first_phase", first == phase.end() ? Json(nullptr) : Json(*first)}});
   }
   return result;
@@ -83,7 +105,8 @@ std::string limits_text(const study::Answers& answers) {
   if (answers.limits.empty()) return "";
   TextTable table({"limit on", "allowed", "largest in band", "at ω [rad/s]", "largest anywhere", "unit", "verdict"});
   for (const study::LimitAnswer& limit : answers.limits)
-    table.add({limit.name, shown(limit.limit), shown(limit.in_band), shown(limit.in_band_at), shown(limit.anywhere), limit.unit, limit.kept ? "kept" : "EXCEEDED"});
+    table.add({limit.name, shown(limit.limit), shown(limit.in_band), shown(limit.in_band_at), shown(limit.anywhere),
+               limit.unit, limit.kept ? "kept" : "EXCEEDED"});
   return "Limits\n" + table.text();
 }
 
@@ -95,7 +118,8 @@ std::string response_csv(const project::Case&, const study::Answers& answers) {
   const study::ResponseAnswer& answer = *answers.response;
   std::string text = "angular_frequency [rad/s]";
   for (const auto& curve : answer.curves.curves)
-    for (const char* part : {"re", "im", "amplitude"}) text += "," + csv_field(fmt::format("{} {} [{}]", curve.name, part, curve.unit));
+    for (const char* part : {"re", "im", "amplitude"})
+      text += "," + csv_field(fmt::format("{} {} [{}]", curve.name, part, curve.unit));
   for (const auto& curve : answer.curves.curves) text += "," + csv_field(curve.name + " phase [rad]");
   text += "\n";
   for (std::size_t i = 0; i < answer.curves.angular_frequency.size(); ++i) {
@@ -132,29 +156,40 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
   }
   std::string text = "Amplitude and phase (zero-to-peak; a lag is negative)\n" + table.text();
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
-  text += fmt::format("  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} (round-off × condition): {}\n",
-                      answer.curves.check.worst_backward_error, answer.curves.solves, answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed,
-                      answer.deep.verdict());
+  text += fmt::format(
+      "  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} "
+      "(round-off × condition): {}\n",
+      answer.curves.check.worst_backward_error, answer.curves.solves, answer.deep.frequencies,
+      answer.deep.worst_difference, answer.deep.allowed, answer.deep.verdict());
   if (answer.curves.interpolation_error > 0)
-    text += fmt::format("  rows between the {} frequencies that were solved are interpolated by a rational model: off by at most {:.1e} of their value where it was tested\n",
-                        answer.curves.solves, answer.curves.interpolation_error);
+    text += fmt::format(
+        "  rows between the {} frequencies that were solved are interpolated by a rational model: off by at most "
+        "{:.1e} of their value where it was tested\n",
+        answer.curves.solves, answer.curves.interpolation_error);
   for (const double omega : answer.curves.check.undefined_at)
-    text += fmt::format("  ω = {} rad/s: no steady state exists there (shown as –); {}\n", shown(omega, 9),
-                        omega > 0 ? "it is an undamped resonance" : "a body is free to move, or the ground is given by its velocity or acceleration and moves without bound");
+    text += fmt::format(
+        "  ω = {} rad/s: no steady state exists there (shown as –); {}\n", shown(omega, 9),
+        omega > 0
+            ? "it is an undamped resonance"
+            : "a body is free to move, or the ground is given by its velocity or acceleration and moves without bound");
   return text;
 }
 
 std::string response_text(const project::Case& variant, const study::Answers& answers) {
-  return excited_at_once(variant, "response") + response_table(variant, answers) + limits_text(answers) + limit_lines_text(answers);
+  return excited_at_once(variant, "response") + response_table(variant, answers) + limits_text(answers) +
+      limit_lines_text(answers);
 }
 
 /// Of `run`: the table is in the folder.
 std::string response_summary(const project::Case&, const study::Answers& answers) {
   const auto& check = answers.response->curves.check;
-  return fmt::format("Characteristics at {} frequencies from {} solves, backward error ≤ {:.1e}; second solver: {} (difference {:.1e}, allowed {:.1e})\n",
-                     answers.response->curves.angular_frequency.size(), answers.response->curves.solves, check.worst_backward_error, answers.response->deep.verdict(),
-                     answers.response->deep.worst_difference, answers.response->deep.allowed) +
-         limits_text(answers);
+  return fmt::format(
+             "Characteristics at {} frequencies from {} solves, backward error ≤ {:.1e}; second solver: {} (difference "
+             "{:.1e}, allowed {:.1e})\n",
+             answers.response->curves.angular_frequency.size(), answers.response->curves.solves,
+             check.worst_backward_error, answers.response->deep.verdict(), answers.response->deep.worst_difference,
+             answers.response->deep.allowed) +
+      limits_text(answers);
 }
 
 json::Json response_json(const project::Case&, const study::Answers& answers) { return json::response(answers); }

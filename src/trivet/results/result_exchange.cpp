@@ -54,14 +54,15 @@ void put_in_place(const std::string& path, const ResultExchange& exchange, std::
   const foundation::FolderHandle& from = place.folder.empty() ? exchange.next : from_inner;
   const foundation::FolderHandle& to = place.folder.empty() ? exchange.current : to_inner;
   const bool free = to.kind(place.name) == Kind::none ||
-                    (to.kind(place.name) == Kind::file && exchange.ours.is_ours(path, to, place.name));
+      (to.kind(place.name) == Kind::file && exchange.ours.is_ours(path, to, place.name));
   if (!free) put_aside(path, to, place.name, exchange.ours.names(path), notes);
   require(renameat(from.descriptor(), place.name.c_str(), to.descriptor(), place.name.c_str()) == 0, path);
 }
 
 void remove_from(const foundation::FolderHandle& current, const std::string& path, const ResultManifest& ours) {
   const Place place(path);
-  const foundation::FolderHandle inner = place.folder.empty() ? foundation::FolderHandle() : current.folder(place.folder);
+  const foundation::FolderHandle inner =
+      place.folder.empty() ? foundation::FolderHandle() : current.folder(place.folder);
   const foundation::FolderHandle& folder = place.folder.empty() ? current : inner;
   if (folder.kind(place.name) == Kind::file && ours.is_ours(path, folder, place.name))
     unlinkat(folder.descriptor(), place.name.c_str(), 0);
@@ -71,8 +72,9 @@ void remove_from(const foundation::FolderHandle& current, const std::string& pat
 
 }  // namespace
 
-bool exchange_folders(const ResultExchange& exchange, const foundation::FolderHandle& next_place, const std::string& next_name,
-                      const foundation::FolderHandle& place, const std::string& name, std::vector<std::string>& notes) {
+bool exchange_folders(const ResultExchange& exchange, const foundation::FolderHandle& next_place,
+                      const std::string& next_name, const foundation::FolderHandle& place, const std::string& name,
+                      std::vector<std::string>& notes) {
   UsersFiles users(exchange.current, exchange.ours);
   if (!users.link_into(exchange.next)) return false;
   struct stat status;

@@ -70,7 +70,7 @@ Kind kind_at(const foundation::FolderHandle& parent, const fs::path& target) {
 bool is_mount_point(const foundation::FolderHandle& folder, const foundation::FolderHandle& parent) {
   struct stat inner, outer;
   return fstat(folder.descriptor(), &inner) == 0 && fstat(parent.descriptor(), &outer) == 0 &&
-         inner.st_dev != outer.st_dev;
+      inner.st_dev != outer.st_dev;
 }
 
 }  // namespace
@@ -114,8 +114,7 @@ void ResultFolder::make_parents() {
     const foundation::Undisturbed step;
     if (mkdir(folder->c_str(), 0777) == 0)
       made_parents_.emplace_back(*folder, foundation::RegisteredFolder::Removal::if_empty);
-    else if (errno != EEXIST)
-      throw std::system_error(errno, std::generic_category());
+    else if (errno != EEXIST) throw std::system_error(errno, std::generic_category());
   }
 }
 

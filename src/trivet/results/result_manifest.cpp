@@ -35,8 +35,8 @@ std::optional<ResultManifest> ResultManifest::of(const foundation::FolderHandle&
   ResultManifest manifest;
   for (const auto& file : json["files"]) {
     const bool complete = file.is_object() && file.contains("path") && file["path"].is_string() &&
-                          file.contains("size") && file["size"].is_number_unsigned() && file.contains("sha256") &&
-                          file["sha256"].is_string();
+        file.contains("size") && file["size"].is_number_unsigned() && file.contains("sha256") &&
+        file["sha256"].is_string();
     if (!complete || !stays_inside(file["path"])) return std::nullopt;
     manifest.files_.emplace(file["path"], Content{file["size"], file["sha256"]});
   }
@@ -52,8 +52,8 @@ std::string ResultManifest::text() const {
   bool first = true;
   for (const auto& [path, content] : files_) {
     text += std::string(first ? "" : ",") + "\n" +
-            nlohmann::json{{"path", path}, {"size", content.size}, {"sha256", content.sha256}}.dump(
-                -1, ' ', false, nlohmann::json::error_handler_t::replace);
+        nlohmann::json{{"path", path}, {"size", content.size}, {"sha256", content.sha256}}.dump(
+            -1, ' ', false, nlohmann::json::error_handler_t::replace);
     first = false;
   }
   return text + "\n]}\n";
@@ -64,7 +64,8 @@ bool ResultManifest::names_folder(const std::string& path) const {
   return next != files_.end() && next->first.starts_with(path + "/");
 }
 
-bool ResultManifest::is_ours(const std::string& path, const foundation::FolderHandle& folder, const std::string& name) const {
+bool ResultManifest::is_ours(const std::string& path, const foundation::FolderHandle& folder,
+                             const std::string& name) const {
   if (path == manifest_name) return folder.kind(name) == foundation::FolderHandle::Kind::file;
   std::string found;
   for (auto [file, end] = files_.equal_range(path); file != end; ++file) {

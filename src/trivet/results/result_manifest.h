@@ -29,7 +29,8 @@ class ResultManifest {
   /// Is this folder the place of a file that is listed?
   [[nodiscard]] bool names_folder(const std::string& path) const;
   /// Is it listed, and unchanged since? @param folder  that holds it  @param name  its name there
-  [[nodiscard]] bool is_ours(const std::string& path, const foundation::FolderHandle& folder, const std::string& name) const;
+  [[nodiscard]] bool is_ours(const std::string& path, const foundation::FolderHandle& folder,
+                             const std::string& name) const;
 
   struct Content {
     std::uintmax_t size;

@@ -41,16 +41,19 @@ namespace {
 std::string roots_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "real [1/s],imaginary [rad/s],kind,angular_frequency [rad/s],damping_ratio,nearest_mode\n";
   for (const modal::Root& root : answers.roots.list)
-    text += fmt::format("{},{},{},{},{},{}\n", csv_number(root.eigenvalue.real()), csv_number(root.eigenvalue.imag()), modal::name(root.kind),
-                        csv_number(root.angular_frequency), csv_number(root.damping_ratio), csv_number(root.nearest_mode));
+    text += fmt::format("{},{},{},{},{},{}\n", csv_number(root.eigenvalue.real()), csv_number(root.eigenvalue.imag()),
+                        modal::name(root.kind), csv_number(root.angular_frequency), csv_number(root.damping_ratio),
+                        csv_number(root.nearest_mode));
   return text;
 }
 
 std::string roots_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"Re λ [1/s]", "Im λ [rad/s]", "kind", "|λ| [rad/s]", "damping ratio", "nearest mode"});
   for (const modal::Root& root : answers.roots.list)
-    table.add({shown(root.eigenvalue.real(), 8), shown(root.eigenvalue.imag(), 8), std::string(modal::name(root.kind)) + (root.exact ? "" : " (approximate)"), shown(root.angular_frequency.value_or(nothing), 8),
-               shown(root.damping_ratio.value_or(nothing)), root.nearest_mode ? std::to_string(*root.nearest_mode) : "–"});
+    table.add({shown(root.eigenvalue.real(), 8), shown(root.eigenvalue.imag(), 8),
+               std::string(modal::name(root.kind)) + (root.exact ? "" : " (approximate)"),
+               shown(root.angular_frequency.value_or(nothing), 8), shown(root.damping_ratio.value_or(nothing)),
+               root.nearest_mode ? std::to_string(*root.nearest_mode) : "–"});
   return "Damped roots λ, motion ~ exp(λt)\n" + table.text();
 }
 

@@ -26,7 +26,9 @@ Json shapes(const project::Case&, const study::Answers& answers) {
     Json places = Json::array();
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) places.push_back(place(p));
-    result["shapes"].push_back({{"angular_frequency", shape.angular_frequency}, {"largest_excursion", shape.largest_excursion}, {"places", std::move(places)}});
+    result["shapes"].push_back({{"angular_frequency", shape.angular_frequency},
+                                {"largest_excursion", shape.largest_excursion},
+                                {"places", std::move(places)}});
   }
   return result;
 }
@@ -44,7 +46,8 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
   for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes"))
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
-        text += fmt::format("{},{},{},{},{}", shape.angular_frequency, csv_field(p.name), p.position.x(), p.position.y(), p.position.z());
+        text += fmt::format("{},{},{},{},{}", shape.angular_frequency, csv_field(p.name), p.position.x(),
+                            p.position.y(), p.position.z());
         for (int j = 0; j < 6; ++j) text += "," + csv_number(p.motion(j).real());
         for (int j = 0; j < 6; ++j) text += "," + csv_number(p.motion(j).imag());
         text += "\n";
@@ -60,10 +63,14 @@ std::string shapes_text(const project::Case& variant, const study::Answers& answ
       for (const response::MovingPlace& p : *group) {
         std::vector<std::string> row = {p.name};
         for (int j = 0; j < 3; ++j) row.push_back(shown(std::abs(p.motion(j))));
-        for (int j = 0; j < 3; ++j) row.push_back(std::abs(p.motion(j)) > 0 ? fmt::format("{:.1f}°", std::arg(p.motion(j)) * 180 / std::numbers::pi) : "–");
+        for (int j = 0; j < 3; ++j)
+          row.push_back(
+              std::abs(p.motion(j)) > 0 ? fmt::format("{:.1f}°", std::arg(p.motion(j)) * 180 / std::numbers::pi) : "–");
         table.add(row);
       }
-    text += fmt::format("Operating deflection shape at {} Hz, largest excursion {} m\n", shown(hertz(shape.angular_frequency)), shown(shape.largest_excursion)) + table.text();
+    text += fmt::format("Operating deflection shape at {} Hz, largest excursion {} m\n",
+                        shown(hertz(shape.angular_frequency)), shown(shape.largest_excursion)) +
+        table.text();
   }
   return text;
 }

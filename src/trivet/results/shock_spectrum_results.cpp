@@ -14,12 +14,22 @@ namespace {
 
 Json shock_spectrum(const project::Case&, const study::Answers& answers) {
   Json result{{"spectra", Json::array()}, {"warnings", warnings(answers.warnings)}};
-  for (const study::ShockSpectrumResult& spectrum : *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
+  for (const study::ShockSpectrumResult& spectrum :
+       *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
     Json rows = Json::array();
     for (const excitation::ShockResponse& r : spectrum.spectrum)
-      rows.push_back({{"angular_frequency", r.angular_frequency}, {"largest", r.largest()}, {"smallest", r.smallest()}, {"maximax", r.maximax()}, {"primary", r.primary()}, {"residual", r.residual()},
-                      {"relative_displacement", r.relative_displacement}, {"pseudo_velocity", r.pseudo_velocity()}});
-    result["spectra"].push_back({{"excitation", spectrum.excitation}, {"unit", spectrum.unit}, {"damping_ratio", spectrum.damping_ratio}, {"rows", std::move(rows)}});
+      rows.push_back({{"angular_frequency", r.angular_frequency},
+                      {"largest", r.largest()},
+                      {"smallest", r.smallest()},
+                      {"maximax", r.maximax()},
+                      {"primary", r.primary()},
+                      {"residual", r.residual()},
+                      {"relative_displacement", r.relative_displacement},
+                      {"pseudo_velocity", r.pseudo_velocity()}});
+    result["spectra"].push_back({{"excitation", spectrum.excitation},
+                                 {"unit", spectrum.unit},
+                                 {"damping_ratio", spectrum.damping_ratio},
+                                 {"rows", std::move(rows)}});
   }
   return result;
 }
@@ -32,24 +42,33 @@ namespace {
 using foundation::two_pi;
 
 std::string shock_spectrum_csv(const project::Case&, const study::Answers& answers) {
-  std::string text = "excitation,natural frequency [Hz],largest [m/s²],smallest [m/s²],maximax [m/s²],pseudo velocity [m/s],relative displacement [m]\n";
-  for (const study::ShockSpectrumResult& spectrum : *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum"))
+  std::string text =
+      "excitation,natural frequency [Hz],largest [m/s²],smallest [m/s²],maximax [m/s²],pseudo velocity [m/s],relative "
+      "displacement [m]\n";
+  for (const study::ShockSpectrumResult& spectrum :
+       *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum"))
     for (const excitation::ShockResponse& r : spectrum.spectrum)
-      text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(spectrum.excitation), r.angular_frequency / two_pi, r.largest(), r.smallest(), r.maximax(), r.pseudo_velocity(), r.relative_displacement);
+      text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(spectrum.excitation), r.angular_frequency / two_pi,
+                          r.largest(), r.smallest(), r.maximax(), r.pseudo_velocity(), r.relative_displacement);
   return text;
 }
 
 std::string shock_spectrum_text(const project::Case&, const study::Answers& answers) {
   constexpr std::size_t most_rows = 24;
   std::string text;
-  for (const study::ShockSpectrumResult& spectrum : *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
-    TextTable table({"natural frequency [Hz]", "largest [m/s²]", "smallest [m/s²]", "pseudo velocity [m/s]", "relative displacement [m]"});
+  for (const study::ShockSpectrumResult& spectrum :
+       *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
+    TextTable table({"natural frequency [Hz]", "largest [m/s²]", "smallest [m/s²]", "pseudo velocity [m/s]",
+                     "relative displacement [m]"});
     const std::size_t step = (spectrum.spectrum.size() + most_rows - 1) / most_rows;
     for (std::size_t i = 0; i < spectrum.spectrum.size(); i += step) {
       const excitation::ShockResponse& r = spectrum.spectrum[i];
-      table.add({shown(hertz(r.angular_frequency), 5), shown(r.largest()), shown(r.smallest()), shown(r.pseudo_velocity()), shown(r.relative_displacement)});
+      table.add({shown(hertz(r.angular_frequency), 5), shown(r.largest()), shown(r.smallest()),
+                 shown(r.pseudo_velocity()), shown(r.relative_displacement)});
     }
-    text += fmt::format("Shock response spectrum of {}, damping ratio {:.4g} (absolute acceleration)\n", spectrum.excitation, spectrum.damping_ratio) + table.text();
+    text += fmt::format("Shock response spectrum of {}, damping ratio {:.4g} (absolute acceleration)\n",
+                        spectrum.excitation, spectrum.damping_ratio) +
+        table.text();
   }
   return text;
 }

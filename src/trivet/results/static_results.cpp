@@ -11,15 +11,22 @@ namespace json {
 namespace {
 
 Json statics(const project::Case&, const study::Answers& answers) {
-  Json result{{"results", Json::array()}, {"backward_error", answers.statics->backward_error}, {"warnings", warnings(answers.warnings)}};
-  for (const response::StaticValue& value : answers.statics->values) result["results"].push_back({{"name", value.name}, {"unit", value.unit}, {"value", value.value}});
+  Json result{{"results", Json::array()},
+              {"backward_error", answers.statics->backward_error},
+              {"warnings", warnings(answers.warnings)}};
+  for (const response::StaticValue& value : answers.statics->values)
+    result["results"].push_back({{"name", value.name}, {"unit", value.unit}, {"value", value.value}});
   return result;
 }
 
 Json load_sharing(const project::Case&, const study::Answers& answers) {
   Json mounts = Json::array();
   for (const response::MountLoad& m : answers.load_sharing->mounts)
-    mounts.push_back({{"element", m.element}, {"force", list(m.force)}, {"bearing", m.bearing}, {"share", m.share}, {"deflection", list(m.deflection)}});
+    mounts.push_back({{"element", m.element},
+                      {"force", list(m.force)},
+                      {"bearing", m.bearing},
+                      {"share", m.share},
+                      {"deflection", list(m.deflection)}});
   return {{"mounts", std::move(mounts)}, {"bearing_in_total", answers.load_sharing->bearing_in_total}};
 }
 
@@ -30,28 +37,33 @@ namespace {
 
 std::string static_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "name,unit,value\n";
-  for (const response::StaticValue& value : answers.statics->values) text += fmt::format("{},{},{}\n", csv_field(value.name), csv_field(value.unit), csv_number(value.value));
+  for (const response::StaticValue& value : answers.statics->values)
+    text += fmt::format("{},{},{}\n", csv_field(value.name), csv_field(value.unit), csv_number(value.value));
   return text;
 }
 
 std::string load_sharing_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "element,bearing [N],share,deflection x [m],deflection y [m],deflection z [m]\n";
   for (const response::MountLoad& m : answers.load_sharing->mounts)
-    text += fmt::format("{},{},{},{},{},{}\n", csv_field(m.element), csv_number(m.bearing), csv_number(m.share), csv_number(m.deflection(0)), csv_number(m.deflection(1)), csv_number(m.deflection(2)));
+    text += fmt::format("{},{},{},{},{},{}\n", csv_field(m.element), csv_number(m.bearing), csv_number(m.share),
+                        csv_number(m.deflection(0)), csv_number(m.deflection(1)), csv_number(m.deflection(2)));
   return text;
 }
 
 std::string load_sharing_text(const study::Answers& answers) {
   TextTable table({"mount", "bears [N]", "share", "deflection x [m]", "y [m]", "z [m]"});
   for (const response::MountLoad& m : answers.load_sharing->mounts)
-    table.add({m.element, shown(m.bearing), percent(m.share), shown(m.deflection(0), 4), shown(m.deflection(1), 4), shown(m.deflection(2), 4)});
+    table.add({m.element, shown(m.bearing), percent(m.share), shown(m.deflection(0), 4), shown(m.deflection(1), 4),
+               shown(m.deflection(2), 4)});
   return "Load sharing (deflection of end K against N in the element's axes)\n" + table.text();
 }
 
 std::string static_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"result", "value", "unit"});
-  for (const response::StaticValue& value : answers.statics->values) table.add({value.name, shown(value.value, 9), value.unit});
-  return "Static displacements and forces\n" + table.text() + (answers.load_sharing ? load_sharing_text(answers) : std::string());
+  for (const response::StaticValue& value : answers.statics->values)
+    table.add({value.name, shown(value.value, 9), value.unit});
+  return "Static displacements and forces\n" + table.text() +
+      (answers.load_sharing ? load_sharing_text(answers) : std::string());
 }
 
 }  // namespace

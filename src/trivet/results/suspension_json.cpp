@@ -29,7 +29,8 @@ Json roll_json(const modal::RollAxes& axes) {
   return {
       {"torque", json::list(axes.torque)},
       {"torque_roll_axis", json::list(axes.torque_roll_axis)},
-      {"elastic_roll_axis", {{"direction", json::list(elastic.direction)}, {"point", json::list(elastic.point)}, {"pitch", elastic.pitch}}},
+      {"elastic_roll_axis",
+       {{"direction", json::list(elastic.direction)}, {"point", json::list(elastic.point)}, {"pitch", elastic.pitch}}},
       {"torsional_stiffness", json::number(axes.torsional_stiffness)},
       {"angle", axes.angle},
       {"shortest_distance", axes.shortest_distance},
@@ -79,10 +80,10 @@ std::string suspension_csv(const project::Case& variant, const study::Suspension
   for (const modal::BodySuspension& body : answer.bodies)
     for (const modal::BodyMode& mode : body.modes) {
       text += csv_field(variant.system.bodies()[body.body].name) + "," +
-              (mode.angular_frequency ? fmt::format("{}", *mode.angular_frequency) : "");
+          (mode.angular_frequency ? fmt::format("{}", *mode.angular_frequency) : "");
       for (const double share : mode.kinetic_energy_share) text += fmt::format(",{}", share);
-      text +=
-          fmt::format(",{},{},{}\n", mode.in_elements, model::coordinate_names[static_cast<std::size_t>(mode.purest)], mode.decoupling());
+      text += fmt::format(",{},{},{}\n", mode.in_elements,
+                          model::coordinate_names[static_cast<std::size_t>(mode.purest)], mode.decoupling());
     }
   return text;
 }

@@ -11,17 +11,20 @@ namespace {
 
 /// Characters on the screen: UTF-8 continuation bytes take no place.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 bool is_number(const std::string& text) {
-  return !text.empty() && (text == "–" || text == "∞" || text.find_first_not_of("0123456789+-.e%°") == std::string::npos);
+  return !text.empty() &&
+      (text == "–" || text == "∞" || text.find_first_not_of("0123456789+-.e%°") == std::string::npos);
 }
 
 constexpr std::size_t screen = 150, gap = 3;  // columns of characters
 
 /// The first column of a row, and those from `first` to before `last`.
-std::string line(const std::vector<std::string>& row, std::size_t first, std::size_t last, const std::vector<std::size_t>& widest, const std::vector<bool>& numeric) {
+std::string line(const std::vector<std::string>& row, std::size_t first, std::size_t last,
+                 const std::vector<std::size_t>& widest, const std::vector<bool>& numeric) {
   std::string text;
   const auto add = [&](std::size_t c) {
     const std::string pad(widest[c] - width(row[c]), ' ');
@@ -44,7 +47,8 @@ std::string shown(double value, int digits) {
 std::string percent(double share) {
   constexpr double round_off = 1e-9, one_decimal = 5e-4;
   const double size = std::abs(share);
-  return size > round_off && size < one_decimal ? fmt::format("{:.1g} %", 100 * share) : fmt::format("{:.1f} %", size > round_off ? 100 * share : 0.0);
+  return size > round_off && size < one_decimal ? fmt::format("{:.1g} %", 100 * share)
+                                                : fmt::format("{:.1f} %", size > round_off ? 100 * share : 0.0);
 }
 
 double without_round_off(double value, double largest) {

@@ -9,12 +9,13 @@
 
 namespace trivet::results {
 
-/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left. One that is wider than a screen
-/// comes in parts below each other, each with the first column.
+/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left. One that is
+/// wider than a screen comes in parts below each other, each with the first column.
 class TextTable {
  public:
   /// @param together  columns after the first that are not parted: 2 for amplitude and phase
-  explicit TextTable(std::vector<std::string> header, std::size_t together = 1) : rows_{std::move(header)}, together_(together) {}
+  explicit TextTable(std::vector<std::string> header, std::size_t together = 1)
+      : rows_{std::move(header)}, together_(together) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text() const;
 

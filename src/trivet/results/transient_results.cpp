@@ -17,7 +17,12 @@ Json transient(const project::Case&, const study::Answers& answers) {
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   Json result{{"time", list(found.time)}, {"results", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (const response::TimeCurve& c : found.curves)
-    result["results"].push_back({{"name", c.name}, {"unit", c.unit}, {"largest", extreme(c.largest)}, {"smallest", extreme(c.smallest)}, {"rms", number(c.rms)}, {"value", list(c.values)}});
+    result["results"].push_back({{"name", c.name},
+                                 {"unit", c.unit},
+                                 {"largest", extreme(c.largest)},
+                                 {"smallest", extreme(c.smallest)},
+                                 {"rms", number(c.rms)},
+                                 {"value", list(c.values)}});
   return result;
 }
 
@@ -43,9 +48,13 @@ std::string transient_text(const project::Case& variant, const study::Answers& a
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
   for (const response::TimeCurve& c : found.curves)
-    table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value), shown(c.smallest.time, 5), shown(c.rms), c.unit});
+    table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value),
+               shown(c.smallest.time, 5), shown(c.rms), c.unit});
   const Eigen::Index n = found.time.size();
-  return excited_at_once(variant, "transient") + fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4), n) + table.text();
+  return excited_at_once(variant, "transient") +
+      fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4),
+                  n) +
+      table.text();
 }
 
 }  // namespace

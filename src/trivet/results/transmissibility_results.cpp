@@ -15,7 +15,11 @@ namespace {
 
 Json transmissibility(const project::Case&, const study::Answers& answers) {
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
-  Json result{{"of", t.words}, {"angular_frequency", t.curves.angular_frequency}, {"results", Json::array()}, {"peaks", Json::array()}, {"warnings", warnings(answers.warnings)}};
+  Json result{{"of", t.words},
+              {"angular_frequency", t.curves.angular_frequency},
+              {"results", Json::array()},
+              {"peaks", Json::array()},
+              {"warnings", warnings(answers.warnings)}};
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::Curve& c = t.curves.curves[i];
     Json one = curve(c), level = Json::array(), efficiency = Json::array();
@@ -29,7 +33,10 @@ Json transmissibility(const project::Case&, const study::Answers& answers) {
     result["results"].push_back(std::move(one));
   }
   for (const response::Peak& peak : t.peaks.list)
-    result["peaks"].push_back({{"name", t.peaks.curves[peak.curve].name}, {"angular_frequency", peak.angular_frequency}, {"amplitude", number(peak.amplitude)}, {"nearest_mode", optional(peak.nearest_mode)}});
+    result["peaks"].push_back({{"name", t.peaks.curves[peak.curve].name},
+                               {"angular_frequency", peak.angular_frequency},
+                               {"amplitude", number(peak.amplitude)},
+                               {"nearest_mode", optional(peak.nearest_mode)}});
   return result;
 }
 
@@ -41,7 +48,8 @@ namespace {
 std::string transmissibility_csv(const project::Case&, const study::Answers& answers) {
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
   std::string text = "angular_frequency [rad/s]";
-  for (const response::Curve& c : t.curves.curves) text += "," + csv_field(c.name + " [1]") + "," + csv_field(c.name + " [dB]");
+  for (const response::Curve& c : t.curves.curves)
+    text += "," + csv_field(c.name + " [1]") + "," + csv_field(c.name + " [dB]");
   text += "\n";
   for (std::size_t k = 0; k < t.curves.angular_frequency.size(); ++k) {
     text += csv_number(t.curves.angular_frequency[k]);
@@ -56,16 +64,20 @@ std::string transmissibility_csv(const project::Case&, const study::Answers& ans
 
 std::string transmissibility_text(const project::Case&, const study::Answers& answers) {
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
-  TextTable table({"answer", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band", "efficiency there"});
+  TextTable table({"answer", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band",
+                   "efficiency there"});
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::CurveSummary& summary = t.peaks.curves[i];
     const Eigen::VectorXcd& values = t.curves.curves[i].value;
     const double last = std::abs(values(values.size() - 1));
-    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5), shown(response::transmissibility_level(summary.highest), 4),
-               t.crossovers[i].angular_frequency && !t.is_share(i) ? shown(hertz(*t.crossovers[i].angular_frequency), 5) : "–", shown(last, 4),
-               t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
+    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5),
+               shown(response::transmissibility_level(summary.highest), 4),
+               t.crossovers[i].angular_frequency && !t.is_share(i) ? shown(hertz(*t.crossovers[i].angular_frequency), 5)
+                                                                   : "–",
+               shown(last, 4), t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
   }
-  const std::string shares = t.is_share(1) ? "  the force of a single mount is its share: isolation is that of the ground\n" : "";
+  const std::string shares =
+      t.is_share(1) ? "  the force of a single mount is its share: isolation is that of the ground\n" : "";
   return "Transmissibility: " + t.words + "\n" + table.text() + shares;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/plain_text.h"
 #include "trivet/results/users_files.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -33,9 +33,11 @@ void copy_rights(const foundation::FolderHandle& from, const foundation::FolderH
 
 }  // namespace
 
-std::string kept_name(const std::string& name, const foundation::FolderHandle& one, const foundation::FolderHandle& other) {
+std::string kept_name(const std::string& name, const foundation::FolderHandle& one,
+                      const foundation::FolderHandle& other) {
   const std::filesystem::path path(name);
-  const std::string stem = foundation::shortened(path.stem().string(), longest_stem), extension = path.extension().string();
+  const std::string stem = foundation::shortened(path.stem().string(), longest_stem),
+                    extension = path.extension().string();
   for (int i = 1; i <= most_kept; ++i) {
     const std::string free =
         fmt::format("{}.kept-{}{}", stem, i, extension.size() > longest_extension ? "" : extension);
@@ -53,7 +55,8 @@ std::string kept_words(const std::string& path, const std::string& new_name, boo
 
 bool UsersFiles::link_into(const foundation::FolderHandle& next) { return link("", earlier_, next); }
 
-bool UsersFiles::link(const std::string& path, const foundation::FolderHandle& from, const foundation::FolderHandle& to) {
+bool UsersFiles::link(const std::string& path, const foundation::FolderHandle& from,
+                      const foundation::FolderHandle& to) {
   if (!from.is_open() || !to.is_open()) return false;  // no right to look into it: the other method names the path
   for (const std::string& name : from.names()) {
     const std::string whole = inside(path, name);
@@ -70,8 +73,8 @@ bool UsersFiles::link(const std::string& path, const foundation::FolderHandle& f
       new_names_[whole] = new_name;
     }
     const bool done = kind == Kind::folder
-                          ? link_folder(whole, new_name, from.folder(name), to)
-                          : linkat(from.descriptor(), name.c_str(), to.descriptor(), new_name.c_str(), 0) == 0;
+        ? link_folder(whole, new_name, from.folder(name), to)
+        : linkat(from.descriptor(), name.c_str(), to.descriptor(), new_name.c_str(), 0) == 0;
     if (!done) return false;
   }
   return true;
@@ -93,7 +96,8 @@ bool UsersFiles::link_folder(const std::string& path, const std::string& name, c
 
 bool UsersFiles::move_latecomers_into(const foundation::FolderHandle& current) { return move("", earlier_, current); }
 
-bool UsersFiles::move(const std::string& path, const foundation::FolderHandle& from, const foundation::FolderHandle& to) {
+bool UsersFiles::move(const std::string& path, const foundation::FolderHandle& from,
+                      const foundation::FolderHandle& to) {
   if (!from.is_open() || !to.is_open()) return false;
   bool complete = true;
   for (const std::string& name : from.names()) {

@@ -29,7 +29,8 @@ class UsersFiles {
 
  private:
   bool link(const std::string& path, const foundation::FolderHandle& from, const foundation::FolderHandle& to);
-  bool link_folder(const std::string& path, const std::string& name, const foundation::FolderHandle& from, const foundation::FolderHandle& to);
+  bool link_folder(const std::string& path, const std::string& name, const foundation::FolderHandle& from,
+                   const foundation::FolderHandle& to);
   bool move(const std::string& path, const foundation::FolderHandle& from, const foundation::FolderHandle& to);
 
   const foundation::FolderHandle& earlier_;
@@ -39,7 +40,8 @@ class UsersFiles {
 };
 
 /// "modes.kept-1.csv": a name that is free in both folders.
-[[nodiscard]] std::string kept_name(const std::string& name, const foundation::FolderHandle& one, const foundation::FolderHandle& other);
+[[nodiscard]] std::string kept_name(const std::string& name, const foundation::FolderHandle& one,
+                                    const foundation::FolderHandle& other);
 
 /// The sentence about a file that got another name. @param listed  whether the manifest names it, so that the user has
 /// edited it

@@ -6,13 +6,16 @@
 
 #include "trivet/study/answers.h"
 
-/// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; the table behind it is in
-/// answer_writers.cpp. Each of these needs the answer to be there.
+/// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; the table behind it
+/// is in answer_writers.cpp. Each of these needs the answer to be there.
 namespace trivet::results {
 
-[[nodiscard]] std::string answer_json(const std::string& question, const project::Case& variant, const study::Answers& answers);
-[[nodiscard]] std::string answer_csv(const std::string& question, const project::Case& variant, const study::Answers& answers);
-[[nodiscard]] std::string answer_text(const std::string& question, const project::Case& variant, const study::Answers& answers);
+[[nodiscard]] std::string answer_json(const std::string& question, const project::Case& variant,
+                                      const study::Answers& answers);
+[[nodiscard]] std::string answer_csv(const std::string& question, const project::Case& variant,
+                                     const study::Answers& answers);
+[[nodiscard]] std::string answer_text(const std::string& question, const project::Case& variant,
+                                      const study::Answers& answers);
 
 struct AnswerFile {
   std::string name;  ///< "random.csv"

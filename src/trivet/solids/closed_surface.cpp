@@ -14,14 +14,17 @@ namespace {
 
 using foundation::Problems;
 
-constexpr double flat = 1e-7;        // coordinates of a binary file are no better than 6e-8 of the extent: volume ≤ flat·area·extent is none
+constexpr double flat =
+    1e-7;  // coordinates of a binary file are no better than 6e-8 of the extent: volume ≤ flat·area·extent is none
 constexpr double degenerate = 1e-12;  // area over squared longest edge
 constexpr std::size_t holes_told = 5;
 
 /// Sets of connected vertices.
 class Connected {
  public:
-  explicit Connected(Eigen::Index count) : parent_(static_cast<std::size_t>(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Connected(Eigen::Index count) : parent_(static_cast<std::size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   int root(int i) {
     while (of(i) != i) i = of(i) = of(of(i));
     return i;
@@ -42,19 +45,20 @@ std::vector<Edge> edges_of(const Eigen::Matrix3Xi& triangles) {
   std::vector<Edge> all;
   all.reserve(3 * static_cast<std::size_t>(triangles.cols()));
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    if (triangles(0, t) == triangles(1, t) || triangles(1, t) == triangles(2, t) || triangles(2, t) == triangles(0, t)) continue;  // a line at most
+    if (triangles(0, t) == triangles(1, t) || triangles(1, t) == triangles(2, t) || triangles(2, t) == triangles(0, t))
+      continue;  // a line at most
     for (int j = 0; j < 3; ++j) {
       const int from = triangles(j, t), to = triangles((j + 1) % 3, t);
-      all.push_back({std::min(from, to), std::max(from, to), from < to, from > to});
+      all.push_back({std::min(from, to), std::max(from, to), from<to, from> to});
     }
   }
-  std::sort(all.begin(), all.end(), [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+  std::sort(all.begin(), all.end(),
+            [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
   std::vector<Edge> merged;
   for (const Edge& edge : all) {
     if (!merged.empty() && merged.back().low == edge.low && merged.back().high == edge.high)
       merged.back().up += edge.up, merged.back().down += edge.down;
-    else
-      merged.push_back(edge);
+    else merged.push_back(edge);
   }
   return merged;
 }
@@ -87,27 +91,38 @@ void check_edges(const TriangleSurface& surface, Problems& problems) {
   }
   const auto holes = groups(surface, open);
   for (std::size_t i = 0; i < std::min(holes.size(), holes_told); ++i)
-    problems.error("file", fmt::format("hole {} of {}: {} open edges {} in the file's units", i + 1, holes.size(), holes[i].size(), place(surface, holes[i])),
-                   "each edge of a closed surface belongs to two triangles", "close the surface in the program that made it, then export it again");
+    problems.error("file",
+                   fmt::format("hole {} of {}: {} open edges {} in the file's units", i + 1, holes.size(),
+                               holes[i].size(), place(surface, holes[i])),
+                   "each edge of a closed surface belongs to two triangles",
+                   "close the surface in the program that made it, then export it again");
   if (!turned.empty())
-    problems.error("file", fmt::format("{} edges between triangles that face opposite sides, {} in the file's units", turned.size(), place(surface, turned)),
-                   "all triangles must face outwards", "orient the surface in the program that made it, then export it again");
+    problems.error("file",
+                   fmt::format("{} edges between triangles that face opposite sides, {} in the file's units",
+                               turned.size(), place(surface, turned)),
+                   "all triangles must face outwards",
+                   "orient the surface in the program that made it, then export it again");
   if (!shared.empty())
-    problems.warning("file", fmt::format("{} edges belong to more than two triangles, {} in the file's units", shared.size(), place(surface, shared)),
-                     "parts that touch in an edge enclose their volumes side by side", "nothing, if parts are meant to touch there");
+    problems.warning("file",
+                     fmt::format("{} edges belong to more than two triangles, {} in the file's units", shared.size(),
+                                 place(surface, shared)),
+                     "parts that touch in an edge enclose their volumes side by side",
+                     "nothing, if parts are meant to touch there");
 }
 
 void check_triangles(const TriangleSurface& surface, Problems& problems) {
   Eigen::Index count = 0, first = 0;
   for (Eigen::Index t = surface.triangles.cols() - 1; t >= 0; --t) {
-    const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t)), b = surface.vertices.col(surface.triangles(1, t)) - a,
+    const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t)),
+                          b = surface.vertices.col(surface.triangles(1, t)) - a,
                           c = surface.vertices.col(surface.triangles(2, t)) - a;
     const double longest = std::max({b.squaredNorm(), c.squaredNorm(), (b - c).squaredNorm()});
     if (b.cross(c).norm() <= degenerate * longest) ++count, first = t;
   }
   if (count > 0)
-    problems.warning("file", fmt::format("{} degenerate triangles, the first at {} in the file's units", count,
-                                         point(surface.vertices.col(surface.triangles(0, first)))),
+    problems.warning("file",
+                     fmt::format("{} degenerate triangles, the first at {} in the file's units", count,
+                                 point(surface.vertices.col(surface.triangles(0, first)))),
                      "a triangle without area encloses nothing", "nothing: they do not change the result");
 }
 
@@ -117,7 +132,8 @@ struct Shell {
   Eigen::AlignedBox3d box;
 };
 
-/// Sums of the tetrahedra from `reference` to each triangle, their second moment about `reference`: det/120 (Σ v vᵀ + s sᵀ), s = Σ v.
+/// Sums of the tetrahedra from `reference` to each triangle, their second moment about `reference`: det/120 (Σ v vᵀ + s
+/// sᵀ), s = Σ v.
 struct TetrahedronSums {
   double volume = 0, area = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -138,11 +154,13 @@ std::vector<Shell> shells_of(const TriangleSurface& surface) {
     for (int j = 1; j < 3; ++j) connected.join(surface.triangles(0, t), surface.triangles(j, t));
   std::map<int, Shell> shells;
   std::map<int, TetrahedronSums> sums;
-  for (Eigen::Index i = 0; i < surface.vertices.cols(); ++i) shells[connected.root(static_cast<int>(i))].box.extend(surface.vertices.col(i));
+  for (Eigen::Index i = 0; i < surface.vertices.cols(); ++i)
+    shells[connected.root(static_cast<int>(i))].box.extend(surface.vertices.col(i));
   for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
     const int root = connected.root(surface.triangles(0, t));
     const Eigen::Vector3d middle = shells[root].box.center();
-    sums[root].add(surface.vertices.col(surface.triangles(0, t)) - middle, surface.vertices.col(surface.triangles(1, t)) - middle,
+    sums[root].add(surface.vertices.col(surface.triangles(0, t)) - middle,
+                   surface.vertices.col(surface.triangles(1, t)) - middle,
                    surface.vertices.col(surface.triangles(2, t)) - middle);
   }
   std::vector<Shell> list;
@@ -165,15 +183,22 @@ void check_shells(const std::vector<Shell>& shells, Problems& problems) {
   if (shells.empty())
     problems.error("file", "no triangle has an area", "a solid has a volume > 0", "export the part again as STL");
   for (const Shell& shell : shells) {
-    const std::string place = fmt::format("from {} to {} in the file's units", point(shell.box.min()), point(shell.box.max()));
+    const std::string place =
+        fmt::format("from {} to {} in the file's units", point(shell.box.min()), point(shell.box.max()));
     if (std::abs(shell.integrals.volume) <= flat * shell.area * shell.box.diagonal().norm()) {
-      problems.error("file", fmt::format("a surface of area {:.6g} {} encloses the volume {:.3g}", shell.area, place, shell.integrals.volume),
+      problems.error("file",
+                     fmt::format("a surface of area {:.6g} {} encloses the volume {:.3g}", shell.area, place,
+                                 shell.integrals.volume),
                      "a solid has a volume > 0", "remove the flat part, or give it its thickness");
-    } else if (shell.integrals.volume < 0 && std::none_of(shells.begin(), shells.end(), [&](const Shell& outer) {
-                 return outer.integrals.volume > -shell.integrals.volume && outer.box.contains(shell.box);
-               })) {
+    } else if (shell.integrals.volume < 0 &&
+               std::none_of(
+                   shells.begin(), shells.end(),
+                   [&](const Shell& outer) {
+                     return outer.integrals.volume > -shell.integrals.volume && outer.box.contains(shell.box);
+                   })) {
       problems.error("file", fmt::format("the surface {} faces inwards: volume {:.6g}", place, shell.integrals.volume),
-                     "a surface faces outwards; only a cavity inside another surface faces inwards", "turn the surface over and export it again");
+                     "a surface faces outwards; only a cavity inside another surface faces inwards",
+                     "turn the surface over and export it again");
     }
   }
 }

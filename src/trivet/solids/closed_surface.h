@@ -14,9 +14,9 @@ struct EnclosedVolume {
   foundation::Problems remarks{};  ///< warnings: degenerate triangles, edges where shells touch
 };
 
-/// Volume enclosed by a surface that is closed (each edge used once in each direction) and faces outwards. Else every problem with the
-/// place of it in the file's coordinates: each hole, triangles that are turned over, shells inside out, no volume. Subject "file".
-/// Surfaces that cut through themselves are not found.
+/// Volume enclosed by a surface that is closed (each edge used once in each direction) and faces outwards. Else every
+/// problem with the place of it in the file's coordinates: each hole, triangles that are turned over, shells inside
+/// out, no volume. Subject "file". Surfaces that cut through themselves are not found.
 [[nodiscard]] foundation::Expected<EnclosedVolume> enclosed_volume(const TriangleSurface& surface);
 
 }  // namespace trivet::solids

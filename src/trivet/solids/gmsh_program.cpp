@@ -51,12 +51,9 @@ foundation::Expected<void> check_step(const std::filesystem::path& file) {
 std::string complaints(const std::string& output) {
   std::string text;
   for (std::size_t i = 0; i < output.size(); ++i) {
-    if (output[i] == '\033')
-      i = std::min(output.find('m', i), output.size());
-    else if (output[i] == '\n')
-      text += ' ';
-    else if (output[i] != '*' && !(output[i] == ' ' && text.ends_with(' ')))
-      text += output[i];
+    if (output[i] == '\033') i = std::min(output.find('m', i), output.size());
+    else if (output[i] == '\n') text += ' ';
+    else if (output[i] != '*' && !(output[i] == ' ' && text.ends_with(' '))) text += output[i];
   }
   return text.size() > words_told ? "…" + text.substr(text.size() - words_told) : text;
 }
@@ -82,12 +79,14 @@ foundation::Expected<void> prepare(const GmshJob& job) {
 /// What it wrote is read as files: a pipe would block, a folder fail.
 foundation::Expected<void> check_results(const GmshJob& job) {
   std::error_code error;
-  for (std::filesystem::directory_iterator entry(job.folder, error), end; !error && entry != end; entry.increment(error)) {
+  for (std::filesystem::directory_iterator entry(job.folder, error), end; !error && entry != end;
+       entry.increment(error)) {
     const std::string extension = entry->path().extension().string();
     const bool is_result = extension == ".txt" || extension == ".msh";
     if (is_result && !std::filesystem::is_regular_file(entry->symlink_status(error)))
-      return refused(fmt::format("{}: gmsh wrote {}, which is no file", job.step_file.string(), entry->path().filename().string()),
-                     "gmsh writes its results to files", "check the program gmsh: `gmsh --version`");
+      return refused(
+          fmt::format("{}: gmsh wrote {}, which is no file", job.step_file.string(), entry->path().filename().string()),
+          "gmsh writes its results to files", "check the program gmsh: `gmsh --version`");
   }
   return {};
 }

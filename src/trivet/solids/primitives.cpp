@@ -20,11 +20,13 @@ enum class Zero { refused, allowed };
 void check_length(Problems& problems, const char* name, double length, Zero zero = Zero::refused) {
   if (foundation::is_part_size(length) || (zero == Zero::allowed && length == 0)) return;
   if (length > 0 && std::isfinite(length)) {
-    problems.error(name, fmt::format("{:.6g} m", length), foundation::part_size_rule, "check the unit and the power of ten");
+    problems.error(name, fmt::format("{:.6g} m", length), foundation::part_size_rule,
+                   "check the unit and the power of ten");
     return;
   }
   problems.error(name, std::isnan(length) ? "not given" : fmt::format("{:.6g} m", length),
-                 zero == Zero::allowed ? "a diameter of a cone must be ≥ 0" : "a length of a solid must be > 0", "give it as a length with its unit");
+                 zero == Zero::allowed ? "a diameter of a cone must be ≥ 0" : "a length of a solid must be > 0",
+                 "give it as a length with its unit");
 }
 
 void check(const Box& box, Problems& problems) {
@@ -43,9 +45,11 @@ void check(const Tube& tube, Problems& problems) {
   check_length(problems, "inner_diameter", tube.inner_diameter);
   check_length(problems, "length", tube.length);
   if (tube.inner_diameter >= tube.outer_diameter)
-    problems.error("inner_diameter", fmt::format("{:.6g} m, outer_diameter = {:.6g} m: wall {:.6g} m", tube.inner_diameter, tube.outer_diameter,
-                                                 (tube.outer_diameter - tube.inner_diameter) / 2),
-                   "a tube's inner diameter must be below its outer diameter", "exchange the two, or take a cylinder if it has no bore");
+    problems.error("inner_diameter",
+                   fmt::format("{:.6g} m, outer_diameter = {:.6g} m: wall {:.6g} m", tube.inner_diameter,
+                               tube.outer_diameter, (tube.outer_diameter - tube.inner_diameter) / 2),
+                   "a tube's inner diameter must be below its outer diameter",
+                   "exchange the two, or take a cylinder if it has no bore");
 }
 
 void check(const Sphere& sphere, Problems& problems) { check_length(problems, "diameter", sphere.diameter); }
@@ -55,7 +59,8 @@ void check(const Cone& cone, Problems& problems) {
   check_length(problems, "end_diameter", cone.end_diameter, Zero::allowed);
   check_length(problems, "length", cone.length);
   if (cone.start_diameter == 0 && cone.end_diameter == 0)
-    problems.error("end_diameter", "both diameters are 0 m", "one end of a cone must have a diameter > 0", "give the diameter of the wide end");
+    problems.error("end_diameter", "both diameters are 0 m", "one end of a cone must have a diameter > 0",
+                   "give the diameter of the wide end");
 }
 
 VolumeIntegrals symmetric(double volume, double xx, double yy, double zz) {
@@ -64,7 +69,8 @@ VolumeIntegrals symmetric(double volume, double xx, double yy, double zz) {
 
 VolumeIntegrals of(const Box& b) {
   const double v = b.length_x * b.length_y * b.length_z;
-  return symmetric(v, v * b.length_x * b.length_x / 12, v * b.length_y * b.length_y / 12, v * b.length_z * b.length_z / 12);
+  return symmetric(v, v * b.length_x * b.length_x / 12, v * b.length_y * b.length_y / 12,
+                   v * b.length_z * b.length_z / 12);
 }
 
 VolumeIntegrals of(const Tube& t) {

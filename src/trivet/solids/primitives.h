@@ -11,7 +11,8 @@ namespace trivet::solids {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-// Bodies of simple shape. The origin of a shape's frame is the middle of its length, its axis is z. All lengths [m], > 0.
+// Bodies of simple shape. The origin of a shape's frame is the middle of its length, its axis is z. All lengths [m], >
+// 0.
 
 struct Box {
   double length_x = not_given, length_y = not_given, length_z = not_given;

@@ -36,7 +36,8 @@ struct Measure {
     if (!(stl.length_unit > 0) || !std::isfinite(stl.length_unit)) {
       Problems found;
       found.error("unit", std::isnan(stl.length_unit) ? "not given" : fmt::format("{:.6g} m", stl.length_unit),
-                  "an STL file does not say its length unit, which must be > 0", "give the unit of the file, \"mm\" for most");
+                  "an STL file does not say its length unit, which must be > 0",
+                  "give the unit of the file, \"mm\" for most");
       return tl::unexpected(found);
     }
     const auto surface = read_stl(stl.file, progress);
@@ -45,7 +46,8 @@ struct Measure {
     if (!enclosed) return tl::unexpected(enclosed.error());
     remarks.add(enclosed->remarks);
     const VolumeIntegrals& v = enclosed->integrals;
-    return VolumeIntegrals{v.volume * std::pow(stl.length_unit, 3), v.centre * stl.length_unit, v.second_moment * std::pow(stl.length_unit, 5)};
+    return VolumeIntegrals{v.volume * std::pow(stl.length_unit, 3), v.centre * stl.length_unit,
+                           v.second_moment * std::pow(stl.length_unit, 5)};
   }
 
   Expected<VolumeIntegrals> operator()(const StepSolid& step) const {
@@ -60,8 +62,7 @@ struct Measure {
                     fmt::format("solids are numbered from 1 to {}", volumes->size()), "name solids that are there");
       else if (!taken.insert(number).second)
         found.error("solids", fmt::format("{} is named twice", number), "each solid counts once", "name it once");
-      else
-        total = sum(total, (*volumes)[static_cast<std::size_t>(number) - 1]);
+      else total = sum(total, (*volumes)[static_cast<std::size_t>(number) - 1]);
     }
     if (found.has_errors()) return tl::unexpected(found);
     if (step.solids.empty())
@@ -72,12 +73,16 @@ struct Measure {
 
 void check_part(const Part& part, Problems& problems) {
   if (!(part.density > 0) || !std::isfinite(part.density))
-    problems.error("density", std::isnan(part.density) ? "not given" : fmt::format("{:.6g} kg/m³", part.density), "a density must be > 0",
-                   "give it as in density = \"7850 kg/m^3\"");
+    problems.error("density", std::isnan(part.density) ? "not given" : fmt::format("{:.6g} kg/m³", part.density),
+                   "a density must be > 0", "give it as in density = \"7850 kg/m^3\"");
   const Eigen::Matrix3d& r = part.pose.rotation;
-  if (!((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= orthonormal) || !(r.col(0).cross(r.col(1)).dot(r.col(2)) > 0))
-    problems.error("orientation", "is no rotation", "its three axes must be orthonormal and right-handed", "give it by axis and angle");
-  if (!part.pose.position.allFinite()) problems.error("position", "is not finite", "a position is three finite lengths", "give it as lengths with their unit");
+  if (!((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= orthonormal) ||
+      !(r.col(0).cross(r.col(1)).dot(r.col(2)) > 0))
+    problems.error("orientation", "is no rotation", "its three axes must be orthonormal and right-handed",
+                   "give it by axis and angle");
+  if (!part.pose.position.allFinite())
+    problems.error("position", "is not finite", "a position is three finite lengths",
+                   "give it as lengths with their unit");
 }
 
 void add_prefixed(Problems& problems, const std::string& name, Problems found) {
@@ -87,7 +92,8 @@ void add_prefixed(Problems& problems, const std::string& name, Problems found) {
 
 /// Round-off of very small or very large lengths leaves the range of numbers before it leaves the rules above.
 bool representable(const spatial::MassProperties& p) {
-  return std::isnormal(p.mass) && p.centre.allFinite() && p.inertia_about_centre.allFinite() && std::isnormal(p.inertia_about_centre.trace());
+  return std::isnormal(p.mass) && p.centre.allFinite() && p.inertia_about_centre.allFinite() &&
+      std::isnormal(p.inertia_about_centre.trace());
 }
 
 }  // namespace
@@ -106,8 +112,8 @@ Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts, const Progress&
       const VolumeIntegrals here = placed(*own, part.pose);
       const spatial::MassProperties properties = mass_properties(here, part.density);
       if (!representable(properties))
-        found.error("density", fmt::format("mass {:.3g} kg of volume {:.3g} m³", properties.mass, own->volume), "mass and inertia must be numbers > 0",
-                    "check the units of the lengths");
+        found.error("density", fmt::format("mass {:.3g} kg of volume {:.3g} m³", properties.mass, own->volume),
+                    "mass and inertia must be numbers > 0", "check the units of the lengths");
       total = sum(total, {properties.mass, here.centre, part.density * here.second_moment});
       solid.parts.push_back({part.name, own->volume, properties});
     }

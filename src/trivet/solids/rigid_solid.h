@@ -34,7 +34,7 @@ struct Part {
 
 struct PartResult {
   std::string name;
-  double volume = 0;                  ///< [m³]
+  double volume = 0;                   ///< [m³]
   spatial::MassProperties properties;  ///< about the pole's axes, as the sum's
 };
 
@@ -44,8 +44,9 @@ struct RigidSolid {
   foundation::Problems remarks;  ///< warnings
 };
 
-/// Mass, centre and inertia of parts that add up; where parts overlap, both count. Subjects of problems are the part's name and the
-/// key, "flange.density".
-[[nodiscard]] foundation::Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts, const foundation::Progress& progress = {});
+/// Mass, centre and inertia of parts that add up; where parts overlap, both count. Subjects of problems are the part's
+/// name and the key, "flange.density".
+[[nodiscard]] foundation::Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts,
+                                                           const foundation::Progress& progress = {});
 
 }  // namespace trivet::solids

@@ -41,7 +41,8 @@ class Builder {
   }
   [[nodiscard]] std::size_t count() const { return order_.size() / 3; }
   [[nodiscard]] TriangleSurface surface() const {
-    return {Eigen::Map<const Eigen::Matrix3Xd>(corners_.empty() ? nullptr : corners_[0].data(), 3, static_cast<Eigen::Index>(corners_.size())),
+    return {Eigen::Map<const Eigen::Matrix3Xd>(corners_.empty() ? nullptr : corners_[0].data(), 3,
+                                               static_cast<Eigen::Index>(corners_.size())),
             Eigen::Map<const Eigen::Matrix3Xi>(order_.data(), 3, static_cast<Eigen::Index>(count()))};
   }
 
@@ -53,22 +54,27 @@ class Builder {
 
 tl::unexpected<Problems> refused(const std::filesystem::path& file, const std::string& finding, int line = 0) {
   Problems problems;
-  problems.error("file", fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(", line {}", line) : "", finding),
-                 "an STL file holds triangles, as binary records or as text from 'solid' to 'endsolid'", "export the part again as STL");
+  problems.error("file",
+                 fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(", line {}", line) : "", finding),
+                 "an STL file holds triangles, as binary records or as text from 'solid' to 'endsolid'",
+                 "export the part again as STL");
   return tl::unexpected(problems);
 }
 
 bool finite(const Corner& c) { return std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]); }
 
-foundation::Expected<TriangleSurface> read_binary(const std::filesystem::path& file, std::string_view bytes, const foundation::Progress& progress) {
+foundation::Expected<TriangleSurface> read_binary(const std::filesystem::path& file, std::string_view bytes,
+                                                  const foundation::Progress& progress) {
   Builder builder;
   const std::size_t count = (bytes.size() - header_bytes) / triangle_bytes;
   for (std::size_t i = 0; i < count; ++i) {
-    if (i % triangles_between_reports == 0) foundation::report_progress(progress, "reading STL", static_cast<double>(i) / static_cast<double>(count));
+    if (i % triangles_between_reports == 0)
+      foundation::report_progress(progress, "reading STL", static_cast<double>(i) / static_cast<double>(count));
     for (std::size_t j = 0; j < 3; ++j) {
       std::array<float, 3> x;  // little-endian by the format
       std::memcpy(x.data(), bytes.data() + header_bytes + i * triangle_bytes + 12 * (j + 1), sizeof x);
-      if (!finite({x[0], x[1], x[2]})) return refused(file, fmt::format("triangle {} of {} has a coordinate that is no finite number", i + 1, count));
+      if (!finite({x[0], x[1], x[2]}))
+        return refused(file, fmt::format("triangle {} of {} has a coordinate that is no finite number", i + 1, count));
       builder.add({x[0], x[1], x[2]});
     }
   }
@@ -112,7 +118,8 @@ bool read_corner(Words& words, Corner& corner) {
   return true;
 }
 
-foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& file, std::string_view text, const foundation::Progress& progress) {
+foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& file, std::string_view text,
+                                                const foundation::Progress& progress) {
   Words words(text);
   Builder builder;
   int corners = 0;
@@ -126,7 +133,8 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
       words.skip_line();
     } else if (word == "vertex") {
       Corner corner;
-      if (!read_corner(words, corner)) return refused(file, "'vertex' is not followed by three finite numbers", words.line());
+      if (!read_corner(words, corner))
+        return refused(file, "'vertex' is not followed by three finite numbers", words.line());
       builder.add(corner);
       ++corners;
     } else if (word == "endloop") {
@@ -145,9 +153,11 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
 
 }  // namespace
 
-foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file, const foundation::Progress& progress) {
+foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file,
+                                               const foundation::Progress& progress) {
   std::error_code not_a_file;
-  if (!std::filesystem::is_regular_file(file, not_a_file)) return refused(file, "cannot be read");  // a pipe would block
+  if (!std::filesystem::is_regular_file(file, not_a_file))
+    return refused(file, "cannot be read");  // a pipe would block
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return refused(file, "cannot be read");
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
@@ -155,13 +165,17 @@ foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file
   std::uint32_t count = 0;
   if (bytes.size() >= header_bytes) std::memcpy(&count, bytes.data() + header_bytes - 4, 4);
   // Binary headers may begin with "solid" too: the size decides.
-  const bool binary = bytes.size() >= header_bytes && bytes.size() == header_bytes + std::size_t{count} * triangle_bytes;
+  const bool binary =
+      bytes.size() >= header_bytes && bytes.size() == header_bytes + std::size_t{count} * triangle_bytes;
   const bool text = !binary && bytes.find('\0') == std::string::npos && Words(bytes).next() == "solid";
   if (!binary && !text)
-    return refused(file, bytes.size() < header_bytes ? fmt::format("{} bytes, neither text nor a binary STL file", bytes.size())
-                                                     : fmt::format("{} bytes; a binary file of {} triangles, as its header says, has {}", bytes.size(), count,
-                                                                   header_bytes + std::size_t{count} * triangle_bytes));
-  foundation::Expected<TriangleSurface> surface = binary ? read_binary(file, bytes, progress) : read_text(file, bytes, progress);
+    return refused(file,
+                   bytes.size() < header_bytes
+                       ? fmt::format("{} bytes, neither text nor a binary STL file", bytes.size())
+                       : fmt::format("{} bytes; a binary file of {} triangles, as its header says, has {}",
+                                     bytes.size(), count, header_bytes + std::size_t{count} * triangle_bytes));
+  foundation::Expected<TriangleSurface> surface =
+      binary ? read_binary(file, bytes, progress) : read_text(file, bytes, progress);
   if (surface && surface->triangles.cols() == 0) return refused(file, "holds no triangle");
   return surface;
 }

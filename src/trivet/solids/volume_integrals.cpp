@@ -4,7 +4,8 @@
 namespace trivet::solids {
 
 VolumeIntegrals placed(const VolumeIntegrals& v, const spatial::Pose& pose) {
-  return {v.volume, pose.position + pose.rotation * v.centre, pose.rotation * v.second_moment * pose.rotation.transpose()};
+  return {v.volume, pose.position + pose.rotation * v.centre,
+          pose.rotation * v.second_moment * pose.rotation.transpose()};
 }
 
 VolumeIntegrals sum(const VolumeIntegrals& a, const VolumeIntegrals& b) {
@@ -13,7 +14,8 @@ VolumeIntegrals sum(const VolumeIntegrals& a, const VolumeIntegrals& b) {
   if (total.volume == 0) return total;
   const Eigen::Vector3d between = b.centre - a.centre;
   total.centre = a.centre + b.volume / total.volume * between;
-  total.second_moment = a.second_moment + b.second_moment + a.volume * b.volume / total.volume * between * between.transpose();
+  total.second_moment =
+      a.second_moment + b.second_moment + a.volume * b.volume / total.volume * between * between.transpose();
   return total;
 }
 

@@ -5,7 +5,8 @@
 
 namespace trivet::solids {
 
-/// Volume V = ∫dV [m³], its centre [m] and its central second moment ∫(x − c)(x − c)ᵀ dV [m⁵], in the axes of its frame.
+/// Volume V = ∫dV [m³], its centre [m] and its central second moment ∫(x − c)(x − c)ᵀ dV [m⁵], in the axes of its
+/// frame.
 struct VolumeIntegrals {
   double volume = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();

@@ -20,7 +20,8 @@ struct MassProperties {
 [[nodiscard]] Eigen::Matrix3d inertia_about_pole(const MassProperties& properties);
 
 /// The reverse: properties from an inertia tensor about the pole.
-[[nodiscard]] MassProperties from_inertia_about_pole(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& inertia);
+[[nodiscard]] MassProperties from_inertia_about_pole(double mass, const Eigen::Vector3d& centre,
+                                                     const Eigen::Matrix3d& inertia);
 
 /// A = [m I, Sᵀ; S, J_O] with S = m [c]×: kinetic energy ½ q̇ᵀ A q̇ for q at the pole.
 [[nodiscard]] Matrix6 mass_matrix(const MassProperties& properties);
@@ -38,8 +39,9 @@ struct BrokenBound {
   std::string rule;
 };
 
-/// Every bound of a real body that these numbers break: m > 0, positive definite J_C, triangle inequality of its principal
-/// moments, each with its amount. Rounding is allowed for: 64 ε of the inertia about the pole, from which J_C is a difference.
+/// Every bound of a real body that these numbers break: m > 0, positive definite J_C, triangle inequality of its
+/// principal moments, each with its amount. Rounding is allowed for: 64 ε of the inertia about the pole, from which J_C
+/// is a difference.
 [[nodiscard]] std::vector<BrokenBound> broken_bounds(const MassProperties& properties);
 
 }  // namespace trivet::spatial

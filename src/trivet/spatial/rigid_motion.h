@@ -8,7 +8,8 @@ namespace trivet::spatial {
 /// [v]×, so that [v]× w = v × w.
 [[nodiscard]] Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v);
 
-/// X(r) = [I −[r]×; 0 I]: displacement of the point at r from that of the origin; a wrench at r acts at the origin as X(r)ᵀ w.
+/// X(r) = [I −[r]×; 0 I]: displacement of the point at r from that of the origin; a wrench at r acts at the origin as
+/// X(r)ᵀ w.
 [[nodiscard]] Matrix6 rigid_motion(const Eigen::Vector3d& r);
 
 /// blockdiag(R, R).

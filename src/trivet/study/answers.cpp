@@ -25,7 +25,8 @@ namespace {
 
 bool is_driven(const model::System& system) {
   const auto& excitations = system.description().excitations;
-  return std::any_of(excitations.begin(), excitations.end(), [](const model::Excitation& e) { return std::holds_alternative<model::Harmonic>(e.course); });
+  return std::any_of(excitations.begin(), excitations.end(),
+                     [](const model::Excitation& e) { return std::holds_alternative<model::Harmonic>(e.course); });
 }
 
 /// What every question about harmonic forces shares.
@@ -36,8 +37,10 @@ struct Loaded {
 
 Loaded loaded(const model::System& system, const assembly::Assembled& assembled, const project::Wanted& wanted) {
   if (!is_driven(system))
-    throw foundation::NotComputable("response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
-  return {assembly::channels(system, assembled, wanted.of, wanted.quantity), assembly::harmonic_loading(system, assembled, wanted.excitations)};
+    throw foundation::NotComputable(
+        "response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
+  return {assembly::channels(system, assembled, wanted.of, wanted.quantity),
+          assembly::harmonic_loading(system, assembled, wanted.excitations)};
 }
 
 double lowest_defined(const assembly::Assembled& assembled) {
@@ -52,7 +55,8 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
                                     const foundation::Progress& progress) {
   std::vector<Eigen::VectorXd> result;
   if (!continuous) {
-    for (const response::Curve& curve : response.curves) result.push_back(curve.value.unaryExpr([](const std::complex<double>& z) { return response::phase(z); }).real());
+    for (const response::Curve& curve : response.curves)
+      result.push_back(curve.value.unaryExpr([](const std::complex<double>& z) { return response::phase(z); }).real());
     return result;
   }
   // Whole turns are counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
@@ -72,7 +76,9 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
       const auto row = static_cast<Eigen::Index>(i);
       const double own = response::phase(response.curves[c].value(row));
       const double followed = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
-      at(row) = std::isfinite(followed) ? own + 2 * std::numbers::pi * std::round((followed - own) / (2 * std::numbers::pi)) : own;
+      at(row) = std::isfinite(followed)
+          ? own + 2 * std::numbers::pi * std::round((followed - own) / (2 * std::numbers::pi))
+          : own;
     }
     result.push_back(at);
   }
@@ -91,15 +97,21 @@ std::vector<double> spread(const std::vector<double>& all, int most) {
 class CaseStudy {
  public:
   CaseStudy(const project::Case& variant, const foundation::Progress& progress)
-      : system_(variant.system), progress_(progress), assembled_(assembly::assemble(variant.system)), modes_(modal::modes(system_, assembled_)),
+      : system_(variant.system),
+        progress_(progress),
+        assembled_(assembly::assemble(variant.system)),
+        modes_(modal::modes(system_, assembled_)),
         roots_(modal::roots(system_, assembled_, modes_)) {}
 
   /// A force along a guide, an unbalance that turns about the only free direction …
   void note_idle(const project::Analyses& analyses, foundation::Problems& warnings) const {
-    for (const std::vector<std::string>* selected : {analyses.response ? &analyses.response->wanted.excitations : nullptr, analyses.peaks ? &analyses.peaks->wanted.excitations : nullptr,
-                                                     analyses.map ? &analyses.map->excitations : nullptr})
+    for (const std::vector<std::string>* selected :
+         {analyses.response ? &analyses.response->wanted.excitations : nullptr,
+          analyses.peaks ? &analyses.peaks->wanted.excitations : nullptr,
+          analyses.map ? &analyses.map->excitations : nullptr})
       if (selected && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, *selected).vanishes()) {
-        warnings.warning("excitations", "they act on no free coordinate", "all answers are 0", "look at the directions of forces and guides");
+        warnings.warning("excitations", "they act on no free coordinate", "all answers are 0",
+                         "look at the directions of forces and guides");
         return;
       }
   }
@@ -141,13 +153,14 @@ class CaseStudy {
         refuse(reason);
       }
     };
-    if (analyses.peaks)
-      attempt([&] { result.peaks = peaks_asked(*analyses.peaks); });
+    if (analyses.peaks) attempt([&] { result.peaks = peaks_asked(*analyses.peaks); });
     if (analyses.response) attempt([&] { result.response = response_of(*analyses.response); });
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
       attempt([&] {
-        result.statics = response::static_response(system_, assembled_, assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
+        result.statics = response::static_response(
+            system_, assembled_,
+            assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
       });
     answer_questions(analyses, attempt_question, result);
     return result;
@@ -162,30 +175,37 @@ class CaseStudy {
     if (analyses.load_sharing && result.statics) {
       try {
         result.load_sharing = response::load_sharing(system_, assembled_);
-      } catch (const foundation::NotComputable&) {  // nobody asked for it: a model without mounts under its weight shares no load
+      } catch (const foundation::NotComputable&) {  // nobody asked for it: a model without mounts under its weight
+                                                    // shares no load
       }
     }
     for (const QuestionAnswer& question : question_answers())
       if (const auto* asked = analyses.find<project::Question>(question.name))
         attempt([&] { result.of_questions[question.name] = question.answer(c, *asked, result.warnings); });
     if (result.response && !analyses.limit_lines.empty())
-      attempt([&] { result.limit_lines = limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band); });
+      attempt([&] {
+        result.limit_lines =
+            limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band);
+      });
   }
 
   /// Totals on the ground are those of elements: what a guide carries is not among them, and that must be said.
   void note_guides(const project::Analyses& analyses, foundation::Problems& warnings) const {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
-    if (analyses.response) of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
+    if (analyses.response)
+      of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
     if (analyses.peaks) of.insert(of.end(), analyses.peaks->wanted.of.begin(), analyses.peaks->wanted.of.end());
     if (analyses.map) {
       of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
       for (const project::MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
     }
-    for (const auto& [name, question] : analyses.questions) of.insert(of.end(), question->wanted.of.begin(), question->wanted.of.end());
+    for (const auto& [name, question] : analyses.questions)
+      of.insert(of.end(), question->wanted.of.begin(), question->wanted.of.end());
     if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
     for (const model::Body& body : system_.bodies())
       if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
-        warnings.warning("ground", "body \"" + body.name + "\" is guided", "totals on the ground are the forces of elements; what guides carry is not in them",
+        warnings.warning("ground", "body \"" + body.name + "\" is guided",
+                         "totals on the ground are the forces of elements; what guides carry is not in them",
                          "add it where it matters");
   }
 
@@ -195,11 +215,14 @@ class CaseStudy {
       model::Action::Amplitude motion = model::Action::Amplitude::Zero();
       (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
       for (const model::Body& body : system_.bodies())
-        if (const std::string names = model::coordinates_left_behind(body, motion, Eigen::Vector3d::Zero()); !names.empty()) model::warn_of_guides(body, names, question, warnings);
+        if (const std::string names = model::coordinates_left_behind(body, motion, Eigen::Vector3d::Zero());
+            !names.empty())
+          model::warn_of_guides(body, names, question, warnings);
     };
     const auto* transmitted = analyses.find<project::TransmissibilityQuestion>("transmissibility");
     if (transmitted && transmitted->force.empty()) warn("transmissibility", transmitted->direction);
-    if (const auto* shaken = analyses.find<project::EarthquakeQuestion>("earthquake")) warn("earthquake", response::Direction{shaken->direction, false});
+    if (const auto* shaken = analyses.find<project::EarthquakeQuestion>("earthquake"))
+      warn("earthquake", response::Direction{shaken->direction, false});
   }
 
   /// Undamped modes know one stiffness, that at rest.
@@ -207,19 +230,26 @@ class CaseStudy {
     constexpr double noticeable = 0.2;
     for (const model::Element& element : system_.elements()) {
       if (element.is_foundation && element.law.frequency_dependence)
-        warnings.warning("elements." + element.name, "ground by its mobility", "modes, roots, mode numbers and the Campbell diagram take it for the spring of its first row: its inertia and resonances are not in them",
+        warnings.warning("elements." + element.name, "ground by its mobility",
+                         "modes, roots, mode numbers and the Campbell diagram take it for the spring of its first row: "
+                         "its inertia and resonances are not in them",
                          "trust the response, its peaks and critical speeds, which are exact");
       else if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
-        warnings.warning("elements." + element.name, fmt::format("its table begins at {:.4g} Hz", element.law.frequency_dependence->from / (2 * std::numbers::pi)),
-                         "undamped modes take its first row for rest", "add rows at lower frequencies where they matter");
+        warnings.warning("elements." + element.name,
+                         fmt::format("its table begins at {:.4g} Hz",
+                                     element.law.frequency_dependence->from / (2 * std::numbers::pi)),
+                         "undamped modes take its first row for rest",
+                         "add rows at lower frequencies where they matter");
       const auto* relaxing = std::get_if<elements::Viscoelastic>(&element.law.damping);
       if (!relaxing || std::holds_alternative<elements::KelvinVoigt>(*relaxing)) continue;
       double gain = 0;
       for (const modal::Mode& mode : modes_.list)
         gain = std::max(gain, elements::relative_modulus(*relaxing, mode.angular_frequency.value_or(0)).real() - 1);
       if (gain > noticeable)
-        warnings.warning("elements." + element.name, fmt::format("in vibration up to {:.3g} times as stiff as at rest", 1 + gain),
-                         "undamped modes are those of the stiffness at rest", "take natural frequencies from the damped roots or the peaks");
+        warnings.warning("elements." + element.name,
+                         fmt::format("in vibration up to {:.3g} times as stiff as at rest", 1 + gain),
+                         "undamped modes are those of the stiffness at rest",
+                         "take natural frequencies from the damped roots or the peaks");
     }
   }
 
@@ -228,7 +258,8 @@ class CaseStudy {
     if (!analyses.static_of) return;
     for (const model::Element& element : system_.elements())
       if (element.stiffening != 1)
-        warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening), "static answers are computed with the stiffness of vibration; at rest the element gives more",
+        warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
+                         "static answers are computed with the stiffness of vibration; at rest the element gives more",
                          "run static with stiffening = 1");
   }
 
@@ -241,7 +272,8 @@ class CaseStudy {
       const double own = element.massless_up_to;
       if (!(top > safe * own)) continue;
       warnings.warning("elements." + element.name,
-                       fmt::format("massless, with a first natural frequency of its own at {:.4g} Hz; the model is asked about up to {:.4g} Hz",
+                       fmt::format("massless, with a first natural frequency of its own at {:.4g} Hz; the model is "
+                                   "asked about up to {:.4g} Hz",
                                    own / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
                        "without its mass a spring is right only well below its own natural frequencies",
                        "set level = \"with_mass\" or \"exact\", or heed only what lies well below");
@@ -249,16 +281,20 @@ class CaseStudy {
   }
 
   /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.
-  const response::Peaks& peaks_of(const project::Wanted& wanted, double min_prominence = response::PeakOptions{}.min_prominence) {
+  const response::Peaks& peaks_of(const project::Wanted& wanted,
+                                  double min_prominence = response::PeakOptions{}.min_prominence) {
     for (const auto& earlier : searched_)
       if (earlier.wanted == wanted && earlier.min_prominence == min_prominence) return earlier.peaks;
     const Loaded asked = loaded(system_, assembled_, wanted);
-    searched_.push_back({wanted, min_prominence, response::peaks(assembled_, asked.channels, asked.load, modes_, roots_, {min_prominence, search_to_}, progress_)});
+    searched_.push_back({wanted, min_prominence,
+                         response::peaks(assembled_, asked.channels, asked.load, modes_, roots_,
+                                         {min_prominence, search_to_}, progress_)});
     return searched_.back().peaks;
   }
 
   PeaksAnswer peaks_asked(const project::PeaksRequest& request) {
-    PeaksAnswer result{peaks_of(request.wanted, request.min_prominence), request.min_prominence, request.peak_tolerance};
+    PeaksAnswer result{peaks_of(request.wanted, request.min_prominence), request.min_prominence,
+                       request.peak_tolerance};
     const Loaded asked = loaded(system_, assembled_, request.wanted);
     response::set_nearest_modes(assembled_, asked.channels, asked.load, modes_, result.peaks);
     return result;
@@ -268,36 +304,42 @@ class CaseStudy {
     const Loaded asked = loaded(system_, assembled_, request.wanted);
     ResponseAnswer result;
     result.quantity = request.wanted.quantity;
-    const bool needs_peaks = request.continuous_phase || (request.at.empty() && request.spacing == response::Spacing::automatic);
+    const bool needs_peaks =
+        request.continuous_phase || (request.at.empty() && request.spacing == response::Spacing::automatic);
     const response::Peaks peaks = needs_peaks ? peaks_of(request.wanted) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
       result.band = request.band ? *request.band : default_band(context());
       if (!(result.band.from < result.band.to))
-        throw foundation::NotComputable("response: the tables of the elements and the natural frequencies have no band in common; give a band");
+        throw foundation::NotComputable(
+            "response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic) {
-        result.model = response::curve_model(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band, {}, progress_);
+        result.model = response::curve_model(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band,
+                                             {}, progress_);
         result.extrema = response::extrema(peaks, result.band);
         grid = response::drawing_grid(*result.model, peaks);
-      }
-      else {
-        if (!(result.band.from > 0)) throw foundation::NotComputable("response: a logarithmic grid needs a band that starts above 0");
+      } else {
+        if (!(result.band.from > 0))
+          throw foundation::NotComputable("response: a logarithmic grid needs a band that starts above 0");
         grid = response::logarithmic_grid(result.band, request.points);
       }
     } else {
       result.band = {*std::min_element(grid.begin(), grid.end()), *std::max_element(grid.begin(), grid.end())};
     }
     foundation::report_progress(progress_, "response", 0.5);
-    // Solving constant matrices costs less than evaluating a model of the curves; an exact spring or a table is another matter.
-    result.curves = result.model && assembled_.frequency_dependent() ? response::interpolated(*result.model, asked.channels, peaks, grid)
-                                                                     : response::frequency_response(assembled_, asked.channels, asked.load, grid);
+    // Solving constant matrices costs less than evaluating a model of the curves; an exact spring or a table is another
+    // matter.
+    result.curves = result.model && assembled_.frequency_dependent()
+        ? response::interpolated(*result.model, asked.channels, peaks, grid)
+        : response::frequency_response(assembled_, asked.channels, asked.load, grid);
     result.continuous_phase = request.continuous_phase;
     result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase, progress_);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
     const int checked = project::deep_check_frequencies(assembled_.matrices.A.rows());
-    const std::vector<double> samples = request.at.empty() ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
-                                                           : spread(grid, checked);
+    const std::vector<double> samples = request.at.empty()
+        ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
+        : spread(grid, checked);
     result.deep = response::deep_check(system_, assembled_, asked.load, samples, request.wanted.excitations);
     return result;
   }
@@ -308,7 +350,8 @@ class CaseStudy {
     for (const project::Limit& limit : analyses.limits) {
       project::Wanted wanted = analyses.response->wanted;
       const auto& curves = response.curves.curves;
-      const bool among_curves = std::any_of(curves.begin(), curves.end(), [&](const response::Curve& c) { return c.name == limit.name; });
+      const bool among_curves =
+          std::any_of(curves.begin(), curves.end(), [&](const response::Curve& c) { return c.name == limit.name; });
       if (!among_curves) wanted.of = {limit.name};
       result.push_back(judged(limit, wanted, response.band));
     }
@@ -319,22 +362,28 @@ class CaseStudy {
   bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const Loaded& asked) const {
     constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // of ω⁻¹ it is 4
     const response::CurveSummary& summary = found.curves[curve];
-    const bool from_tables = std::any_of(assembled_.elements.begin(), assembled_.elements.end(), [](const assembly::ElementMap& map) { return map.defined_from > 0; });
+    const bool from_tables = std::any_of(assembled_.elements.begin(), assembled_.elements.end(),
+                                         [](const assembly::ElementMap& map) { return map.defined_from > 0; });
     if (from_tables) return false;  // nothing is known below them
     if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
-    const auto still = response::frequency_response(assembled_, asked.channels, asked.load, {nearer * found.searched_from});
+    const auto still =
+        response::frequency_response(assembled_, asked.channels, asked.load, {nearer * found.searched_from});
     return std::abs(still.curves[curve].value(0)) > growth * summary.highest;
   }
 
   /// The largest amplitude of one curve in a band stands at an end of the band or at a peak inside it.
   LimitAnswer judged(const project::Limit& limit, const project::Wanted& wanted, const response::Band& band) {
     const response::Peaks& found = peaks_of(wanted);
-    const auto curve = static_cast<std::size_t>(
-        std::find_if(found.curves.begin(), found.curves.end(), [&](const response::CurveSummary& c) { return c.name == limit.name; }) - found.curves.begin());
-    LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest, true};
+    const auto curve =
+        static_cast<std::size_t>(std::find_if(found.curves.begin(), found.curves.end(),
+                                              [&](const response::CurveSummary& c) { return c.name == limit.name; }) -
+                                 found.curves.begin());
+    LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest,
+                       true};
     const Loaded asked = loaded(system_, assembled_, wanted);
     if (grows_toward_rest(found, curve, asked)) answer.anywhere = std::numeric_limits<double>::infinity();
-    const design::LargestAmplitude largest = design::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
+    const design::LargestAmplitude largest =
+        design::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
     answer.in_band = largest.amplitude;
     answer.in_band_at = largest.angular_frequency;
     if (response_ && response_->band.from == band.from && response_->band.to == band.to)
@@ -358,7 +407,7 @@ class CaseStudy {
     response::Peaks peaks;
   };
   const ResponseAnswer* response_ = nullptr;  // while limits are judged
-  double search_to_ = 0;          // peaks of frequency-dependent systems are sought over the band of the response at least
+  double search_to_ = 0;  // peaks of frequency-dependent systems are sought over the band of the response at least
   std::deque<Searched> searched_;  // references to its elements stay valid
 };
 
@@ -367,7 +416,9 @@ class CaseStudy {
 Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress) {
   // A file's own questions were held to these sizes when it was read; those of a command line come here first.
   const foundation::Problems sizes = project::too_large(variant.system.description(), analyses);
-  if (sizes.has_errors()) throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " + sizes.list().front().rule + "; " + sizes.list().front().remedy);
+  if (sizes.has_errors())
+    throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " +
+                                    sizes.list().front().rule + "; " + sizes.list().front().remedy);
   return CaseStudy(variant, progress).answer(variant, analyses);
 }
 
@@ -376,15 +427,20 @@ response::DeepCheck deep_check(const project::Case& variant) {
   const modal::Modes modes = modal::modes(variant.system, assembled);
   const modal::Roots roots = modal::roots(variant.system, assembled, modes);
   const auto& request = variant.analyses.response;
-  const response::Band band = request && request->band ? *request->band : default_band({variant.system, assembled, modes, roots, {}});
+  const response::Band band =
+      request && request->band ? *request->band : default_band({variant.system, assembled, modes, roots, {}});
   assembly::Loading load = assembly::harmonic_loading(variant.system, assembled);
   if (load.vanishes()) {
     Eigen::VectorXcd everywhere = Eigen::VectorXcd::Zero(assembled.layout.size());
     const Eigen::Index bodies = assembled.layout.of_bodies();
-    everywhere.head(bodies) = numerics::unit_scale(assembled.matrices).cwiseInverse().head(bodies).cast<std::complex<double>>();
+    everywhere.head(bodies) =
+        numerics::unit_scale(assembled.matrices).cwiseInverse().head(bodies).cast<std::complex<double>>();
     load = assembly::Loading(everywhere);
   }
-  return response::deep_check(variant.system, assembled, load, response::check_frequencies(roots.poles, band.from, band.to, project::deep_check_frequencies(assembled.matrices.A.rows())));
+  return response::deep_check(
+      variant.system, assembled, load,
+      response::check_frequencies(roots.poles, band.from, band.to,
+                                  project::deep_check_frequencies(assembled.matrices.A.rows())));
 }
 
 }  // namespace trivet::study

@@ -25,11 +25,12 @@ namespace trivet::study {
 
 struct ResponseAnswer {
   response::FrequencyResponse curves;
-  std::vector<Eigen::VectorXd> phase;   ///< per curve [rad]
+  std::vector<Eigen::VectorXd> phase;  ///< per curve [rad]
   response::DeepCheck deep;
   response::Band band;
   assembly::Quantity quantity = assembly::Quantity::displacement;
-  /// Where no frequencies were asked for: the curves between those of the table, their extrema, and whether phases are continuous.
+  /// Where no frequencies were asked for: the curves between those of the table, their extrema, and whether phases are
+  /// continuous.
   std::optional<response::CurveModel> model;
   std::vector<std::vector<response::Extremum>> extrema;
   bool continuous_phase = false;
@@ -47,9 +48,9 @@ struct LimitAnswer {
   std::string unit;
   double limit = 0;
   double in_band = 0;
-  double in_band_at = 0;   ///< [rad/s]
+  double in_band_at = 0;  ///< [rad/s]
   double anywhere = 0;
-  bool kept = true;        ///< in_band ≤ limit, see response::on_the_limit
+  bool kept = true;  ///< in_band ≤ limit, see response::on_the_limit
 };
 
 struct LimitLineResult {
@@ -61,7 +62,7 @@ struct LimitLineResult {
 struct Answers {
   std::string case_name;
   std::vector<std::string> changes;
-  foundation::Problems warnings;       ///< of data, modes and roots: they belong to every answer
+  foundation::Problems warnings;  ///< of data, modes and roots: they belong to every answer
   std::vector<std::string> free_motions;
   modal::Modes modes;
   modal::Roots roots;
@@ -71,12 +72,13 @@ struct Answers {
   std::optional<response::LoadSharing> load_sharing;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
-  std::optional<DesignMap> map;        ///< of the base model, where a run computes it
-  std::vector<std::string> failures;   ///< what was asked for and could not be computed, and why
-  std::map<std::string, std::any> of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name
+  std::optional<DesignMap> map;       ///< of the base model, where a run computes it
+  std::vector<std::string> failures;  ///< what was asked for and could not be computed, and why
+  std::map<std::string, std::any>
+      of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name
 
-  /// The answer to such a question, whose type is that of its NAME_answer.cpp; none if there is no such answer. @throws std::bad_any_cast
-  /// for another type
+  /// The answer to such a question, whose type is that of its NAME_answer.cpp; none if there is no such answer. @throws
+  /// std::bad_any_cast for another type
   template <typename Answer>
   [[nodiscard]] const Answer* find(const std::string& question) const {
     const auto found = of_questions.find(question);
@@ -86,10 +88,11 @@ struct Answers {
 
 /// Everything a case asks for; what cannot be computed is listed in `failures` and in the warnings, the rest goes on.
 /// `analyses` may differ from the case's own (a single answer from the command line).
-[[nodiscard]] Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress = {});
+[[nodiscard]] Answers answers(const project::Case& variant, const project::Analyses& analyses,
+                              const foundation::Progress& progress = {});
 
-/// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or under a
-/// force on every coordinate if it has none.
+/// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or
+/// under a force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
 }  // namespace trivet::study

@@ -29,7 +29,10 @@ Analyses roots_of(const Case&) {
 void require_excitation(const std::string& question, const Case& variant) {
   const project::Drive drive = project::drive_of(question);
   const auto& excitations = variant.system.description().excitations;
-  if (drive == project::Drive::none || std::any_of(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return project::drives(e, drive); })) return;
+  if (drive == project::Drive::none ||
+      std::any_of(excitations.begin(), excitations.end(),
+                  [&](const model::Excitation& e) { return project::drives(e, drive); }))
+    return;
   const project::MissingExcitation missing = project::missing_excitation(drive);
   throw foundation::InvalidInput(question + ": " + missing.finding + "; this answer needs one; " + missing.remedy);
 }
@@ -74,7 +77,8 @@ Analyses own_question(const QuestionAnswer& question, const Case& variant) {
 
 Analyses limit_lines_of(const Case& variant) {
   if (variant.analyses.limit_lines.empty())
-    throw foundation::InvalidInput("limit_lines: say which: add [limit_lines.NAME] with of = \"BODY.z\" and rows = [[10, 2e-3], [60, 2e-3]]");
+    throw foundation::InvalidInput(
+        "limit_lines: say which: add [limit_lines.NAME] with of = \"BODY.z\" and rows = [[10, 2e-3], [60, 2e-3]]");
   Analyses asked = response_of(variant);
   asked.response->at.clear();
   asked.limit_lines = variant.analyses.limit_lines;
@@ -88,13 +92,21 @@ const std::vector<AskedQuestion>& asked_questions() {
     std::vector<AskedQuestion> all = {
         {"modes", "undamped natural frequencies and modes", {}, modes_of},
         {"roots", "damped roots", {}, roots_of},
-        {"response", "amplitude- and phase-frequency characteristics", {"response", "limits", "limit_lines"}, response_of},
+        {"response",
+         "amplitude- and phase-frequency characteristics",
+         {"response", "limits", "limit_lines"},
+         response_of},
         {"peaks", "exact resonance peaks", {"peaks", "response"}, peaks_of},
         {"static", "static displacements and forces", {"static"}, static_of},
     };
     for (const QuestionAnswer& question : question_answers())
-      all.push_back({question.name, question.about, {question.name}, [&question](const Case& variant) { return own_question(question, variant); }});
-    all.push_back({"limit_lines", "answers of the response against lines over frequency", {"response", "limit_lines"}, limit_lines_of});
+      all.push_back({question.name, question.about, {question.name}, [&question](const Case& variant) {
+                       return own_question(question, variant);
+                     }});
+    all.push_back({"limit_lines",
+                   "answers of the response against lines over frequency",
+                   {"response", "limit_lines"},
+                   limit_lines_of});
     return all;
   }();
   return list;

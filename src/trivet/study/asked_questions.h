@@ -11,11 +11,11 @@ namespace trivet::study {
 
 /// A question that can be asked of a case by itself, as a command does.
 struct AskedQuestion {
-  const char* name;   ///< of its table in [analyses]; `limit_lines` of its own
-  const char* about;  ///< one line of help
+  const char* name;                   ///< of its table in [analyses]; `limit_lines` of its own
+  const char* about;                  ///< one line of help
   std::vector<std::string> looks_at;  ///< tables of the file whose errors stop it
-  /// What is asked: the file's own question, else one with everything at its default. @throws foundation::InvalidInput if the file must
-  /// say more, with what to add
+  /// What is asked: the file's own question, else one with everything at its default. @throws foundation::InvalidInput
+  /// if the file must say more, with what to add
   std::function<project::Analyses(const project::Case& variant)> asked;
 };
 

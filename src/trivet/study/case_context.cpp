@@ -18,7 +18,8 @@ response::Band default_band(const CaseContext& c) {
   for (const modal::Mode& mode : c.modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
   for (const modal::Root& root : c.roots.list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
   response::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
-  for (const assembly::ElementMap& map : c.assembled.elements) band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
+  for (const assembly::ElementMap& map : c.assembled.elements)
+    band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
   return band;
 }
 
@@ -30,14 +31,17 @@ std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::
   return assembly::channels(c.system, c.assembled, wanted.of, wanted.quantity);
 }
 
-std::vector<double> grid_over(const CaseContext& c, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading, const response::Peaks& peaks,
+std::vector<double> grid_over(const CaseContext& c, const std::vector<assembly::Channel>& channels,
+                              const assembly::Loading& loading, const response::Peaks& peaks,
                               const response::Band& band) {
   return response::automatic_grid(c.assembled, channels, loading, c.roots.poles, peaks, band, c.progress);
 }
 
 void require_rigid_ground(const CaseContext& c, const std::string& question) {
   if (const auto standing = model::element_on_modes(c.system.description()))
-    throw foundation::NotComputable(question + ": \"" + *standing + "\" stands on the modes of a foundation, which do not say how they follow a rigid motion of the ground");
+    throw foundation::NotComputable(
+        question + ": \"" + *standing +
+        "\" stands on the modes of a foundation, which do not say how they follow a rigid motion of the ground");
 }
 
 }  // namespace trivet::study

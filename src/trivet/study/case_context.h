@@ -24,14 +24,17 @@ struct CaseContext {
 [[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context, const project::Wanted& wanted);
 
 /// Frequencies that show curves and their peaks in a band.
-[[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                                            const response::Peaks& peaks, const response::Band& band);
+[[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels,
+                                            const assembly::Loading& loading, const response::Peaks& peaks,
+                                            const response::Band& band);
 
-/// @throws foundation::NotComputable where elements stand on modes, which do not say how they follow a rigid motion of the ground
+/// @throws foundation::NotComputable where elements stand on modes, which do not say how they follow a rigid motion of
+/// the ground
 void require_rigid_ground(const CaseContext& context, const std::string& question);
 
 /// @throws foundation::NotComputable with the reason where there is no answer
-[[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context, const std::vector<project::LimitLineRequest>& requests, const project::Wanted& wanted,
-                                                             const response::Band& band);
+[[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
+                                                             const std::vector<project::LimitLineRequest>& requests,
+                                                             const project::Wanted& wanted, const response::Band& band);
 
 }  // namespace trivet::study

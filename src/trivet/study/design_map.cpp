@@ -18,7 +18,9 @@
 namespace trivet::study {
 namespace {
 
-design::DesignPoint value_at(const project::MapRequest& request, const design::MapPlace& place) { return {request.x.at(place.x), request.y.at(place.y)}; }
+design::DesignPoint value_at(const project::MapRequest& request, const design::MapPlace& place) {
+  return {request.x.at(place.x), request.y.at(place.y)};
+}
 
 void count(DesignMap& map) {
   map.shares.resize(map.rules.size());
@@ -29,7 +31,8 @@ void count(DesignMap& map) {
       continue;
     }
     map.kept += outcome.kept();
-    if (std::isfinite(outcome.margin)) ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
+    if (std::isfinite(outcome.margin))
+      ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
   }
   if (const auto best = design::best_design(map.drawn, map.outcomes)) {
     map.best = best->design;
@@ -46,7 +49,8 @@ design::DesignPoint DesignMap::point(std::size_t design) const {
   return value_at(request, grid.place(static_cast<int>(design % nx), static_cast<int>(design / nx)));
 }
 
-DesignMap design_map(const project::Project& project, const project::Case& variant, const project::MapRequest& request, const MapOptions& options, const foundation::Progress& progress) {
+DesignMap design_map(const project::Project& project, const project::Case& variant, const project::MapRequest& request,
+                     const MapOptions& options, const foundation::Progress& progress) {
   DesignMap map;
   map.case_name = variant.name;
   map.request = request;
@@ -61,23 +65,30 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
   map.report = evaluation.report();
   count(map);
   if (map.unknown == map.outcomes.size())
-    throw foundation::NotComputable(fmt::format("map: none of the {} designs has an answer; the first: {}", map.outcomes.size(),
-                                                map.report.missing.empty() ? "no reason was given" : map.report.missing.front().words));
+    throw foundation::NotComputable(
+        fmt::format("map: none of the {} designs has an answer; the first: {}", map.outcomes.size(),
+                    map.report.missing.empty() ? "no reason was given" : map.report.missing.front().words));
   const std::function<bool(std::size_t)> kept = [&](std::size_t k) { return map.outcomes[k].kept(); };
   const std::vector<design::CrossedEdge> edges = design::crossed_edges(map.grid, kept);
-  const design::JudgePlaces judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress& of_boundary) {
-    return evaluation.evaluate(places.size(), [&](std::size_t k) { return value_at(map.request, places[k]); }, of_boundary);
+  const design::JudgePlaces judge = [&](const std::vector<design::MapPlace>& places,
+                                        const foundation::Progress& of_boundary) {
+    return evaluation.evaluate(
+        places.size(), [&](std::size_t k) { return value_at(map.request, places[k]); }, of_boundary);
   };
   const std::vector<double> crossing = design::boundary_crossings(map.grid, map.outcomes, edges, judge, progress);
   const auto connected = [&](int i, int j) {
     double sum = 0;
-    for (const std::size_t k : {map.grid.index(i, j), map.grid.index(i + 1, j), map.grid.index(i, j + 1), map.grid.index(i + 1, j + 1)}) sum += design::boundary_level(map.outcomes[k]);
+    for (const std::size_t k :
+         {map.grid.index(i, j), map.grid.index(i + 1, j), map.grid.index(i, j + 1), map.grid.index(i + 1, j + 1)})
+      sum += design::boundary_level(map.outcomes[k]);
     return sum >= 0;
   };
   map.passages = design::band_passages(map.grid, map.outcomes, judge, progress);
   map.feasible = design::contours(map.grid, kept, edges, crossing, connected);
   map.boundary_tolerance = design::boundary_tolerance;
-  if (map.best) map.margin_lines = design::margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
+  if (map.best)
+    map.margin_lines =
+        design::margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
   map.marks = map_marks(project, map.request, evaluation, options.evaluation.threads, progress);
   map.warnings = map_warnings(variant, map);
   return map;

@@ -16,46 +16,49 @@ namespace trivet::study {
 
 /// One rule over the whole map.
 struct RuleShare {
-  std::size_t kept = 0;       ///< kept designs whose least margin is that of this rule
-  std::size_t broken = 0;     ///< likewise among designs that break a rule
+  std::size_t kept = 0;    ///< kept designs whose least margin is that of this rule
+  std::size_t broken = 0;  ///< likewise among designs that break a rule
 };
 
 struct DesignMap {
-  std::string case_name;      ///< whose model it is
+  std::string case_name;  ///< whose model it is
   project::MapRequest request;
   design::MapGrid grid;
   std::vector<design::MapRule> rules;
-  std::vector<design::DesignOutcome> outcomes;      ///< of the nodes, row after row
-  std::vector<RuleShare> shares;            ///< of the rules
-  std::size_t kept = 0, unknown = 0;        ///< designs
-  design::MapContours feasible;                     ///< margin ≥ 1, crossings searched on the exact peaks
-  double boundary_tolerance = 0;            ///< of the crossings, as a share of each axis
-  design::DrawnGrid drawn;                          ///< the designs that pictures show
-  std::vector<design::MarginLine> margin_lines;     ///< straight between these
-  std::optional<std::size_t> best;          ///< see best_design
-  std::size_t without_bound = 0;            ///< designs that no rule limits
-  std::size_t equals = 0;                   ///< designs as good as the best
-  std::size_t steep = 0;                    ///< see steep_neighbours
-  design::BandPassages passages;                    ///< broken designs between kept ones
+  std::vector<design::DesignOutcome> outcomes;   ///< of the nodes, row after row
+  std::vector<RuleShare> shares;                 ///< of the rules
+  std::size_t kept = 0, unknown = 0;             ///< designs
+  design::MapContours feasible;                  ///< margin ≥ 1, crossings searched on the exact peaks
+  double boundary_tolerance = 0;                 ///< of the crossings, as a share of each axis
+  design::DrawnGrid drawn;                       ///< the designs that pictures show
+  std::vector<design::MarginLine> margin_lines;  ///< straight between these
+  std::optional<std::size_t> best;               ///< see best_design
+  std::size_t without_bound = 0;                 ///< designs that no rule limits
+  std::size_t equals = 0;                        ///< designs as good as the best
+  std::size_t steep = 0;                         ///< see steep_neighbours
+  design::BandPassages passages;                 ///< broken designs between kept ones
   std::vector<MapMark> marks;
   design::EvaluationReport report;
-  foundation::Problems warnings;            ///< see map_warnings
+  foundation::Problems warnings;  ///< see map_warnings
 
   [[nodiscard]] design::DesignPoint point(std::size_t design) const;
 };
 
 struct MapOptions {
-  int nx = 0, ny = 0;         ///< instead of those of the request
+  int nx = 0, ny = 0;  ///< instead of those of the request
   design::EvaluationOptions evaluation;
 };
 
-/// Judges every design of the grid, refines the boundary of the feasible region between neighbours, and judges the cases.
+/// Judges every design of the grid, refines the boundary of the feasible region between neighbours, and judges the
+/// cases.
 /// @throws foundation::NotComputable if no design at all has a model, with the reason
-[[nodiscard]] DesignMap design_map(const project::Project& project, const project::Case& variant, const project::MapRequest& request, const MapOptions& options = {},
+[[nodiscard]] DesignMap design_map(const project::Project& project, const project::Case& variant,
+                                   const project::MapRequest& request, const MapOptions& options = {},
                                    const foundation::Progress& progress = {});
 
-/// The base model has a map if its file asks for one. A case has one of its own where its map is another than that of the base model: other numbers, rules or
-/// frequencies. A case with another model only is a point on the map of the base model, or has none there.
+/// The base model has a map if its file asks for one. A case has one of its own where its map is another than that of
+/// the base model: other numbers, rules or frequencies. A case with another model only is a point on the map of the
+/// base model, or has none there.
 [[nodiscard]] bool has_own_map(const project::Project& project, const project::Case& variant);
 
 }  // namespace trivet::study

@@ -7,19 +7,25 @@
 namespace trivet::study {
 namespace {
 
-response::EarthquakeResponse answer_earthquake(const CaseContext& c, const project::EarthquakeQuestion& asked, foundation::Problems& warnings) {
+response::EarthquakeResponse answer_earthquake(const CaseContext& c, const project::EarthquakeQuestion& asked,
+                                               foundation::Problems& warnings) {
   require_rigid_ground(c, "earthquake");
   spatial::Vector6 direction = spatial::Vector6::Zero();
   direction.head<3>() = asked.direction;
-  response::EarthquakeResponse result = response::earthquake_response(c.assembled, channels_of(c, asked.wanted), asked.spectrum, direction);
+  response::EarthquakeResponse result =
+      response::earthquake_response(c.assembled, channels_of(c, asked.wanted), asked.spectrum, direction);
   warnings.add(result.warnings);
-  if (!(result.effective_mass_share > 0)) throw foundation::NotComputable("earthquake: the spectrum reaches none of the modes that this motion of the ground drives");
+  if (!(result.effective_mass_share > 0))
+    throw foundation::NotComputable(
+        "earthquake: the spectrum reaches none of the modes that this motion of the ground drives");
   return result;
 }
 
 }  // namespace
 
-const QuestionAnswer earthquake_answer = answered_by<answer_earthquake>("largest answers to an earthquake by its response spectrum",
-    "earthquake: say by which spectrum: add earthquake = {direction = \"x\", rows = [[0.02, 3], [0.1, 9], …]} to [analyses]");
+const QuestionAnswer earthquake_answer =
+    answered_by<answer_earthquake>("largest answers to an earthquake by its response spectrum",
+                                   "earthquake: say by which spectrum: add earthquake = {direction = \"x\", rows = "
+                                   "[[0.02, 3], [0.1, 9], …]} to [analyses]");
 
 }  // namespace trivet::study

@@ -24,11 +24,13 @@ Vector6 deformation(const model::Element& element, const model::Span& span, cons
 
 }  // namespace
 
-elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model::Element& element, const elements::Matrix12& matrix) {
+elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model::Element& element,
+                                       const elements::Matrix12& matrix) {
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
   const bool of_stiffness = element.law.preload && matrix == elements::stiffness(element.law);
   return elements::examine(matrix, elements::rigid_motions(span.arm, span.n_from_k),
-                           of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k) : Eigen::Matrix<double, 12, 6>::Zero().eval());
+                           of_stiffness ? elements::turned_preload(*element.law.preload, span.n_from_k)
+                                        : Eigen::Matrix<double, 12, 6>::Zero().eval());
 }
 
 ElementSummary element_summary(const project::Case& variant, std::size_t index) {
@@ -40,7 +42,8 @@ ElementSummary element_summary(const project::Case& variant, std::size_t index) 
   summary.character = elements::character(summary.stiffness);
   for (const modal::Mode& mode : modal::modes(variant.system).list)
     if (mode.strain_energy_share)
-      summary.modes.push_back({mode.number, mode.name, mode.angular_frequency, (*mode.strain_energy_share)(static_cast<Eigen::Index>(index)),
+      summary.modes.push_back({mode.number, mode.name, mode.angular_frequency,
+                               (*mode.strain_energy_share)(static_cast<Eigen::Index>(index)),
                                elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
   const std::string path = "elements." + element.name;
   for (const auto& problem : variant.warnings.list())

@@ -29,7 +29,8 @@ response::Question question_of(const project::Wanted& wanted, const response::Pe
   response::Question question;
   for (const response::CurveSummary& curve : peaks.curves) question.channels.push_back(curve.name);
   question.quantity = wanted.quantity;
-  question.load = [excitations = wanted.excitations](const model::System& system, const assembly::Assembled& assembled) {
+  question.load = [excitations = wanted.excitations](const model::System& system,
+                                                     const assembly::Assembled& assembled) {
     return assembly::harmonic_loading(system, assembled, excitations);
   };
   return question;
@@ -43,7 +44,8 @@ response::PeakPlace place_of(const response::Peak& peak) {
 }
 
 /// Peaks that are more than round-off of a motion which a symmetry keeps out of their channel.
-std::vector<response::Peak> above_round_off(const project::Case& variant, const assembly::Assembled& assembled, const response::Question& question,
+std::vector<response::Peak> above_round_off(const project::Case& variant, const assembly::Assembled& assembled,
+                                            const response::Question& question,
                                             const std::vector<response::Peak>& peaks) {
   constexpr double round_off = 1e-9;
   std::vector<response::Peak> result;
@@ -52,8 +54,8 @@ std::vector<response::Peak> above_round_off(const project::Case& variant, const 
   return result;
 }
 
-/// By height over the highest bounded peak of the curve, then by prominence over it; unbounded ones are the tallest. Returned in their old
-/// order.
+/// By height over the highest bounded peak of the curve, then by prominence over it; unbounded ones are the tallest.
+/// Returned in their old order.
 std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, int most) {
   std::vector<std::size_t> order(peaks.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -63,7 +65,8 @@ std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, in
     for (const response::Peak& other : peaks)
       if (other.curve == peak.curve && std::isfinite(other.amplitude)) top = std::max(top, other.amplitude);
     const bool bounded = std::isfinite(peak.amplitude);
-    return bounded ? std::array{peak.amplitude / top, peak.prominence / top} : std::array{peak.amplitude, peak.prominence};
+    return bounded ? std::array{peak.amplitude / top, peak.prominence / top}
+                   : std::array{peak.amplitude, peak.prominence};
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) > rank(b); });
   order.resize(std::min(order.size(), static_cast<std::size_t>(std::max(most, 0))));
@@ -83,16 +86,20 @@ struct Candidate {
   std::string parameter, words;
 };
 
-/// Stiffness of an element along the direction with most of its strain energy; the element as a whole if directions say less.
-std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+/// Stiffness of an element along the direction with most of its strain energy; the element as a whole if directions say
+/// less.
+std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, const ExplainedPeak& peak,
+                                   const std::vector<response::Parameter>& parameters) {
   const model::Element& element = variant.system.elements()[e];
   Eigen::Index direction = 0;
   peak.shares.elements[e].by_direction.maxCoeff(&direction);
   const std::string path = "elements." + foundation::path_key(element.name) + ".";
   const std::string whole = fmt::format("the stiffness of \"{}\"", element.name);
   for (const Candidate& one :
-       {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
-                  fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)), element.name)},
+       {Candidate{
+            path + fmt::format("stiffness_factor.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
+            fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)),
+                        element.name)},
         Candidate{path + "scale", whole}, Candidate{path + "stiffness_factor.all", whole}})
     for (const response::Parameter& parameter : parameters)
       if (parameter.name == one.parameter) return one;
@@ -102,13 +109,14 @@ std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, 
 /// Relative change of the peak's frequency or height, whichever is larger, per relative change of the parameter.
 double effect(const std::string& name, const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
   for (const Sensitivity& s : peak.sensitivities)
-    if (parameters[s.parameter].name == name) return std::max(std::abs(s.frequency.value_or(0)), std::abs(s.height.value_or(0)));
+    if (parameters[s.parameter].name == name)
+      return std::max(std::abs(s.frequency.value_or(0)), std::abs(s.height.value_or(0)));
   return 0;
 }
 
 /// The stiffness that changes the peak most: of one element, or of all.
-std::optional<Candidate> strongest(const project::Case& variant, std::optional<std::size_t> of, const ExplainedPeak& peak,
-                                   const std::vector<response::Parameter>& parameters) {
+std::optional<Candidate> strongest(const project::Case& variant, std::optional<std::size_t> of,
+                                   const ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
   std::optional<Candidate> found;
   double most = 0;
   const auto& elements = variant.system.elements();
@@ -128,9 +136,10 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
   return found;
 }
 
-/// The element and direction with most of the strain energy. If they hardly change the peak, which shows another motion, the stiffness of
-/// that element that does, or of any element.
-std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak, const std::vector<response::Parameter>& parameters) {
+/// The element and direction with most of the strain energy. If they hardly change the peak, which shows another
+/// motion, the stiffness of that element that does, or of any element.
+std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
+                              const std::vector<response::Parameter>& parameters) {
   constexpr double idle = 0.01;  // of the strongest effect
   const auto& elements = variant.system.elements();
   std::size_t first = 0;
@@ -144,8 +153,8 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
     if (effect(chosen->parameter, peak, parameters) < enough) {
       const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness_factor.all");
       const auto& shares = peak.shares.elements[first];
-      peak.notes.push_back(fmt::format("{} hardly changes this peak, though it has {:.3g} % of the strain energy", chosen->words,
-                                       100 * (whole ? shares.stored : shares.by_direction.maxCoeff())));
+      peak.notes.push_back(fmt::format("{} hardly changes this peak, though it has {:.3g} % of the strain energy",
+                                       chosen->words, 100 * (whole ? shares.stored : shares.by_direction.maxCoeff())));
       chosen = strongest(variant, first, peak, parameters);
       if (!chosen || effect(chosen->parameter, peak, parameters) < enough) chosen = best;
     }
@@ -154,15 +163,15 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
 }
 
 /// The peak of the changed model that lies nearest to where it is expected.
-void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter, const ExplainedPeak& peak,
-                 Trial& trial) {
+void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter,
+                 const ExplainedPeak& peak, Trial& trial) {
   constexpr double beyond_recognition = 0.2;
   const model::System system = response::changed(variant.system, parameter, trial.amount);
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, {peak.name}, question.quantity);
-  const response::Peaks again =
-      response::peaks(assembled, channels, question.load(system, assembled), modes, modal::roots(system, assembled, modes));
+  const response::Peaks again = response::peaks(assembled, channels, question.load(system, assembled), modes,
+                                                modal::roots(system, assembled, modes));
   const double expected = trial.predicted_angular_frequency.value_or(peak.peak.angular_frequency);
   double best = beyond_recognition * expected;
   for (const response::Peak& other : again.list)
@@ -182,20 +191,22 @@ void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
     const double apart = std::abs(mode.angular_frequency.value_or(0) / *own.angular_frequency - 1);
     if (mode.number != own.number && apart < close && !own.repeated)
       peak.notes.push_back(
-          fmt::format("mode {} stands only {:.2g} % from mode {}: small changes mix the two, and first order holds for still smaller ones",
+          fmt::format("mode {} stands only {:.2g} % from mode {}: small changes mix the two, and first order holds for "
+                      "still smaller ones",
                       mode.number, 100 * apart, own.number));
   }
 }
 
-void try_more(const project::Case& variant, const response::Question& question, const std::vector<response::Parameter>& parameters,
-              ExplainedPeak& peak) {
+void try_more(const project::Case& variant, const response::Question& question,
+              const std::vector<response::Parameter>& parameters, ExplainedPeak& peak) {
   peak.trial = trial_of(variant, peak, parameters);
   if (!peak.trial) return;
   Trial& trial = *peak.trial;
   for (const Sensitivity& s : peak.sensitivities) {
     if (parameters[s.parameter].name != trial.parameter) continue;
     if (s.height) trial.predicted_amplitude = peak.peak.amplitude * (1 + trial.amount * *s.height);
-    if (s.frequency) trial.predicted_angular_frequency = peak.peak.angular_frequency * (1 + trial.amount * *s.frequency);
+    if (s.frequency)
+      trial.predicted_angular_frequency = peak.peak.angular_frequency * (1 + trial.amount * *s.frequency);
     try {
       solve_again(variant, question, parameters[s.parameter], peak, trial);
     } catch (const foundation::NotComputable& reason) {
@@ -206,7 +217,8 @@ void try_more(const project::Case& variant, const response::Question& question, 
 
 }  // namespace
 
-Explanation explanation(const project::Case& variant, const ExplainRequest& request, const foundation::Progress& progress) {
+Explanation explanation(const project::Case& variant, const ExplainRequest& request,
+                        const foundation::Progress& progress) {
   const project::Wanted wanted = wanted_of(variant, request);
   project::Analyses analyses;
   analyses.peaks = project::PeaksRequest{wanted};
@@ -226,10 +238,12 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
   result.left_out = static_cast<int>(real.size() - chosen.size());
   std::vector<response::PeakPlace> places;
   for (const response::Peak& peak : chosen) places.push_back(place_of(peak));
-  response::SensitivityTable table = response::peak_sensitivities(variant.system, assembled, question, places, progress);
+  response::SensitivityTable table =
+      response::peak_sensitivities(variant.system, assembled, question, places, progress);
   result.parameters = std::move(table.parameters);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    foundation::report_progress(progress, "peaks solved again", static_cast<double>(i) / static_cast<double>(chosen.size()));
+    foundation::report_progress(progress, "peaks solved again",
+                                static_cast<double>(i) / static_cast<double>(chosen.size()));
     ExplainedPeak& peak = result.peaks.emplace_back();
     peak.name = peaks.curves[chosen[i].curve].name;
     peak.unit = peaks.curves[chosen[i].curve].unit;
@@ -238,9 +252,10 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
     peak.notes = table.peaks[i].notes;
     peak.sensitivities = table.peaks[i].list;
     const bool unbounded = std::isinf(peak.peak.amplitude);
-    std::stable_sort(peak.sensitivities.begin(), peak.sensitivities.end(), [&](const Sensitivity& a, const Sensitivity& b) {
-      return strength(a, result.parameters, unbounded) > strength(b, result.parameters, unbounded);
-    });
+    std::stable_sort(peak.sensitivities.begin(), peak.sensitivities.end(),
+                     [&](const Sensitivity& a, const Sensitivity& b) {
+                       return strength(a, result.parameters, unbounded) > strength(b, result.parameters, unbounded);
+                     });
     note_close_modes(result.modes, peak);
     try_more(variant, question, result.parameters, peak);
     peak.sentence = sentence(variant, result, peak);

@@ -13,7 +13,8 @@ namespace trivet::study {
 
 struct ExplainRequest {
   std::vector<std::string> of;  ///< answers as in `peaks`; empty: those of the case's peaks (or response)
-  int most = 10;                ///< peaks explained, the tallest relative to their curve; peaks that are round-off of a symmetry never
+  int most =
+      10;  ///< peaks explained, the tallest relative to their curve; peaks that are round-off of a symmetry never
 };
 
 /// What ten per cent more of one parameter do to a peak.
@@ -22,17 +23,19 @@ struct Trial {
   std::string words;      ///< "the axial stiffness of \"front spring\""
   double amount = 0.1;
   std::optional<double> predicted_amplitude, predicted_angular_frequency;  ///< to first order
-  std::optional<double> amplitude, angular_frequency;  ///< of the changed model, solved again; none if it has no such peak
+  std::optional<double> amplitude,
+      angular_frequency;  ///< of the changed model, solved again; none if it has no such peak
 };
 
 struct ExplainedPeak {
   std::string name, unit;
   response::Peak peak;
   response::PeakShares shares;
-  std::vector<response::Sensitivity>
-      sensitivities;  ///< strongest first, by what `size` of the parameter does to the height (to the frequency where unbounded)
+  std::vector<response::Sensitivity> sensitivities;  ///< strongest first, by what `size` of the parameter does to the
+                                                     ///< height (to the frequency where unbounded)
   std::vector<std::string> notes;
-  std::optional<Trial> trial;  ///< of what holds most of the strain energy, or of what changes the peak most if that does nothing
+  std::optional<Trial>
+      trial;  ///< of what holds most of the strain energy, or of what changes the peak most if that does nothing
   std::string sentence;
 };
 
@@ -45,7 +48,8 @@ struct Explanation {
 };
 
 /// @throws foundation::InvalidInput for an answer that the model does not have, NotComputable if nothing excites it
-[[nodiscard]] Explanation explanation(const project::Case& variant, const ExplainRequest& request = {}, const foundation::Progress& progress = {});
+[[nodiscard]] Explanation explanation(const project::Case& variant, const ExplainRequest& request = {},
+                                      const foundation::Progress& progress = {});
 
 /// A value with the prefix that an engineer would choose: "8.4 mm", "1.2 kN", "35 µrad".
 [[nodiscard]] std::string value_words(double value, const std::string& unit);

@@ -18,7 +18,9 @@ constexpr double worth_a_word = 0.05;
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
-std::string place_words(double omega) { return fmt::format("{:.4g} rad/s ({:.4g} Hz)", omega, omega / (2 * std::numbers::pi)); }
+std::string place_words(double omega) {
+  return fmt::format("{:.4g} rad/s ({:.4g} Hz)", omega, omega / (2 * std::numbers::pi));
+}
 
 const modal::Mode& mode_of(const Explanation& explanation, int number) {
   return explanation.modes.list[static_cast<std::size_t>(number - 1)];
@@ -30,32 +32,36 @@ std::string modes_words(const Explanation& explanation, const ExplainedPeak& pea
                                                 mode_of(explanation, *peak.peak.nearest_mode).name)
                                   : "";
   std::vector<response::ModeShare> modes = peak.shares.modes;
-  std::stable_sort(modes.begin(), modes.end(), [](const auto& a, const auto& b) { return std::abs(a.share) > std::abs(b.share); });
+  std::stable_sort(modes.begin(), modes.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.share) > std::abs(b.share); });
   if (modes.empty()) return "";
-  std::string words =
-      fmt::format("Mode {}, {}, makes {} of it", modes[0].mode, mode_of(explanation, modes[0].mode).name, percent(modes[0].share));
+  std::string words = fmt::format("Mode {}, {}, makes {} of it", modes[0].mode,
+                                  mode_of(explanation, modes[0].mode).name, percent(modes[0].share));
   if (std::abs(modes[0].share - 1) <= 1 - one_makes_it) return words;
   for (std::size_t i = 1; i < std::min<std::size_t>(modes.size(), 3); ++i)
-    if (std::abs(modes[i].share) > worth_a_word) words += fmt::format(", mode {} {}", modes[i].mode, percent(modes[i].share));
+    if (std::abs(modes[i].share) > worth_a_word)
+      words += fmt::format(", mode {} {}", modes[i].mode, percent(modes[i].share));
   return words;
 }
 
 std::string energy_words(const project::Case& variant, const ExplainedPeak& peak) {
   const auto& elements = peak.shares.elements;
   if (elements.empty() || peak.shares.strain_energy == 0) return "";
-  const auto most = std::max_element(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a.stored < b.stored; });
+  const auto most = std::max_element(elements.begin(), elements.end(),
+                                     [](const auto& a, const auto& b) { return a.stored < b.stored; });
   const model::Element& element = variant.system.elements()[static_cast<std::size_t>(most - elements.begin())];
   Eigen::Index direction = 0;
   const double in_direction = most->by_direction.maxCoeff(&direction);
   std::string words = fmt::format("{} of the strain energy is in \"{}\"", percent(most->stored), element.name);
   if (in_direction > 0)
-    words += fmt::format(", {} in its {}", percent(in_direction), response::direction_words(element, static_cast<int>(direction)));
-  const auto damping =
-      std::max_element(elements.begin(), elements.end(), [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
+    words += fmt::format(", {} in its {}", percent(in_direction),
+                         response::direction_words(element, static_cast<int>(direction)));
+  const auto damping = std::max_element(elements.begin(), elements.end(),
+                                        [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
   if (damping->dissipated > peak.shares.system_damping)
-    words +=
-        fmt::format("; \"{}\" takes {} of the dissipated power",
-                    variant.system.elements()[static_cast<std::size_t>(damping - elements.begin())].name, percent(damping->dissipated));
+    words += fmt::format("; \"{}\" takes {} of the dissipated power",
+                         variant.system.elements()[static_cast<std::size_t>(damping - elements.begin())].name,
+                         percent(damping->dissipated));
   return words;
 }
 
@@ -67,7 +73,8 @@ std::string trial_words(const ExplainedPeak& peak) {
   words += fmt::format(" moves it to {}", place_words(*trial.angular_frequency));
   if (trial.amplitude) words += fmt::format(" and {}", value_words(*trial.amplitude, peak.unit));
   words += " (solved again";
-  if (trial.predicted_angular_frequency) words += fmt::format("; to first order {:.4g} rad/s", *trial.predicted_angular_frequency);
+  if (trial.predicted_angular_frequency)
+    words += fmt::format("; to first order {:.4g} rad/s", *trial.predicted_angular_frequency);
   if (trial.predicted_amplitude)
     words += fmt::format("{}{}", trial.predicted_angular_frequency ? " and " : "; to first order ",
                          value_words(*trial.predicted_amplitude, peak.unit));
@@ -101,7 +108,8 @@ std::string value_words(double value, const std::string& unit) {
 
 std::string sentence(const project::Case& variant, const Explanation& explanation, const ExplainedPeak& peak) {
   std::string text =
-      fmt::format("{}: {} at {}", peak.name, std::isinf(peak.peak.amplitude) ? "unbounded" : value_words(peak.peak.amplitude, peak.unit),
+      fmt::format("{}: {} at {}", peak.name,
+                  std::isinf(peak.peak.amplitude) ? "unbounded" : value_words(peak.peak.amplitude, peak.unit),
                   place_words(peak.peak.angular_frequency));
   for (const std::string& part :
        {modes_words(explanation, peak), energy_words(variant, peak), trial_words(peak), lever_words(explanation, peak)})

@@ -15,8 +15,8 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::array<double, 3> shares = {0, 0.47, 1};              // of both axes; no design of symmetry in the middle
-constexpr std::array<double, 3> frequencies = {0.0137, 0.117, 0.83}; // of the highest natural frequency
+constexpr std::array<double, 3> shares = {0, 0.47, 1};  // of both axes; no design of symmetry in the middle
+constexpr std::array<double, 3> frequencies = {0.0137, 0.117, 0.83};  // of the highest natural frequency
 constexpr double unchanged = 1e-11;  // of an amplitude, solved with another load or matrix
 
 /// Amplitudes at one design, answers × frequencies; round-off is 0.
@@ -29,15 +29,19 @@ std::vector<std::string> answers_of(const std::vector<design::MapRule>& rules) {
   return names;
 }
 
-Amplitudes amplitudes(const model::System& system, const project::MapRequest& request, const std::vector<std::string>& names, double top) {
+Amplitudes amplitudes(const model::System& system, const project::MapRequest& request,
+                      const std::vector<std::string>& names, double top) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, names, assembly::Quantity::displacement);
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(system, assembled, names, assembly::Quantity::displacement);
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request.excitations);
   double from = 0, to = std::numeric_limits<double>::infinity();
-  for (const assembly::ElementMap& map : assembled.elements) from = std::max(from, map.defined_from), to = std::min(to, map.defined_to);
+  for (const assembly::ElementMap& map : assembled.elements)
+    from = std::max(from, map.defined_from), to = std::min(to, map.defined_to);
   Amplitudes found(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
   for (std::size_t f = 0; f < frequencies.size(); ++f)
-    found.col(static_cast<Eigen::Index>(f)) = response::visible_amplitudes(assembled, channels, loading, std::max(from, std::min(to, frequencies[f] * top)));
+    found.col(static_cast<Eigen::Index>(f)) =
+        response::visible_amplitudes(assembled, channels, loading, std::max(from, std::min(to, frequencies[f] * top)));
   return found;
 }
 
@@ -45,15 +49,18 @@ bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <
 
 }  // namespace
 
-Influence influence(const project::Case& variant, const project::MapRequest& request, const std::vector<design::MapRule>& rules) {
+Influence influence(const project::Case& variant, const project::MapRequest& request,
+                    const std::vector<design::MapRule>& rules) {
   const std::vector<std::string> names = answers_of(rules);
   const double top = modal::highest_natural_frequency(variant.system, assembly::assemble(variant.system));
   const project::ModelNumber x(request.x), y(request.y);
   std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
-  Amplitudes largest = Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
+  Amplitudes largest =
+      Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
   for (std::size_t i = 0; i < shares.size(); ++i)
     for (std::size_t j = 0; j < shares.size(); ++j) try {
-        const auto system = project::changed_system(variant, {{x, request.x.at(shares[i])}, {y, request.y.at(shares[j])}});
+        const auto system =
+            project::changed_system(variant, {{x, request.x.at(shares[i])}, {y, request.y.at(shares[j])}});
         if (!system) return {};
         designs[i][j] = amplitudes(*system, request, names, top);
         largest = largest.max(designs[i][j]);

@@ -27,7 +27,8 @@ std::string why_not(const std::function<void()>& work) {
 void judge(const project::Case& variant, const design::DesignEvaluation& evaluation, MapMark& mark) {
   mark.failure = why_not([&] { mark.judged = evaluation.judged(variant.system); });
   // What cannot be compared is not known to be a design of this map.
-  static_cast<void>(why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
+  static_cast<void>(
+      why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
 }
 
 /// Would the map of this case ask otherwise? Grids and lists of cases aside.
@@ -42,19 +43,23 @@ bool has_other_rules(const project::Case& variant, const project::MapRequest& re
 
 }  // namespace
 
-std::vector<MapMark> map_marks(const project::Project& project, const project::MapRequest& request, const design::DesignEvaluation& evaluation, int threads,
+std::vector<MapMark> map_marks(const project::Project& project, const project::MapRequest& request,
+                               const design::DesignEvaluation& evaluation, int threads,
                                const foundation::Progress& progress) {
   std::vector<MapMark> all;
   std::vector<const project::Case*> cases;
   for (const project::Case& c : project.cases) {
-    const bool listed = request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
-    MapMark mark{c.name, project::ModelNumber(request.x).read(c), project::ModelNumber(request.y).read(c), false, {}, ""};
+    const bool listed =
+        request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
+    MapMark mark{c.name, project::ModelNumber(request.x).read(c), project::ModelNumber(request.y).read(c), false, {},
+                 ""};
     if (request.cases ? !listed : !mark.placed()) continue;
     mark.has_own_rules = has_other_rules(c, request);
     all.push_back(std::move(mark));
     cases.push_back(&c);
   }
-  foundation::for_each_piece(all.size(), {1, threads, progress, "cases"}, [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
+  foundation::for_each_piece(all.size(), {1, threads, progress, "cases"},
+                             [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
   return all;
 }
 

@@ -26,8 +26,11 @@ void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings
   for (const MapMark& mark : map.marks)
     if (contradicts(map, mark))
       warnings.warning("map: " + (mark.name.empty() ? std::string("base model") : mark.name),
-                       mark.judged->governing.kept() ? "keeps every rule, while all designs of the grid around it break one" : "breaks a rule that all designs of the grid around it keep",
-                       "the map is too coarse there, and its feasible share is not to be trusted", "take more points, or narrower ranges around it");
+                       mark.judged->governing.kept()
+                           ? "keeps every rule, while all designs of the grid around it break one"
+                           : "breaks a rule that all designs of the grid around it keep",
+                       "the map is too coarse there, and its feasible share is not to be trusted",
+                       "take more points, or narrower ranges around it");
 }
 
 void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
@@ -36,18 +39,28 @@ void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
   std::string points;
   for (const auto& [axis, needed] : {std::pair{&map.request.x, found.points[0]}, {&map.request.y, found.points[1]}})
     if (needed > 0) points += fmt::format("{}{} points along {}", points.empty() ? "" : " and ", needed, axis->name);
-  warnings.warning("map", fmt::format("between {} of neighbouring designs that keep every rule a resonance passes over the band and breaks one", found.pairs == 1 ? "one pair" : fmt::format("{} pairs", found.pairs)),
-                   "the map is too coarse there, and its feasible share too large", fmt::format("take {}, or narrower ranges around it", points));
+  warnings.warning(
+      "map",
+      fmt::format(
+          "between {} of neighbouring designs that keep every rule a resonance passes over the band and breaks one",
+          found.pairs == 1 ? "one pair" : fmt::format("{} pairs", found.pairs)),
+      "the map is too coarse there, and its feasible share too large",
+      fmt::format("take {}, or narrower ranges around it", points));
 }
 
 void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   const Influence found = influence(variant, map.request, map.rules);
   for (const std::string& name : found.still)
-    warnings.warning("map: " + name, "does not move (zero but for round-off)", "its rules say nothing", "look at the directions of forces and guides, or remove the rules");
-  const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) { return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end(); });
+    warnings.warning("map: " + name, "does not move (zero but for round-off)", "its rules say nothing",
+                     "look at the directions of forces and guides, or remove the rules");
+  const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) {
+    return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end();
+  });
   if (all_still) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
-    if (!changes) warnings.warning("map: " + axis->name, "the axis changes no answer", "amplitudes of all rules are the same along it", "take a number that the answers depend on");
+    if (!changes)
+      warnings.warning("map: " + axis->name, "the axis changes no answer",
+                       "amplitudes of all rules are the same along it", "take a number that the answers depend on");
 }
 
 /// A range that was typed in another unit than the number of the model.
@@ -56,9 +69,11 @@ void warn_of_another_scale(const project::Case& variant, const DesignMap& map, f
   for (const project::MapAxis* axis : {&map.request.x, &map.request.y}) {
     const std::optional<double> own = project::ModelNumber(*axis).read(variant);
     if (!own || *own == 0) continue;
-    const double low = std::min(std::abs(axis->from), std::abs(axis->to)), high = std::max(std::abs(axis->from), std::abs(axis->to));
+    const double low = std::min(std::abs(axis->from), std::abs(axis->to)),
+                 high = std::max(std::abs(axis->from), std::abs(axis->to));
     if (std::abs(*own) <= unlikely * high && std::abs(*own) * unlikely >= low) continue;
-    warnings.warning("map: " + axis->name, fmt::format("{:.6g} … {:.6g}", axis->from, axis->to), fmt::format("the model itself has {:.6g}, far from all designs of the map", *own),
+    warnings.warning("map: " + axis->name, fmt::format("{:.6g} … {:.6g}", axis->from, axis->to),
+                     fmt::format("the model itself has {:.6g}, far from all designs of the map", *own),
                      "look at the unit of the range");
   }
 }
@@ -66,8 +81,12 @@ void warn_of_another_scale(const project::Case& variant, const DesignMap& map, f
 /// A motion of the ground given by its velocity or acceleration drifts off at rest.
 void warn_of_drift(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   if (map.request.band && map.request.band->from > 0) return;
-  const auto unbounded = [&](const design::DesignOutcome& d) { return d.known() && d.margin == 0 && map.rules[d.governing].kind == design::DesignRule::Kind::amplitude; };
-  if (!std::all_of(map.outcomes.begin(), map.outcomes.end(), [&](const design::DesignOutcome& d) { return !d.known() || unbounded(d); })) return;
+  const auto unbounded = [&](const design::DesignOutcome& d) {
+    return d.known() && d.margin == 0 && map.rules[d.governing].kind == design::DesignRule::Kind::amplitude;
+  };
+  if (!std::all_of(map.outcomes.begin(), map.outcomes.end(),
+                   [&](const design::DesignOutcome& d) { return !d.known() || unbounded(d); }))
+    return;
   const auto first = std::find_if(map.outcomes.begin(), map.outcomes.end(), unbounded);
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   std::vector<std::string> names = map.request.excitations;
@@ -76,15 +95,18 @@ void warn_of_drift(const project::Case& variant, const DesignMap& map, foundatio
       if (std::holds_alternative<model::Harmonic>(e.course)) names.push_back(e.name);
   for (const std::string& name : names)
     if (const int power = assembly::harmonic_loading(variant.system, assembled, {name}).lowest_power(); power < 0)
-      warnings.warning("map: excitations." + name, fmt::format("{} is unbounded in every design", map.rules[first->governing].answer),
-                       fmt::format("a foundation that moves with this {} has no bounded displacement at ω = 0", power == -1 ? "velocity" : "acceleration"),
+      warnings.warning("map: excitations." + name,
+                       fmt::format("{} is unbounded in every design", map.rules[first->governing].answer),
+                       fmt::format("a foundation that moves with this {} has no bounded displacement at ω = 0",
+                                   power == -1 ? "velocity" : "acceleration"),
                        "start the band of the map above 0");
 }
 
 void warn_of_unphysical(const project::Case& variant, foundation::Problems& warnings) {
   for (const model::Body& body : variant.system.bodies())
     if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
-      warnings.warning("map: bodies." + body.name, "no real body has these numbers (allow_unphysical is set)", "every design is doubtful", "mend mass and inertia before the map is used");
+      warnings.warning("map: bodies." + body.name, "no real body has these numbers (allow_unphysical is set)",
+                       "every design is doubtful", "mend mass and inertia before the map is used");
 }
 
 }  // namespace

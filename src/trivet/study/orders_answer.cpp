@@ -9,8 +9,12 @@ namespace trivet::study {
 namespace {
 
 OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& asked, foundation::Problems&) {
-  const std::vector<response::OrderLoading> orders = response::order_loadings(c.system, c.assembled, asked.wanted.excitations);
-  if (orders.empty()) throw foundation::NotComputable("orders: the model has no excitation that goes with a shaft; add [excitations.NAME] with type = \"orders\" or \"unbalance\"");
+  const std::vector<response::OrderLoading> orders =
+      response::order_loadings(c.system, c.assembled, asked.wanted.excitations);
+  if (orders.empty())
+    throw foundation::NotComputable(
+        "orders: the model has no excitation that goes with a shaft; add [excitations.NAME] with type = \"orders\" or "
+        "\"unbalance\"");
   response::RunUpOptions options;
   options.speed = asked.speed;
   return {response::run_up(c.assembled, channels_of(c, asked.wanted), orders, c.modes, c.roots, options, c.progress),
@@ -19,7 +23,8 @@ OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& 
 
 }  // namespace
 
-const QuestionAnswer orders_answer = answered_by<answer_orders>("run-up: response over shaft speed, critical speeds",
+const QuestionAnswer orders_answer = answered_by<answer_orders>(
+    "run-up: response over shaft speed, critical speeds",
     "orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
 
 }  // namespace trivet::study

@@ -11,13 +11,19 @@ namespace {
 response::PowerFlow answer_power(const CaseContext& c, const project::BandQuestion& asked, foundation::Problems&) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.wanted.excitations);
   if (loading.vanishes()) throw foundation::NotComputable("power: the model has no harmonic excitation");
-  const std::vector<assembly::Channel> channels = assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::Quantity::velocity);
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::Quantity::velocity);
   const response::Band band = asked.band ? *asked.band : default_band(c);
-  const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots, {response::PeakOptions{}.min_prominence, band.to}, c.progress);
+  const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots,
+                                                {response::PeakOptions{}.min_prominence, band.to}, c.progress);
   std::vector<double> grid = grid_over(c, channels, loading, peaks, band);
   // At rest nothing moves; on an undamped resonance no steady power exists.
   const response::FrequencyResponse defined = response::frequency_response(c.assembled, channels, loading, grid);
-  std::erase_if(grid, [&](double w) { return w == 0 || std::find(defined.check.undefined_at.begin(), defined.check.undefined_at.end(), w) != defined.check.undefined_at.end(); });
+  std::erase_if(grid, [&](double w) {
+    return w == 0 ||
+        std::find(defined.check.undefined_at.begin(), defined.check.undefined_at.end(), w) !=
+        defined.check.undefined_at.end();
+  });
   return response::power_flow(c.system, c.assembled, loading, grid, c.progress);
 }
 

@@ -12,11 +12,11 @@ namespace trivet::study {
 /// How one question of project/analyses/question_table.h is answered. Each is defined in NAME_answer.cpp.
 struct QuestionAnswer {
   const char* name = nullptr;  ///< given by question_answers()
-  const char* about;   ///< one line of help for its command
-  const char* to_add;  ///< what the file must say; none: the question asks for something sensible by itself
+  const char* about;           ///< one line of help for its command
+  const char* to_add;          ///< what the file must say; none: the question asks for something sensible by itself
   std::shared_ptr<const project::Question> (*by_default)();
-  /// @throws foundation::NotComputable, foundation::InvalidInput with the reason where there is no answer; warnings of the computation
-  /// go to the list
+  /// @throws foundation::NotComputable, foundation::InvalidInput with the reason where there is no answer; warnings of
+  /// the computation go to the list
   std::any (*answer)(const CaseContext& context, const project::Question& asked, foundation::Problems& warnings);
 };
 
@@ -37,7 +37,8 @@ struct Signature<answer> {
 
 }  // namespace detail
 
-/// A question that is answered by a function of its own types: Answer (const CaseContext&, const Asked&, foundation::Problems& warnings).
+/// A question that is answered by a function of its own types: Answer (const CaseContext&, const Asked&,
+/// foundation::Problems& warnings).
 template <auto answer>
 [[nodiscard]] constexpr QuestionAnswer answered_by(const char* about, const char* to_add = nullptr) {
   return {nullptr, about, to_add, detail::Signature<answer>::by_default, detail::Signature<answer>::any};

@@ -16,13 +16,16 @@ namespace {
 std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
   if (!channel.unit.starts_with("m") && !channel.unit.starts_with("rad")) return std::nullopt;
   const std::string component = channel.name.substr(channel.name.rfind('.') + 1);
-  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component) - model::coordinate_names.begin();
+  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component) -
+      model::coordinate_names.begin();
   return static_cast<std::size_t>(at);
 }
 
-/// Of every body or point all of whose three translations were asked for, with the rotations that were; none if one of these has no number.
-std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& channels, const response::RandomResponse& response,
-                                                         const std::array<excitation::WeightedAxis, 6>& axes) {
+/// Of every body or point all of whose three translations were asked for, with the rotations that were; none if one of
+/// these has no number.
+std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& channels,
+                                     const response::RandomResponse& response,
+                                     const std::array<excitation::WeightedAxis, 6>& axes) {
   struct Felt {
     std::vector<double> accelerations, factors;
     std::vector<std::string> axes;
@@ -43,18 +46,23 @@ std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& chann
   }
   std::vector<TotalValue> totals;
   for (const auto& [name, felt] : groups)
-    if (felt.translations == 3 && felt.complete) totals.push_back({name, excitation::vibration_total_value(felt.accelerations, felt.factors), felt.axes});
+    if (felt.translations == 3 && felt.complete)
+      totals.push_back({name, excitation::vibration_total_value(felt.accelerations, felt.factors), felt.axes});
   return totals;
 }
 
 RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& asked, foundation::Problems&) {
   const std::vector<assembly::Channel> channels = channels_of(c, asked.wanted);
   const response::RandomLoading loading = response::random_loading(c.system, c.assembled, asked.wanted.excitations);
-  if (loading.inputs.empty()) throw foundation::NotComputable("random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
+  if (loading.inputs.empty())
+    throw foundation::NotComputable(
+        "random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
   response::RandomOptions options;
-  const auto axes = asked.contact ? excitation::comfort_axes(*asked.contact) : std::array<excitation::WeightedAxis, 6>{};
+  const auto axes =
+      asked.contact ? excitation::comfort_axes(*asked.contact) : std::array<excitation::WeightedAxis, 6>{};
   for (std::size_t i = 0; i < channels.size() && (asked.weighting || asked.contact); ++i)
-    if (const auto axis = axis_of(channels[i])) options.weighted.push_back({i, asked.contact ? axes[*axis].weighting : *asked.weighting});
+    if (const auto axis = axis_of(channels[i]))
+      options.weighted.push_back({i, asked.contact ? axes[*axis].weighting : *asked.weighting});
   RandomResult result;
   result.quantity = asked.wanted.quantity;
   for (const response::RandomInput& input : loading.inputs) result.inputs.push_back(input.name);

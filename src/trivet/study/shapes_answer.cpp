@@ -7,17 +7,19 @@
 namespace trivet::study {
 namespace {
 
-std::vector<response::DeflectionShape> answer_shapes(const CaseContext& c, const project::ShapesQuestion& asked, foundation::Problems&) {
+std::vector<response::DeflectionShape> answer_shapes(const CaseContext& c, const project::ShapesQuestion& asked,
+                                                     foundation::Problems&) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.wanted.excitations);
   if (loading.vanishes()) throw foundation::NotComputable("shapes: the model has no harmonic excitation");
   std::vector<response::DeflectionShape> shapes;
-  for (const double omega : asked.at) shapes.push_back(response::deflection_shape(c.system, c.assembled, loading, omega));
+  for (const double omega : asked.at)
+    shapes.push_back(response::deflection_shape(c.system, c.assembled, loading, omega));
   return shapes;
 }
 
 }  // namespace
 
-const QuestionAnswer shapes_answer = answered_by<answer_shapes>("operating deflection shapes",
-    "shapes: say at which frequencies: add shapes = {at = [\"25 Hz\"]} to [analyses]");
+const QuestionAnswer shapes_answer = answered_by<answer_shapes>(
+    "operating deflection shapes", "shapes: say at which frequencies: add shapes = {at = [\"25 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

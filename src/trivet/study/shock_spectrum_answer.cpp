@@ -11,32 +11,43 @@
 namespace trivet::study {
 namespace {
 
-std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c, const project::ShockSpectrumQuestion& asked, foundation::Problems& warnings) {
+std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
+                                                       const project::ShockSpectrumQuestion& asked,
+                                                       foundation::Problems& warnings) {
   constexpr int per_octave = 48;
   std::vector<double> natural;
-  const int count = std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(asked.band.to / asked.band.from))) + 1);
-  for (int i = 0; i < count; ++i) natural.push_back(asked.band.from * std::pow(asked.band.to / asked.band.from, static_cast<double>(i) / (count - 1)));
+  const int count =
+      std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(asked.band.to / asked.band.from))) + 1);
+  for (int i = 0; i < count; ++i)
+    natural.push_back(asked.band.from *
+                      std::pow(asked.band.to / asked.band.from, static_cast<double>(i) / (count - 1)));
   std::vector<ShockSpectrumResult> results;
   for (const model::Excitation& excitation : c.system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
     if (!history || !selected(asked.wanted.excitations, excitation.name)) continue;
     const model::Action& action = excitation.action;
     if (action.body || action.derivative != 2 || !action.amplitude.tail<3>().isZero(0)) {
-      const std::string reason = "shock_spectrum: \"" + excitation.name + "\" is not a translation of the ground given by its acceleration";
+      const std::string reason =
+          "shock_spectrum: \"" + excitation.name + "\" is not a translation of the ground given by its acceleration";
       if (!asked.wanted.excitations.empty()) throw foundation::NotComputable(reason);
       warnings.warning(reason, "left out", "", "");
       continue;
     }
     const excitation::Signal along = excitation::scaled(history->signal, action.amplitude.head<3>().norm());
-    results.push_back({excitation.name, "m/s²", asked.damping_ratio, excitation::shock_spectrum(along, natural, asked.damping_ratio, c.progress)});
+    results.push_back({excitation.name, "m/s²", asked.damping_ratio,
+                       excitation::shock_spectrum(along, natural, asked.damping_ratio, c.progress)});
   }
-  if (results.empty()) throw foundation::NotComputable("shock_spectrum: the model has no motion of the ground given by its acceleration over time");
+  if (results.empty())
+    throw foundation::NotComputable(
+        "shock_spectrum: the model has no motion of the ground given by its acceleration over time");
   return results;
 }
 
 }  // namespace
 
-const QuestionAnswer shock_spectrum_answer = answered_by<answer_shock_spectrum>("shock response spectra of ground motions in time",
-    "shock_spectrum: say over which natural frequencies: add shock_spectrum = {band = [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
+const QuestionAnswer shock_spectrum_answer =
+    answered_by<answer_shock_spectrum>("shock response spectra of ground motions in time",
+                                       "shock_spectrum: say over which natural frequencies: add shock_spectrum = {band "
+                                       "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

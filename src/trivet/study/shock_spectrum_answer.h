@@ -11,7 +11,7 @@ namespace trivet::study {
 /// Of one time excitation, over natural frequencies.
 struct ShockSpectrumResult {
   std::string excitation;
-  std::string unit;                ///< of the spectrum: m/s²
+  std::string unit;  ///< of the spectrum: m/s²
   double damping_ratio = 0;
   std::vector<excitation::ShockResponse> spectrum;
 };

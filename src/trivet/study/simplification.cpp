@@ -23,7 +23,8 @@ elements::Law simplified_law(const elements::Law& full, const model::Span& span)
   law.nominal_stiffness = springs_only(full.nominal_stiffness, span);
   law.scale = full.scale;
   law.damping = full.damping;
-  if (const auto* given = std::get_if<elements::DampingMatrix>(&full.damping)) law.damping = elements::DampingMatrix{springs_only(given->matrix, span)};
+  if (const auto* given = std::get_if<elements::DampingMatrix>(&full.damping))
+    law.damping = elements::DampingMatrix{springs_only(given->matrix, span)};
   return law;
 }
 
@@ -32,26 +33,32 @@ std::vector<std::string> left_out(const model::Element& element) {
   if (element.law.inertia) words.push_back("the mass of \"" + element.name + "\"");
   if (element.law.preload) words.push_back("the preload of \"" + element.name + "\"");
   if (const auto& given = element.law.frequency_dependence)
-    words.push_back(std::string(given->elastic ? "the frequency dependence" : "the frequency dependence and the losses") + " of \"" + element.name + "\"");
+    words.push_back(
+        std::string(given->elastic ? "the frequency dependence" : "the frequency dependence and the losses") +
+        " of \"" + element.name + "\"");
   return words;
 }
 
 bool is_inner(const Mode& mode) { return mode.element_kinetic_energy_share.sum() > 0.5; }
 
-/// Σ φᵀAψ over the bodies, at their centres of mass; negative principal moments of an unphysical body count by their size.
+/// Σ φᵀAψ over the bodies, at their centres of mass; negative principal moments of an unphysical body count by their
+/// size.
 double mass_product(const model::System& system, const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
   double sum = 0;
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const auto first = 6 * static_cast<Eigen::Index>(b);
     const spatial::MassProperties& mass = system.bodies()[b].mass;
     const spatial::PrincipalInertia principal = spatial::principal_inertia(mass);
-    const Eigen::Vector3d turn_phi = principal.axes.transpose() * phi.segment<3>(first + 3), turn_psi = principal.axes.transpose() * psi.segment<3>(first + 3);
-    sum += std::abs(mass.mass) * phi.segment<3>(first).dot(psi.segment<3>(first)) + turn_phi.dot(principal.moments.cwiseAbs().asDiagonal() * turn_psi);
+    const Eigen::Vector3d turn_phi = principal.axes.transpose() * phi.segment<3>(first + 3),
+                          turn_psi = principal.axes.transpose() * psi.segment<3>(first + 3);
+    sum += std::abs(mass.mass) * phi.segment<3>(first).dot(psi.segment<3>(first)) +
+        turn_phi.dot(principal.moments.cwiseAbs().asDiagonal() * turn_psi);
   }
   return sum;
 }
 
-/// Modes of one natural frequency: their shapes are any basis of what they span, so that a shape is compared with all of them.
+/// Modes of one natural frequency: their shapes are any basis of what they span, so that a shape is compared with all
+/// of them.
 struct Group {
   std::vector<const Mode*> modes;
   std::size_t taken = 0;
@@ -61,9 +68,11 @@ std::vector<Group> groups(const modal::Modes& modes) {
   std::vector<Group> result;
   for (const Mode& mode : modes.list) {
     if (is_inner(mode)) continue;
-    const bool same = !result.empty() && ((mode.repeated && result.back().modes.back()->repeated &&
-                                           std::abs(mode.eigenvalue_squared - result.back().modes.back()->eigenvalue_squared) <= 1e-9 * std::abs(mode.eigenvalue_squared)) ||
-                                          (mode.eigenvalue_squared == 0 && result.back().modes.back()->eigenvalue_squared == 0));
+    const bool same = !result.empty() &&
+        ((mode.repeated && result.back().modes.back()->repeated &&
+          std::abs(mode.eigenvalue_squared - result.back().modes.back()->eigenvalue_squared) <=
+              1e-9 * std::abs(mode.eigenvalue_squared)) ||
+         (mode.eigenvalue_squared == 0 && result.back().modes.back()->eigenvalue_squared == 0));
     if (!same) result.emplace_back();
     result.back().modes.push_back(&mode);
   }
@@ -82,7 +91,8 @@ double likeness(const model::System& system, const Mode& mode, const Group& grou
 }
 
 /// Every mode finds its partner, the most alike first.
-std::vector<ModeComparison> paired(const model::System& system, const modal::Modes& full, const modal::Modes& simplified) {
+std::vector<ModeComparison> paired(const model::System& system, const modal::Modes& full,
+                                   const modal::Modes& simplified) {
   std::vector<ModeComparison> result;
   std::vector<Group> partners = groups(simplified);
   struct Candidate {
@@ -92,10 +102,12 @@ std::vector<ModeComparison> paired(const model::System& system, const modal::Mod
   std::vector<Candidate> candidates;
   for (const Mode& mode : full.list) {
     if (is_inner(mode)) continue;
-    for (std::size_t g = 0; g < partners.size(); ++g) candidates.push_back({result.size(), g, likeness(system, mode, partners[g])});
+    for (std::size_t g = 0; g < partners.size(); ++g)
+      candidates.push_back({result.size(), g, likeness(system, mode, partners[g])});
     result.push_back({mode.number, mode.name, mode.angular_frequency, std::nullopt, 0});
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.likeness > b.likeness; });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.likeness > b.likeness; });
   std::vector<bool> done(result.size(), false);
   for (const Candidate& candidate : candidates) {
     Group& partner = partners[candidate.partner];
@@ -110,7 +122,8 @@ std::vector<ModeComparison> paired(const model::System& system, const modal::Mod
 std::optional<HighestPeak> highest(const response::Peaks& peaks, std::size_t curve) {
   std::optional<HighestPeak> result;
   for (const response::Peak& peak : peaks.list)
-    if (peak.curve == curve && (!result || peak.amplitude > result->amplitude)) result = HighestPeak{peak.angular_frequency, peak.amplitude};
+    if (peak.curve == curve && (!result || peak.amplitude > result->amplitude))
+      result = HighestPeak{peak.angular_frequency, peak.amplitude};
   return result;
 }
 
@@ -118,18 +131,22 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
   std::vector<PeakComparison> result;
   for (std::size_t c = 0; c < full.curves.size(); ++c)
     if (!full.curves[c].vanishes)
-      result.push_back({full.curves[c].name, full.curves[c].unit, highest(full, c), highest(simplified, c), simplified.curves[c].vanishes});
+      result.push_back({full.curves[c].name, full.curves[c].unit, highest(full, c), highest(simplified, c),
+                        simplified.curves[c].vanishes});
   return result;
 }
 
 /// Highest peaks of both models, or why there are none; the modes stand without them.
-void compare_peaks(const project::Case& full, const project::Case& simple, const foundation::Progress& progress, Simplification& result) {
+void compare_peaks(const project::Case& full, const project::Case& simple, const foundation::Progress& progress,
+                   Simplification& result) {
   project::Analyses wanted;
-  wanted.peaks = full.analyses.peaks.value_or(project::PeaksRequest{full.analyses.response ? full.analyses.response->wanted : project::Wanted{}});
+  wanted.peaks = full.analyses.peaks.value_or(
+      project::PeaksRequest{full.analyses.response ? full.analyses.response->wanted : project::Wanted{}});
   try {
     const Answers of_full = answers(full, wanted, progress), of_simple = answers(simple, wanted, progress);
     if (of_full.peaks && of_simple.peaks) result.peaks = compared(of_full.peaks->peaks, of_simple.peaks->peaks);
-    else result.no_peaks = of_full.peaks ? "with three springs: " + of_simple.failures.front() : of_full.failures.front();
+    else
+      result.no_peaks = of_full.peaks ? "with three springs: " + of_simple.failures.front() : of_full.failures.front();
   } catch (const foundation::NotComputable& reason) {
     result.no_peaks = reason.what();
   }
@@ -155,15 +172,20 @@ model::System with_three_springs(const model::System& system, const std::vector<
     description.elements[index] = std::move(element);
   }
   auto checked = model::System::checked(std::move(description));
-  if (!checked) throw foundation::NotComputable("three springs instead of the element: " + foundation::message(checked.error().list().front()));
+  if (!checked)
+    throw foundation::NotComputable("three springs instead of the element: " +
+                                    foundation::message(checked.error().list().front()));
   return std::move(*checked);
 }
 
-Simplification simplification(const project::Case& variant, const std::vector<std::size_t>& replaced, const foundation::Progress& progress) {
+Simplification simplification(const project::Case& variant, const std::vector<std::size_t>& replaced,
+                              const foundation::Progress& progress) {
   project::Case simple = variant;
   simple.system = with_three_springs(variant.system, replaced);
-  const assembly::Assembled assembled = assembly::assemble(variant.system), simple_assembled = assembly::assemble(simple.system);
-  const modal::Modes full = modal::modes(variant.system, assembled), simplified = modal::modes(simple.system, simple_assembled);
+  const assembly::Assembled assembled = assembly::assemble(variant.system),
+                            simple_assembled = assembly::assemble(simple.system);
+  const modal::Modes full = modal::modes(variant.system, assembled),
+                     simplified = modal::modes(simple.system, simple_assembled);
   const std::vector<std::string> already_free = modal::free_motions(variant.system, assembled, full);
 
   Simplification result;
@@ -176,7 +198,8 @@ Simplification simplification(const project::Case& variant, const std::vector<st
   for (const Mode& mode : full.list)
     if (is_inner(mode) && result.inner_modes++ == 0) result.first_inner_mode = mode.angular_frequency;
   for (const std::string& motion : modal::free_motions(simple.system, simple_assembled, simplified))
-    if (std::find(already_free.begin(), already_free.end(), motion) == already_free.end()) result.free_motions.push_back(motion);
+    if (std::find(already_free.begin(), already_free.end(), motion) == already_free.end())
+      result.free_motions.push_back(motion);
   compare_peaks(variant, simple, progress, result);
   return result;
 }

@@ -18,7 +18,8 @@ struct SuspensionAnswer {
 
 /// @param torques  moments whose roll axes are asked for, body axes; x, y and z if empty
 /// @param excitations  angular frequencies to hold against the natural ones [rad/s], > 0
-[[nodiscard]] SuspensionAnswer suspension(const project::Case& variant, const std::vector<Eigen::Vector3d>& torques = {},
+[[nodiscard]] SuspensionAnswer suspension(const project::Case& variant,
+                                          const std::vector<Eigen::Vector3d>& torques = {},
                                           const std::vector<double>& excitations = {});
 
 }  // namespace trivet::study

@@ -13,7 +13,9 @@ namespace {
 Eigen::Index row_of(const CaseContext& c, const std::string& name) {
   for (std::size_t b = 0; b < c.system.bodies().size(); ++b)
     for (int j = 0; j < 6; ++j)
-      if (name == c.system.bodies()[b].name + "." + model::coordinate_names[static_cast<std::size_t>(j)] && c.assembled.layout.row(b, j) >= 0) return c.assembled.layout.row(b, j);
+      if (name == c.system.bodies()[b].name + "." + model::coordinate_names[static_cast<std::size_t>(j)] &&
+          c.assembled.layout.row(b, j) >= 0)
+        return c.assembled.layout.row(b, j);
   throw foundation::NotComputable("transient: initial value of \"" + name + "\": no free coordinate has this name");
 }
 
@@ -25,8 +27,10 @@ std::optional<response::InitialState> initial_state(const CaseContext& c, const 
   return response::initial_state(c.assembled, q, v);
 }
 
-TransientResult answer_transient(const CaseContext& c, const project::TransientQuestion& asked, foundation::Problems& warnings) {
-  const std::vector<response::TimeInput> inputs = response::time_inputs(c.system, c.assembled, asked.wanted.excitations);
+TransientResult answer_transient(const CaseContext& c, const project::TransientQuestion& asked,
+                                 foundation::Problems& warnings) {
+  const std::vector<response::TimeInput> inputs =
+      response::time_inputs(c.system, c.assembled, asked.wanted.excitations);
   response::TransientOptions options;
   options.from = asked.from;
   options.to = asked.to;
@@ -34,8 +38,11 @@ TransientResult answer_transient(const CaseContext& c, const project::TransientQ
   options.nearest_linear_system = asked.nearest_linear_system;
   options.initial = initial_state(c, asked);
   if (inputs.empty() && !options.initial)
-    throw foundation::NotComputable("transient: nothing sets the model in motion; add [excitations.NAME] with type = \"time\", or initial values");
-  TransientResult result{response::transient_response(c.system, c.assembled, channels_of(c, asked.wanted), inputs, options, c.progress), asked.wanted.quantity};
+    throw foundation::NotComputable(
+        "transient: nothing sets the model in motion; add [excitations.NAME] with type = \"time\", or initial values");
+  TransientResult result{
+      response::transient_response(c.system, c.assembled, channels_of(c, asked.wanted), inputs, options, c.progress),
+      asked.wanted.quantity};
   warnings.add(result.response.warnings);
   if (asked.nearest_linear_system && !c.assembled.frequency_dependent())
     warnings.warning("analyses.transient.nearest_linear_system", "true",

@@ -17,30 +17,39 @@ std::string direction_words(const response::Direction& direction) {
   const Eigen::Vector3d axis = direction.axis.normalized();
   for (int i = 0; i < 3; ++i)
     if (std::abs(axis(i)) > 1 - 1e-12) return std::string(direction.rotation ? "about " : "along ") + "xyz"[i];
-  return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", direction.rotation ? "about" : "along", axis.x(), axis.y(), axis.z());
+  return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", direction.rotation ? "about" : "along", axis.x(), axis.y(),
+                     axis.z());
 }
 
-TransmissibilityResult answer_transmissibility(const CaseContext& c, const project::TransmissibilityQuestion& asked, foundation::Problems&) {
+TransmissibilityResult answer_transmissibility(const CaseContext& c, const project::TransmissibilityQuestion& asked,
+                                               foundation::Problems&) {
   const bool force = !asked.force.empty();
   if (!force) require_rigid_ground(c, "transmissibility");
-  const response::Transmission transmission = force ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force))
-                                                    : response::displacement_transmission(c.system, c.assembled, asked.wanted.of, asked.direction);
+  const response::Transmission transmission = force
+      ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force))
+      : response::displacement_transmission(c.system, c.assembled, asked.wanted.of, asked.direction);
   TransmissibilityResult result;
   result.of_force = force;
-  result.words = force ? "force on the ground over \"" + asked.force + "\"" : "motion over a motion of the ground " + direction_words(asked.direction);
+  result.words = force ? "force on the ground over \"" + asked.force + "\""
+                       : "motion over a motion of the ground " + direction_words(asked.direction);
   result.band = asked.band ? *asked.band : default_band(c);
-  if (!(result.band.from < result.band.to)) throw foundation::NotComputable("transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
-  result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots, {response::PeakOptions{}.min_prominence, result.band.to}, c.progress);
+  if (!(result.band.from < result.band.to))
+    throw foundation::NotComputable(
+        "transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
+  result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots,
+                                 {response::PeakOptions{}.min_prominence, result.band.to}, c.progress);
   response::set_nearest_modes(c.assembled, transmission.channels, transmission.loading, c.modes, result.peaks);
-  result.curves = response::frequency_response(c.assembled, transmission.channels, transmission.loading,
-                                               grid_over(c, transmission.channels, transmission.loading, result.peaks, result.band));
+  result.curves = response::frequency_response(
+      c.assembled, transmission.channels, transmission.loading,
+      grid_over(c, transmission.channels, transmission.loading, result.peaks, result.band));
   result.crossovers = response::crossovers(c.assembled, transmission, result.peaks);
   return result;
 }
 
 }  // namespace
 
-const QuestionAnswer transmissibility_answer = answered_by<answer_transmissibility>("force or motion that the mounts let through",
+const QuestionAnswer transmissibility_answer = answered_by<answer_transmissibility>(
+    "force or motion that the mounts let through",
     "transmissibility: say of what: add transmissibility = {force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
 
 }  // namespace trivet::study

@@ -12,17 +12,15 @@
 namespace trivet::study {
 
 struct TransmissibilityResult {
-  std::string words;               ///< "force on the ground over engine", "motion over a motion of the ground along z"
+  std::string words;  ///< "force on the ground over engine", "motion over a motion of the ground along z"
   response::FrequencyResponse curves;
   response::Peaks peaks;
   std::vector<response::Crossover> crossovers;
   response::Band band;
-  bool of_force = false;           ///< forces on the ground, in total and of each mount; else motions
+  bool of_force = false;  ///< forces on the ground, in total and of each mount; else motions
 
   /// The force of one of several mounts over the whole exciting force: a share, which says nothing of isolation.
-  [[nodiscard]] bool is_share(std::size_t curve) const {
-    return of_force && curve > 0 && curves.curves.size() > 2;
-  }
+  [[nodiscard]] bool is_share(std::size_t curve) const { return of_force && curve > 0 && curves.curves.size() > 2; }
 };
 
 }  // namespace trivet::study

@@ -18,9 +18,11 @@ namespace {
 
 std::vector<std::string> unbounded(const model::System& system, const project::MapRequest& request) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, request.no_peak, request.quantity);
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(system, assembled, request.no_peak, request.quantity);
   const modal::Roots roots = modal::roots(system, assembled, modal::modes(system, assembled));
-  const std::vector<bool> vanish = response::vanish_at_both_ends(assembled, channels, assembly::harmonic_loading(system, assembled, request.excitations), roots);
+  const std::vector<bool> vanish = response::vanish_at_both_ends(
+      assembled, channels, assembly::harmonic_loading(system, assembled, request.excitations), roots);
   std::vector<std::string> names;
   for (std::size_t c = 0; c < channels.size(); ++c)
     if (vanish[c]) names.push_back(channels[c].name);
@@ -28,20 +30,26 @@ std::vector<std::string> unbounded(const model::System& system, const project::M
 }
 
 /// The base model may have a symmetry that the designs have not. A middle without a model tells nothing.
-void keep_those_of_the_middle(const project::Case& variant, const project::MapRequest& request, std::vector<std::string>& names) {
+void keep_those_of_the_middle(const project::Case& variant, const project::MapRequest& request,
+                              std::vector<std::string>& names) {
   constexpr double middle = 0.47;  // of both axes; no design of symmetry
-  const auto system = project::changed_system(variant, {{project::ModelNumber(request.x), request.x.at(middle)}, {project::ModelNumber(request.y), request.y.at(middle)}});
+  const auto system = project::changed_system(variant,
+                                              {{project::ModelNumber(request.x), request.x.at(middle)},
+                                               {project::ModelNumber(request.y), request.y.at(middle)}});
   if (!system) return;
   try {
     const std::vector<std::string> there = unbounded(*system, request);
-    std::erase_if(names, [&](const std::string& name) { return std::find(there.begin(), there.end(), name) == there.end(); });
+    std::erase_if(names,
+                  [&](const std::string& name) { return std::find(there.begin(), there.end(), name) == there.end(); });
   } catch (const foundation::NotComputable&) {
   } catch (const foundation::InvalidInput&) {
   }
 }
 
 const char* name_of(assembly::Quantity quantity) {
-  return quantity == assembly::Quantity::velocity ? "velocity of " : quantity == assembly::Quantity::acceleration ? "acceleration of " : "";
+  return quantity == assembly::Quantity::velocity    ? "velocity of "
+      : quantity == assembly::Quantity::acceleration ? "acceleration of "
+                                                     : "";
 }
 
 }  // namespace
@@ -53,10 +61,12 @@ void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequ
   if (names.empty()) return;
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw foundation::NotComputable(fmt::format("map: no_peak asked of {}{}: a curve that vanishes at rest and at high frequency has a peak over nothing in every design; "
-                                              "name other answers in no_peak, and limit the amplitude of {}{}",
-                                              name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
-                                              request.quantity == assembly::Quantity::displacement ? "" : ", or take quantity = \"displacement\""));
+  throw foundation::NotComputable(
+      fmt::format("map: no_peak asked of {}{}: a curve that vanishes at rest and at high frequency has a peak over "
+                  "nothing in every design; "
+                  "name other answers in no_peak, and limit the amplitude of {}{}",
+                  name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
+                  request.quantity == assembly::Quantity::displacement ? "" : ", or take quantity = \"displacement\""));
 }
 
 }  // namespace trivet::study

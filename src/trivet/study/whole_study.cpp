@@ -18,7 +18,8 @@ namespace trivet::study {
 namespace {
 
 /// A map where the file asks for one, the cases as points on it.
-void add_map(const project::Project& project, const project::Case& variant, const foundation::Progress& step, Answers& answers) {
+void add_map(const project::Project& project, const project::Case& variant, const foundation::Progress& step,
+             Answers& answers) {
   try {
     answers.map = design_map(project, variant, *variant.analyses.map, {}, step);
     answers.warnings.add(answers.map->warnings);
@@ -30,25 +31,31 @@ void add_map(const project::Project& project, const project::Case& variant, cons
 }
 
 /// `lowest`: the scaled eigenvalue that tells whether it gives energy.
-void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v, double lowest, bool symmetric,
-                      std::vector<CheckLine>& lines) {
+void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v,
+                      double lowest, bool symmetric, std::vector<CheckLine>& lines) {
   if (v.highest_eigenvalue == 0) return;
   lines.push_back({subject, quantity + " resists no rigid motion", fmt::format("{:.1e} of its scale", v.rigid_residual),
                    v.rigid_residual <= elements::silent_residual});
   if (symmetric) {
-    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry), v.asymmetry <= elements::rounding_of_data});
-    lines.push_back({subject, quantity + " gives no energy", fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest), lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
+    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry),
+                     v.asymmetry <= elements::rounding_of_data});
+    lines.push_back({subject, quantity + " gives no energy",
+                     fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest),
+                     lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
   }
 }
 
 }  // namespace
 
-std::vector<Answers> run(const project::Project& project, const foundation::Progress& progress, const std::function<void(std::size_t, const Answers&)>& done) {
+std::vector<Answers> run(const project::Project& project, const foundation::Progress& progress,
+                         const std::function<void(std::size_t, const Answers&)>& done) {
   std::vector<Answers> all;
   for (std::size_t i = 0; i < project.cases.size(); ++i) {
     const project::Case& variant = project.cases[i];
     const auto step = [&](std::string_view task, double fraction) {
-      if (progress) progress(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task), (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
+      if (progress)
+        progress(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task),
+                 (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     all.push_back(answers(variant, variant.analyses, step));
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
@@ -65,16 +72,21 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
     if (!body.has_inertia) continue;
     const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
     const Eigen::VectorXd a = numerics::symmetric_eigenvalues(Eigen::MatrixXd(spatial::mass_matrix(body.mass)));
-    lines.push_back({subject, "principal central moments are those of a real body", fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
+    lines.push_back({subject, "principal central moments are those of a real body",
+                     fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
                      spatial::broken_bounds(body.mass).empty()});
-    lines.push_back({subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
+    lines.push_back(
+        {subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
   }
   for (const auto& element : variant.system.elements()) {
     const std::string subject = "element " + element.name;
     const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
-    const elements::MatrixVerdict of_k = study::matrix_verdict(variant, element, k), of_b = study::matrix_verdict(variant, element, b);
+    const elements::MatrixVerdict of_k = study::matrix_verdict(variant, element, k),
+                                  of_b = study::matrix_verdict(variant, element, b);
     // Turned as a whole, a preloaded element does work: N is held.
-    add_matrix_lines(subject, "stiffness", of_k, element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric, lines);
+    add_matrix_lines(subject, "stiffness", of_k,
+                     element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric,
+                     lines);
     add_matrix_lines(subject, "damping", of_b, of_b.lowest_eigenvalue, element.symmetric, lines);
   }
   return lines;
@@ -92,7 +104,9 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     found.warnings.add(modal::roots(variant.system, assembled, modes).warnings);
     found.lines = check_lines(variant);
     if (!cases.empty())
-      std::erase_if(found.lines, [&](const CheckLine& line) { return std::find(cases.front().lines.begin(), cases.front().lines.end(), line) != cases.front().lines.end(); });
+      std::erase_if(found.lines, [&](const CheckLine& line) {
+        return std::find(cases.front().lines.begin(), cases.front().lines.end(), line) != cases.front().lines.end();
+      });
     found.free_motions = modal::free_motions(variant.system, assembled, modes);
     if (cases.empty()) found.notes = plausibility::overturning_notes(variant.system);
     if (deep) found.deep = deep_check(variant);

@@ -30,11 +30,11 @@ struct CheckLine {
 /// What can be said of a case without answering its questions.
 struct CaseCheck {
   std::string case_name;
-  foundation::Problems warnings;           ///< of the data, the modes and the roots
-  std::vector<CheckLine> lines;            ///< of a case other than the base model: those that differ from it
+  foundation::Problems warnings;  ///< of the data, the modes and the roots
+  std::vector<CheckLine> lines;   ///< of a case other than the base model: those that differ from it
   std::vector<std::string> free_motions;
-  std::vector<std::string> notes;          ///< of the base model: bodies that gravity tilts
-  std::optional<response::DeepCheck> deep; ///< two solvers compared, if that was asked for
+  std::vector<std::string> notes;           ///< of the base model: bodies that gravity tilts
+  std::optional<response::DeepCheck> deep;  ///< two solvers compared, if that was asked for
 };
 
 /// All cases of a project. @param deep  compare the solver with a second, independent one

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From where on no slope of several |y|² changes its sign any more, one design per lane: in u = 1/x the rest of the axis is one panel.
+// From where on no slope of several |y|² changes its sign any more, one design per lane: in u = 1/x the rest of the
+// axis is one panel.
 #if defined(TRIVET_NUMERICS_AXIS_TAIL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_AXIS_TAIL_INL_H_
 #undef TRIVET_NUMERICS_AXIS_TAIL_INL_H_
@@ -15,12 +16,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more. In u = 1/x a curve has the
-/// same form, with poles 1/z, and one panel reaches from there to u = 0.
+/// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more.
+/// In u = 1/x a curve has the same form, with poles 1/z, and one panel reaches from there to u = 0.
 /// @param complete  leaves the lanes where that is proven
 template <typename Size>
-HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question, const WalkOptions& options,
-                                  LaneMask& complete) {
+HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels,
+                                    const PeakQuestion& question, const WalkOptions& options, LaneMask& complete) {
   constexpr int most_doublings = 40;
   const SquarePoles<Size>& poles = pack.poles;
   WalkedPack<Size> inverted;
@@ -61,7 +62,9 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
       // Slopes that vanish at u = 0 keep their sign while they are monotonic.
       const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
       const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;
-      if (!flat_at_infinity) own = hn::And(own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
+      if (!flat_at_infinity)
+        own = hn::And(
+            own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
       all_settled = hn::And(all_settled, own);
       curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x falls as u rises
     }

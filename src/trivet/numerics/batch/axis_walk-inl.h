@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All sign changes of the slopes of several |y|², one design per lane, with a proof: a walk along x = ω² in panels, on each of which
-// f' is a polynomial p0 + p1 t + … + p4 t⁴ and a remainder that the distances of the poles bound. A panel is left behind when every curve's slope has
-// no zero on it, or is monotonic with a known sign at its end, or the curve cannot matter there; otherwise it is made shorter.
+// All sign changes of the slopes of several |y|², one design per lane, with a proof: a walk along x = ω² in panels, on
+// each of which f' is a polynomial p0 + p1 t + … + p4 t⁴ and a remainder that the distances of the poles bound. A panel
+// is left behind when every curve's slope has no zero on it, or is monotonic with a known sign at its end, or the curve
+// cannot matter there; otherwise it is made shorter.
 #if defined(TRIVET_NUMERICS_AXIS_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_AXIS_WALK_INL_H_
 #undef TRIVET_NUMERICS_AXIS_WALK_INL_H_
@@ -22,8 +23,8 @@ namespace trivet::numerics::HWY_NAMESPACE {
 template <typename Size>
 struct WalkedPack {
   SquarePoles<Size> poles;
-  Pack from, to;              ///< of x; both finite on the walk
-  LaneMask asked;             ///< lanes with good roots
+  Pack from, to;   ///< of x; both finite on the walk
+  LaneMask asked;  ///< lanes with good roots
   // where only the highest values are asked:
   Zones<Size> zones;
   LaneMask open[Size::most];  ///< zones in which some curve may be higher than its best value known
@@ -32,42 +33,45 @@ struct WalkedPack {
 /// One curve of a pack on the walk.
 struct WalkedCurve {
   SquaredResponse f;
-  Pack best;                  ///< highest value of f seen on the band
-  Pack sign;                  ///< of the slope, last known: −1, 1, or 0
-  Pack tail;                  ///< the same beyond the walk, to x = ∞; 0 if there is nothing
+  Pack best;                      ///< highest value of f seen on the band
+  Pack sign;                      ///< of the slope, last known: −1, 1, or 0
+  Pack tail;                      ///< the same beyond the walk, to x = ∞; 0 if there is nothing
   Pack covered_from, covered_to;  ///< where nothing is higher than `best`, as is known already
-  LaneMask open[most_pairs];  ///< zones in which something may be
+  LaneMask open[most_pairs];      ///< zones in which something may be
   // of the panel at hand
-  Pack p0, p1, p2;            ///< its slope at the middle is p0 + p1 (x − centre) + p2 (x − centre)² …
-  Pack start, rest;           ///< slope at its start, and what the slope may be off
-  Pack most;                  ///< f is nowhere higher
-  Pack after;                 ///< sign at its end; 0 if not known
+  Pack p0, p1, p2;   ///< its slope at the middle is p0 + p1 (x − centre) + p2 (x − centre)² …
+  Pack start, rest;  ///< slope at its start, and what the slope may be off
+  Pack most;         ///< f is nowhere higher
+  Pack after;        ///< sign at its end; 0 if not known
 };
 
 /// 1/(x − z) and what follows from it at the middle of a panel.
 struct PanelPowers {
-  PairPack w[6];              ///< powers 1 … 6
-  Pack plain, turned;         ///< bounds on the remainder: for C.first, and for C.second
+  PairPack w[6];       ///< powers 1 … 6
+  Pack plain, turned;  ///< bounds on the remainder: for C.first, and for C.second
 };
 
 constexpr double most_share = 0.43;   ///< of a panel's half width in the distance of its middle from the nearest pole
 constexpr double least_share = 1e-5;  ///< where no sign can be told on shorter panels, the walk is given up
 constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
-constexpr double round_off = 6e-15;   ///< of a sum of C wᵐ over twelve poles and of the polynomial it goes into, against Σ |C| |w|ᵐ
-constexpr double low_share = 0.01;    ///< of what a peak must rise by: a curve that is lower has no peak that counts
-constexpr double most_doubt = 0.2;    ///< of the same: heights that round-off hides are taken as they are below
-/// The remainder of f'' against that of f' over the half panel: its terms i ≥ 5 count i times, on average fewer than 6.5 times.
+constexpr double round_off =
+    6e-15;  ///< of a sum of C wᵐ over twelve poles and of the polynomial it goes into, against Σ |C| |w|ᵐ
+constexpr double low_share = 0.01;  ///< of what a peak must rise by: a curve that is lower has no peak that counts
+constexpr double most_doubt = 0.2;  ///< of the same: heights that round-off hides are taken as they are below
+/// The remainder of f'' against that of f' over the half panel: its terms i ≥ 5 count i times, on average fewer
+/// than 6.5 times.
 constexpr double slope_of_rest = 7;
 
-/// Half width of the panel that starts at x so that it is `share` of the distance of its middle from the nearest pole; a little less by
-/// (4a + 3b)/5 ≤ √(a² + b²).
+/// Half width of the panel that starts at x so that it is `share` of the distance of its middle from the nearest pole;
+/// a little less by (4a + 3b)/5 ≤ √(a² + b²).
 template <typename Size>
 HWY_NOINLINE Pack half_width(const SquarePoles<Size>& poles, const Pack& x, const Pack& share) {
   const Pack square = hn::Mul(share, share);
   Pack least = all(1e300);
   each(poles.count, [&](int k) TRIVET_LANES {
-    const Pack b = hn::Abs(poles.aside[k]), nearest = hn::IfThenElse(poles.real[k], hn::Add(poles.centre[k], b), poles.centre[k]);
+    const Pack b = hn::Abs(poles.aside[k]),
+               nearest = hn::IfThenElse(poles.real[k], hn::Add(poles.centre[k], b), poles.centre[k]);
     const Pack aside = hn::IfThenZeroElse(poles.real[k], hn::Mul(all(0.9), b));
     const Pack ahead = hn::Sub(x, nearest), a = hn::Abs(ahead);
     const Pack large = hn::Max(a, aside), small = hn::Min(a, aside);
@@ -78,17 +82,21 @@ HWY_NOINLINE Pack half_width(const SquarePoles<Size>& poles, const Pack& x, cons
 }
 
 template <typename Size>
-HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre, const Pack& half, PanelPowers* powers) {
+HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre, const Pack& half,
+                              PanelPowers* powers) {
   each(poles.count, [&](int k) TRIVET_LANES {
     PanelPowers& p = powers[k];
     p.w[0] = reach(poles, k, centre);
     const Pack unit_aside = hn::Mul(poles.unit[k], p.w[0].second);
     for (int m = 1; m < 6; ++m) p.w[m] = times_turned(p.w[m - 1], p.w[0], unit_aside);
-    const Pack modulus = modulus_above(poles.real[k], p.w[0]), aside = hn::Abs(p.w[0].second), r = hn::Mul(half, modulus);
+    const Pack modulus = modulus_above(poles.real[k], p.w[0]), aside = hn::Abs(p.w[0].second),
+               r = hn::Mul(half, modulus);
     // Σ_{i ≥ 5} (i + 1) ρⁱ and Σ_{i ≥ 5} (i + 1)(i + 2) ρⁱ from above, ρ ≤ 0.47
     const Pack square = hn::Mul(r, r), fifth = hn::Mul(hn::Mul(square, square), r);
-    const Pack tail = hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(18.7), all(8.0)), all(7.0)), all(6.0)));
-    const Pack turned_tail = hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(207.0), all(72.0)), all(56.0)), all(42.0)));
+    const Pack tail =
+        hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(18.7), all(8.0)), all(7.0)), all(6.0)));
+    const Pack turned_tail =
+        hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(207.0), all(72.0)), all(56.0)), all(42.0)));
     p.plain = hn::Mul(hn::Mul(modulus, modulus), hn::Add(tail, all(round_off)));
     // The part of wᵐ that belongs to j is at most m |b| |w|ᵐ⁻¹.
     p.turned = hn::Mul(hn::Mul(modulus, aside), hn::Add(turned_tail, all(2 * round_off)));
@@ -102,7 +110,8 @@ struct WalkOptions {
 
 /// Lanes where a curve is known to stay below its best value between two places.
 template <typename Size>
-HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const WalkedCurve& curve, const Pack& x, const Pack& end) {
+HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const WalkedCurve& curve,
+                                    const Pack& x, const Pack& end) {
   LaneMask open = hn::Lt(x, x);
   each(zones.count, [&](int k) TRIVET_LANES { open = hn::Or(open, hn::And(shared[k], curve.open[k])); });
   return hn::Or(hn::Not(open), hn::And(hn::Ge(x, curve.covered_from), hn::Le(end, curve.covered_to)));
@@ -110,10 +119,12 @@ HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* sh
 
 /// Slope of one curve on the panel at hand. @return lanes where nothing more is to be found out
 template <typename Size>
-HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre, const Pack& half, const WalkOptions& options,
-                           const LaneMask& covered, WalkedCurve& curve) {
+HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre,
+                             const Pack& half, const WalkOptions& options, const LaneMask& covered,
+                             WalkedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
-  Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, rest = zero;
+  Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero,
+       s4 = zero, rest = zero;
   each(pack.poles.count, [&](int k) TRIVET_LANES {
     const PairPack C = curve.f.C[k];
     const PanelPowers& p = powers[k];
@@ -127,15 +138,22 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   });
   // The slope at centre + t half, |t| ≤ 1, is Σ cᵢ tⁱ and a remainder.
   const Pack square = hn::Mul(half, half);
-  const Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1), c2 = hn::Mul(square, p2);
-  const Pack c3 = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)), c4 = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
-  // Bernstein's coefficients: the polynomial lies between the least and the largest, its own slope between twice their differences.
-  const Pack even = hn::Add(c0, c4), odd = hn::Add(c1, c3), middle = hn::Mul(all(0.5), hn::Sub(c1, c3)), ends = hn::Add(even, c2), inner = hn::Sub(c0, c4);
-  const Pack b0 = hn::Sub(ends, odd), b1 = hn::Sub(inner, middle), b2 = hn::NegMulAdd(all(1.0 / 3), c2, even), b3 = hn::Add(inner, middle), b4 = hn::Add(ends, odd);
-  const Pack lowest = hn::Min(hn::Min(hn::Min(b0, b1), hn::Min(b3, b4)), b2), highest = hn::Max(hn::Max(hn::Max(b0, b1), hn::Max(b3, b4)), b2);
+  const Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1),
+             c2 = hn::Mul(square, p2);
+  const Pack c3 = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)),
+             c4 = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
+  // Bernstein's coefficients: the polynomial lies between the least and the largest, its own slope between twice their
+  // differences.
+  const Pack even = hn::Add(c0, c4), odd = hn::Add(c1, c3), middle = hn::Mul(all(0.5), hn::Sub(c1, c3)),
+             ends = hn::Add(even, c2), inner = hn::Sub(c0, c4);
+  const Pack b0 = hn::Sub(ends, odd), b1 = hn::Sub(inner, middle), b2 = hn::NegMulAdd(all(1.0 / 3), c2, even),
+             b3 = hn::Add(inner, middle), b4 = hn::Add(ends, odd);
+  const Pack lowest = hn::Min(hn::Min(hn::Min(b0, b1), hn::Min(b3, b4)), b2),
+             highest = hn::Max(hn::Max(hn::Max(b0, b1), hn::Max(b3, b4)), b2);
   const LaneMask steady = hn::Gt(hn::Max(lowest, hn::Neg(highest)), rest);
   const Pack d0 = hn::Sub(b1, b0), d1 = hn::Sub(b2, b1), d2 = hn::Sub(b3, b2), d3 = hn::Sub(b4, b3);
-  const Pack least_bend = hn::Min(hn::Min(d0, d1), hn::Min(d2, d3)), most_bend = hn::Max(hn::Max(d0, d1), hn::Max(d2, d3));
+  const Pack least_bend = hn::Min(hn::Min(d0, d1), hn::Min(d2, d3)),
+             most_bend = hn::Max(hn::Max(d0, d1), hn::Max(d2, d3));
   const LaneMask monotonic = hn::Gt(hn::Max(least_bend, hn::Neg(most_bend)), hn::Mul(all(0.5 * slope_of_rest), rest));
   const LaneMask turns = hn::Or(steady, hn::And(monotonic, hn::Gt(hn::Abs(b4), rest)));
   curve.p0 = c0, curve.p1 = p1, curve.p2 = p2, curve.start = b0, curve.rest = rest;
@@ -153,25 +171,26 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   constexpr double flat_share = 0.03, flat_top = 1e-10;
   const Pack matters = hn::Mul(all(options.matters * options.matters), curve.best), change = hn::Add(swing, swing);
   const LaneMask low = hn::Lt(curve.most, hn::Mul(all(low_share * low_share), matters));
-  const LaneMask flat = hn::And(hn::Lt(hn::Mul(change, change), hn::Mul(hn::Mul(all(flat_share * flat_share), matters), hn::Sub(value, swing))),
-                                hn::Lt(change, hn::Mul(all(flat_top), curve.best)));
+  const LaneMask flat = hn::And(
+      hn::Lt(hn::Mul(change, change), hn::Mul(hn::Mul(all(flat_share * flat_share), matters), hn::Sub(value, swing))),
+      hn::Lt(change, hn::Mul(all(flat_top), curve.best)));
   return hn::Or(known, hn::Or(low, flat));
 }
 
 /// A panel on which a curve need not be looked at.
-HWY_INLINE void pass(WalkedCurve& curve) {
-  curve.after = curve.sign = hn::Zero(Lanes());
-}
+HWY_INLINE void pass(WalkedCurve& curve) { curve.after = curve.sign = hn::Zero(Lanes()); }
 
 /// Where the sign has changed on a panel that is left behind.
-HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half, bool every, int channel,
-                            FoundExtrema& found) {
+HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half,
+                              bool every, int channel, FoundExtrema& found) {
   const Pack zero = hn::Zero(Lanes());
   LaneMask changed = hn::And(left, hn::Lt(hn::Mul(curve.sign, curve.after), zero));
   if (!every) {
     // What was passed by as too low leaves no sign: then that at the start of the panel counts.
-    const LaneMask rising = hn::Or(hn::Gt(curve.sign, zero), hn::And(hn::Eq(curve.sign, zero), hn::Gt(curve.start, hn::Neg(curve.rest))));
-    changed = hn::And(hn::And(left, rising), hn::And(hn::Lt(curve.after, zero), hn::Ge(curve.most, hn::Mul(all(1 - 1e-13), curve.best))));
+    const LaneMask rising =
+        hn::Or(hn::Gt(curve.sign, zero), hn::And(hn::Eq(curve.sign, zero), hn::Gt(curve.start, hn::Neg(curve.rest))));
+    changed = hn::And(hn::And(left, rising),
+                      hn::And(hn::Lt(curve.after, zero), hn::Ge(curve.most, hn::Mul(all(1 - 1e-13), curve.best))));
   }
   if (hn::AllFalse(Lanes(), changed)) return;
   const Pack first = hn::Neg(hn::Div(curve.p0, curve.p1));
@@ -190,7 +209,8 @@ HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, co
   }
 }
 
-/// The next place where it pays to look again when only the highest values are asked: some widths of a resonance before or behind it.
+/// The next place where it pays to look again when only the highest values are asked: some widths of a resonance before
+/// or behind it.
 template <typename Size>
 HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
   constexpr double widths = 6;
@@ -207,19 +227,19 @@ HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
 
 /// Lanes where every curve stays below its best value between x and `stop`, by the distances of the poles alone.
 template <typename Size>
-HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x, const Pack& stop) {
+HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x,
+                                  const Pack& stop) {
   const SquarePoles<Size>& poles = pack.poles;
   PairPack most[Size::most];  // |a| and |b| of 1/(x − z) = a + b j
-  each(poles.count, [&](int k) TRIVET_LANES {
-    most[k] = most_between(poles, k, x, stop);
-  });
+  each(poles.count, [&](int k) TRIVET_LANES { most[k] = most_between(poles, k, x, stop); });
   LaneMask below = hn::Eq(x, x), shared[Size::most];
   shared_with(pack.zones, x, stop, shared);
   for (int c = 0; c < channels && !hn::AllFalse(Lanes(), below); ++c) {
     const SquaredResponse& f = curves[c].f;
     Pack value = hn::MulAdd(hn::Abs(f.slope), stop, hn::Abs(f.constant));
     each(poles.count, [&](int k) TRIVET_LANES {
-      value = hn::MulAdd(hn::Abs(f.C[k].first), most[k].first, hn::MulAdd(hn::Abs(f.C[k].second), most[k].second, value));
+      value =
+          hn::MulAdd(hn::Abs(f.C[k].first), most[k].first, hn::MulAdd(hn::Abs(f.C[k].second), most[k].second, value));
     });
     const LaneMask covered = covered_between(pack.zones, shared, curves[c], x, stop);
     below = hn::And(below, hn::Or(covered, hn::Lt(value, hn::Mul(all(1 - 1e-13), curves[c].best))));
@@ -260,7 +280,8 @@ HWY_NOINLINE LaneMask hop(const WalkedPack<Size>& pack, WalkedCurve* curves, int
 
 /// @return lanes whose walk came to its end
 template <typename Size>
-HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options, FoundExtrema& found) {
+HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options,
+                           FoundExtrema& found) {
   PanelPowers powers[Size::most];
   Pack x = pack.from, share = all(most_share);
   LaneMask live = hn::And(pack.asked, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);
@@ -275,7 +296,8 @@ HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, in
     if (!options.every_extremum) shared_with(pack.zones, x, hn::Add(centre, half), shared);
     for (int c = 0; c < channels && !hn::AllFalse(Lanes(), left); ++c) {
       if (!options.every_extremum) covered = covered_between(pack.zones, shared, curves[c], x, hn::Add(centre, half));
-      if (options.every_extremum || !hn::AllTrue(Lanes(), hn::Or(covered, hn::Not(live)))) left = hn::And(left, settle(pack, powers, centre, half, options, covered, curves[c]));
+      if (options.every_extremum || !hn::AllTrue(Lanes(), hn::Or(covered, hn::Not(live))))
+        left = hn::And(left, settle(pack, powers, centre, half, options, covered, curves[c]));
       else pass(curves[c]);
     }
     if (!hn::AllFalse(Lanes(), left))
@@ -286,7 +308,8 @@ HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, in
         curve.sign = hn::IfThenElse(takes, curve.after, curve.sign);
       }
     x = hn::IfThenElse(left, hn::IfThenElse(last, pack.to, hn::Add(x, hn::Add(half, half))), x);
-    share = hn::IfThenElse(left, hn::Min(hn::Mul(share, all(widening)), all(most_share)), hn::Mul(share, all(narrowing)));
+    share =
+        hn::IfThenElse(left, hn::Min(hn::Mul(share, all(widening)), all(most_share)), hn::Mul(share, all(narrowing)));
     failed = hn::Or(failed, hn::And(live, hn::Lt(share, all(least_share))));
     live = hn::AndNot(failed, hn::And(live, hn::Lt(x, pack.to)));
   }

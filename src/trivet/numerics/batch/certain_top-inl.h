@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The highest maximum of each |y|², found from its resonances, and how far around it nothing can be higher. With y = x − x*, L the part of f that
-// belongs to the pole next to x* and R the rest, f'(x*) = 0 makes
+// The highest maximum of each |y|², found from its resonances, and how far around it nothing can be higher. With y = x
+// − x*, L the part of f that belongs to the pole next to x* and R the rest, f'(x*) = 0 makes
 //   f − f* = (L − L* − L'* y) + (R − R* − R'* y) = −y² (α + β y)/D(x) + (≤ ½ max|R''| y²),
-// D = |x − z|², β = L'*, α = L* + D'* L'*: f is nowhere higher where (α − |β y|)/D stays above ½ max|R''|. It stays above by a tenth of α/D, so that a slope
-// that is not quite zero, as far as Halley's step would change f by s, costs some 10 s at most.
+// D = |x − z|², β = L'*, α = L* + D'* L'*: f is nowhere higher where (α − |β y|)/D stays above ½ max|R''|. It stays
+// above by a tenth of α/D, so that a slope that is not quite zero, as far as Halley's step would change f by s, costs
+// some 10 s at most.
 #if defined(TRIVET_NUMERICS_CERTAIN_TOP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
 #undef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
@@ -21,7 +22,8 @@ struct Top {
   Pack at, value;
   Pack pole;         ///< whose resonance it is
   Pack away;         ///< how far from that pole the range in which nothing is higher reaches on either side
-  LaneMask settled;  ///< the slope vanishes there as far as can be told, and all around is lower within the range that is covered
+  LaneMask settled;  ///< the slope vanishes there as far as can be told, and all around is lower within the range that
+                     ///< is covered
 };
 
 /// The part of a curve that belongs to one of its poles, another in each lane.
@@ -32,7 +34,8 @@ struct Resonance {
 
 /// The one whose curve is highest right above its pole.
 template <typename Size>
-HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack* above_poles) {
+HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const SquaredResponse& f,
+                                       const Pack* above_poles) {
   Resonance best{all(0.0), poles.centre[0], poles.aside[0], poles.unit[0], f.C[0]};
   Pack highest = above_poles[0];
   each(Fixed<1>(), poles.count, [&](int k) TRIVET_LANES {
@@ -49,9 +52,11 @@ HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const Squ
   return best;
 }
 
-/// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that distance times the share.
+/// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that distance times the
+/// share.
 template <typename Size>
-HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse& f, const Resonance& own, const Pack& x, Pack& bend, Pack& reach_of_it) {
+HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse& f, const Resonance& own,
+                               const Pack& x, Pack& bend, Pack& reach_of_it) {
   constexpr double share = 0.3, nearer = 1 / (0.7 * 0.7 * 0.7);
   Pack sum = hn::Zero(Lanes()), nearest = sum;
   each(poles.count, [&](int k) TRIVET_LANES {
@@ -101,7 +106,8 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   const LaneMask complex = hn::Lt(own.unit, hn::Zero(Lanes()));
   constexpr double margin = 0.9;
   const LaneMask proven =
-      hn::And(hn::And(complex, hn::Gt(range, hn::Zero(Lanes()))), hn::Gt(hn::NegMulAdd(hn::Abs(beta), range, hn::Mul(all(margin), alpha)), hn::Mul(bend, largest)));
+      hn::And(hn::And(complex, hn::Gt(range, hn::Zero(Lanes()))),
+              hn::Gt(hn::NegMulAdd(hn::Abs(beta), range, hn::Mul(all(margin), alpha)), hn::Mul(bend, largest)));
   top.settled = hn::And(top.settled, proven);
   curve.covered_from = hn::IfThenElse(top.settled, hn::Sub(x, range), all(1.0));
   curve.covered_to = hn::IfThenElse(top.settled, hn::Add(x, range), all(-1.0));
@@ -110,16 +116,17 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   return top;
 }
 
-/// Finds the zones in which a curve may be higher than its best value: where the sum of what each pair of poles can add there at most is.
+/// Finds the zones in which a curve may be higher than its best value: where the sum of what each pair of poles can add
+/// there at most is.
 template <typename Size>
 HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurve* curves, int channels) {
   const SquarePoles<Size>& poles = pack.poles;
   const Zones<Size>& zones = pack.zones;
   const Pack zero = hn::Zero(Lanes());
   struct {
-    PairPack most[Size::most];    // of 1/(x − z)
-    LaneMask right[Size::most];   // the zone lies above that pole
-    LaneMask crowded;             // another pole stands in it
+    PairPack most[Size::most];   // of 1/(x − z)
+    LaneMask right[Size::most];  // the zone lies above that pole
+    LaneMask crowded;            // another pole stands in it
   } zone[Size::most];
   each(zones.count, [&](int m) TRIVET_LANES {
     zone[m].crowded = hn::Lt(zero, zero);
@@ -149,10 +156,12 @@ HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurv
         other = hn::MulAdd(aside[k], zone[m].most[k].second, other);
       });
       PairPack nearest = zone[m].most[m];
-      const LaneMask at_top = hn::AndNot(poles.real[m], hn::Eq(tops[c].pole, all(static_cast<double>(static_cast<int>(m)))));
+      const LaneMask at_top =
+          hn::AndNot(poles.real[m], hn::Eq(tops[c].pole, all(static_cast<double>(static_cast<int>(m)))));
       if (!hn::AllFalse(Lanes(), at_top)) {
         const PairPack beyond = most_reach(poles.aside[m], tops[c].away);
-        nearest = {hn::IfThenElse(at_top, beyond.first, nearest.first), hn::IfThenElse(at_top, beyond.second, nearest.second)};
+        nearest = {hn::IfThenElse(at_top, beyond.first, nearest.first),
+                   hn::IfThenElse(at_top, beyond.second, nearest.second)};
       }
       one = hn::MulAdd(hn::Max(up[m], down[m]), nearest.first, one);
       other = hn::MulAdd(aside[m], nearest.second, other);

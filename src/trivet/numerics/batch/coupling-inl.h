@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which curves the poles of a table tell to nine digits: the load must move them by more than round-off, and their sums must not cancel.
+// Which curves the poles of a table tell to nine digits: the load must move them by more than round-off, and their sums
+// must not cancel.
 #if defined(TRIVET_NUMERICS_COUPLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_COUPLING_INL_H_
 #undef TRIVET_NUMERICS_COUPLING_INL_H_
@@ -7,9 +8,9 @@
 #define TRIVET_NUMERICS_COUPLING_INL_H_
 #endif
 
-#include "trivet/numerics/peaks/extremum.h"
 #include "trivet/numerics/batch/peak_question.h"
 #include "trivet/numerics/batch/tabled_roots-inl.h"
+#include "trivet/numerics/peaks/extremum.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -20,14 +21,17 @@ HWY_INLINE Pack squared_size(const PairPack& r) { return hn::MulAdd(r.first, r.f
 struct PackOfResidues {
   PairPack r[most_pairs][most_pairs];  ///< [pair][coordinate]
   Pack unit[most_pairs];               ///< 1/√A_jj
-  /// Squares, by pair of poles. A curve whose residues are far below the one has resonances far below what other coordinates do: at that pole, or at
-  /// rest by any. Below the other, the load being what it is, a residue begins to lose its digits.
+  /// Squares, by pair of poles. A curve whose residues are far below the one has resonances far below what other
+  /// coordinates do: at that pole, or at rest by any. Below the other, the load being what it is, a residue begins to
+  /// lose its digits.
   Pack visible[most_pairs], possible[most_pairs];
 };
 
 template <typename Size>
-HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, const PolePairs& roots, PackOfResidues& residues) {
-  Pack mass[Size::most], motion[Size::most], modulus[Size::most], by_modulus[Size::most], at_rest = hn::Zero(Lanes()), accelerated = at_rest;
+HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, const PolePairs& roots,
+                                  PackOfResidues& residues) {
+  Pack mass[Size::most], motion[Size::most], modulus[Size::most], by_modulus[Size::most], at_rest = hn::Zero(Lanes()),
+                                                                                          accelerated = at_rest;
   each(n, [&](int j) TRIVET_LANES {
     mass[j] = from_table(table.mass[j], lane);
     residues.unit[j] = inverse_root(mass[j]);
@@ -60,10 +64,14 @@ HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const
   LaneMask none = hn::Eq(all(0.0), all(0.0)), little = none;
   each(n, [&](int k) TRIVET_LANES {
     const Pack size = squared_size(r[k]);
-    none = hn::And(none, hn::Le(size, hn::Mul(hn::Mul(all(vanishing_share * vanishing_share), weight[k]), residues.visible[k])));
-    little = hn::And(little, hn::Le(size, hn::Mul(hn::Mul(all(least_known * least_known), weight[k]), residues.possible[k])));
+    none = hn::And(
+        none, hn::Le(size, hn::Mul(hn::Mul(all(vanishing_share * vanishing_share), weight[k]), residues.visible[k])));
+    little = hn::And(little,
+                     hn::Le(size, hn::Mul(hn::Mul(all(least_known * least_known), weight[k]), residues.possible[k])));
   });
-  each(n, [&](int k) TRIVET_LANES { r[k] = {hn::IfThenZeroElse(none, r[k].first), hn::IfThenZeroElse(none, r[k].second)}; });
+  each(n, [&](int k) TRIVET_LANES {
+    r[k] = {hn::IfThenZeroElse(none, r[k].first), hn::IfThenZeroElse(none, r[k].second)};
+  });
   return hn::Or(none, hn::Not(little));
 }
 
@@ -71,7 +79,8 @@ HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const
 HWY_INLINE PairPack row_times(const Eigen::VectorXd& row, const PairPack* r) {
   PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())};
   for (Eigen::Index j = 0; j < row.size(); ++j)
-    if (row(j) != 0) sum = {hn::MulAdd(all(row(j)), r[j].first, sum.first), hn::MulAdd(all(row(j)), r[j].second, sum.second)};
+    if (row(j) != 0)
+      sum = {hn::MulAdd(all(row(j)), r[j].first, sum.first), hn::MulAdd(all(row(j)), r[j].second, sum.second)};
   return sum;
 }
 
@@ -85,14 +94,16 @@ HWY_INLINE Pack weight_of(const Eigen::VectorXd& row, const Pack* unit) {
 
 /// Residues of one channel. @return lanes where they have their digits
 template <typename Size>
-HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles, const ObservedRow& row, PairPack* r) {
+HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles,
+                                  const ObservedRow& row, PairPack* r) {
   const Pack plain = weight_of(row.on_displacement, residues.unit), of_rate = weight_of(row.on_velocity, residues.unit);
   Pack weight[most_pairs];
   for (int k = 0; k < n; ++k) {
     r[k] = row_times(row.on_displacement, residues.r[k]);
     weight[k] = plain;
     if (row.on_velocity.size() > 0) {
-      const PairPack lambda = poles.lambda[k], turned = times(poles.real[k], lambda, row_times(row.on_velocity, residues.r[k]));
+      const PairPack lambda = poles.lambda[k],
+                     turned = times(poles.real[k], lambda, row_times(row.on_velocity, residues.r[k]));
       r[k] = {hn::Add(r[k].first, turned.first), hn::Add(r[k].second, turned.second)};
       weight[k] = hn::MulAdd(hn::Add(hn::Abs(lambda.first), hn::Abs(lambda.second)), of_rate, plain);
     }

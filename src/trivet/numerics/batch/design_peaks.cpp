@@ -9,11 +9,11 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/pieces.h"
-#include "trivet/numerics/peaks/disc_search.h"
-#include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/peaks/peak_count.h"
 #include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/peaks/disc_search.h"
+#include "trivet/numerics/peaks/peak_count.h"
 
 namespace trivet::numerics {
 namespace {
@@ -23,26 +23,33 @@ constexpr std::size_t designs_per_piece = 512;
 void check(const Designs& designs, const DesignPeakOptions& options) {
   require_shapes(designs, "peaks of designs");
   const Eigen::Index n = designs.coordinates();
-  const auto refuse = [](const char* rule) { throw foundation::InvalidInput(std::string("peaks of designs: ") + rule); };
-  if (!(options.from >= 0) || !(options.to > options.from) || std::isinf(options.from)) refuse("a band needs 0 ≤ from < to");
+  const auto refuse = [](const char* rule) {
+    throw foundation::InvalidInput(std::string("peaks of designs: ") + rule);
+  };
+  if (!(options.from >= 0) || !(options.to > options.from) || std::isinf(options.from))
+    refuse("a band needs 0 ≤ from < to");
   if (!(options.min_prominence >= 0)) refuse("a prominence is a share ≥ 0");
   if (options.rows.size() > 0 && options.rows.cols() != n) refuse("a row needs one number for every coordinate");
-  if (options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.rows() != options.rows.rows() || options.rows_on_velocity.cols() != n))
+  if (options.rows_on_velocity.size() > 0 &&
+      (options.rows_on_velocity.rows() != options.rows.rows() || options.rows_on_velocity.cols() != n))
     refuse("rows on velocity need the shape of the rows on displacement");
-  if (!options.derivative.empty() && static_cast<Eigen::Index>(options.derivative.size()) != (options.rows.size() > 0 ? options.rows.rows() : n))
+  if (!options.derivative.empty() &&
+      static_cast<Eigen::Index>(options.derivative.size()) != (options.rows.size() > 0 ? options.rows.rows() : n))
     refuse("derivatives need one number for every channel");
   for (const int d : options.derivative)
     if (d < 0 || d > 2) refuse("a derivative is 0, 1 or 2");
 }
 
 std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& options) {
-  const Eigen::MatrixXd rows = options.rows.size() > 0 ? Eigen::MatrixXd(options.rows.matrix()) : Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n));
+  const Eigen::MatrixXd rows = options.rows.size() > 0 ? Eigen::MatrixXd(options.rows.matrix())
+                                                       : Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n));
   std::vector<ObservedRow> result;
   for (Eigen::Index c = 0; c < rows.rows(); ++c) {
     const auto at = static_cast<std::size_t>(c);
     // A row of zeros is none: whether a curve falls towards ω = ∞ hangs on it.
     const bool on_velocity = options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.row(c) != 0).any();
-    result.push_back({rows.row(c), on_velocity ? Eigen::VectorXd(options.rows_on_velocity.row(c).matrix()) : Eigen::VectorXd(),
+    result.push_back({rows.row(c),
+                      on_velocity ? Eigen::VectorXd(options.rows_on_velocity.row(c).matrix()) : Eigen::VectorXd(),
                       options.derivative.empty() ? 0 : options.derivative[at]});
   }
   return result;
@@ -63,18 +70,25 @@ ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search
 /// The designs of one designs_per_piece on their way to an answer.
 class Piece {
  public:
-  Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result) : designs_(designs), question_(question), result_(result) {}
+  Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result)
+      : designs_(designs), question_(question), result_(result) {}
 
   void work_through(Eigen::Index first, Eigen::Index last) {
-    std::vector<Eigen::Index> open = designs_.coordinates() <= most_pairs ? by_lanes(first, last) : all_definite(first, last);
+    std::vector<Eigen::Index> open =
+        designs_.coordinates() <= most_pairs ? by_lanes(first, last) : all_definite(first, last);
     std::erase_if(open, [&](Eigen::Index d) { return !is_finite(d); });
     if (designs_.coordinates() <= most_pairs) open = by_states(open);
     for (const Eigen::Index d : open) by_discs(d);
   }
 
  private:
-  Eigen::VectorXd load(Eigen::Index d) const { return designs_.load.row(designs_.load.rows() == 1 ? 0 : d).matrix().transpose(); }
-  bool is_finite(Eigen::Index d) const { return designs_.A.row(d).allFinite() && designs_.B.row(d).allFinite() && designs_.K.row(d).allFinite() && load(d).allFinite(); }
+  Eigen::VectorXd load(Eigen::Index d) const {
+    return designs_.load.row(designs_.load.rows() == 1 ? 0 : d).matrix().transpose();
+  }
+  bool is_finite(Eigen::Index d) const {
+    return designs_.A.row(d).allFinite() && designs_.B.row(d).allFinite() && designs_.K.row(d).allFinite() &&
+        load(d).allFinite();
+  }
   DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
 
   void note(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
@@ -89,7 +103,8 @@ class Piece {
   /// One lane of a table that was searched, if its proof is complete.
   bool take(Eigen::Index d, int lane, DesignStatus as) {
     if (!answers_.complete[lane]) return false;
-    for (std::size_t c = 0; c < question_.rows.size(); ++c) note(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
+    for (std::size_t c = 0; c < question_.rows.size(); ++c)
+      note(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
     status(d) = as;
     return true;
   }
@@ -100,7 +115,8 @@ class Piece {
       roots_of_designs(designs_, first, table_);
       peaks_from_roots(table_, question_, answers_);
       for (int lane = 0; lane < table_lanes && first + lane < last; ++lane)
-        if (table_.definite[lane] && !(table_.good[lane] && take(first + lane, lane, DesignStatus::proven))) open.push_back(first + lane);
+        if (table_.definite[lane] && !(table_.good[lane] && take(first + lane, lane, DesignStatus::proven)))
+          open.push_back(first + lane);
     }
     return open;
   }
@@ -110,10 +126,13 @@ class Piece {
     for (std::size_t first = 0; first < designs.size(); first += table_lanes) {
       const std::size_t count = std::min<std::size_t>(table_lanes, designs.size() - first);
       for (std::size_t i = 0; i < table_lanes; ++i)
-        table_.good[i] = i < count && roots_of_states(matrices_of(designs_, designs[first + i]), load(designs[first + i]), table_, static_cast<int>(i));
+        table_.good[i] = i < count &&
+            roots_of_states(matrices_of(designs_, designs[first + i]), load(designs[first + i]), table_,
+                            static_cast<int>(i));
       peaks_from_roots(table_, question_, answers_);
       for (std::size_t i = 0; i < count; ++i)
-        if (!(table_.good[i] && take(designs[first + i], static_cast<int>(i), DesignStatus::redone))) open.push_back(designs[first + i]);
+        if (!(table_.good[i] && take(designs[first + i], static_cast<int>(i), DesignStatus::redone)))
+          open.push_back(designs[first + i]);
     }
     return open;
   }
@@ -156,17 +175,23 @@ class Piece {
 DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& options) {
   check(designs, options);
   const Eigen::Index n = designs.coordinates(), count = designs.count();
-  const PeakQuestion question{observed_rows(n, options), options.from, options.to, options.count_peaks, options.min_prominence};
+  const PeakQuestion question{observed_rows(n, options), options.from, options.to, options.count_peaks,
+                              options.min_prominence};
   const auto channels = static_cast<Eigen::Index>(question.rows.size());
-  DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels), Eigen::ArrayXXd::Zero(count, channels), {}, {},
+  DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels),
+                     Eigen::ArrayXXd::Zero(count, channels),
+                     {},
+                     {},
                      std::vector<DesignStatus>(static_cast<std::size_t>(count), DesignStatus::impossible)};
   if (options.count_peaks) {
     result.peaks.setZero(count, channels);
     result.largest_rise.setZero(count, channels);
   }
-  foundation::for_each_piece(static_cast<std::size_t>(count), {designs_per_piece, options.threads, options.progress, "peaks of designs"},
+  foundation::for_each_piece(static_cast<std::size_t>(count),
+                             {designs_per_piece, options.threads, options.progress, "peaks of designs"},
                              [&](std::size_t first, std::size_t last) {
-                               Piece(designs, question, result).work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
+                               Piece(designs, question, result)
+                                   .work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
                              });
   return result;
 }

@@ -9,8 +9,8 @@ namespace trivet::numerics {
 struct FoundExtremum {
   int lane = 0;
   int channel = 0;
-  double at = 0;      ///< x = ω²
-  double lower = 0;   ///< ends of its panel
+  double at = 0;     ///< x = ω²
+  double lower = 0;  ///< ends of its panel
   double upper = 0;
   bool maximum = false;
   double value = 0;   ///< half of |y|², once refined

@@ -50,14 +50,17 @@ void maxima_of(Size n, const RootTable& table, const std::vector<double>& omega,
   for (int j = 0; j < n; ++j) {
     hn::StoreU(hn::Sqrt(hn::Max(hn::Zero(Lanes()), hn::Add(best[j], best[j]))), Lanes(), maxima.amplitude[j] + lane);
     hn::StoreU(where[j], Lanes(), maxima.angular_frequency[j] + lane);
-    known = hn::And(known, has_digits(sum_of_moduli(poles, f[j], hn::Mul(where[j], where[j])), from_table(table.round_off, lane), best[j]));
+    known = hn::And(known,
+                    has_digits(sum_of_moduli(poles, f[j], hn::Mul(where[j], where[j])),
+                               from_table(table.round_off, lane), best[j]));
   }
   store_mask(known, maxima.known + lane);
 }
 
 void maxima_in_lanes(const RootTable& table, const std::vector<double>& omega, TableMaxima& maxima) {
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    table.coordinates == 6 ? maxima_of(six_coordinates(), table, omega, lane, maxima) : maxima_of(AtMostTwelve{table.coordinates}, table, omega, lane, maxima);
+    table.coordinates == 6 ? maxima_of(six_coordinates(), table, omega, lane, maxima)
+                           : maxima_of(AtMostTwelve{table.coordinates}, table, omega, lane, maxima);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

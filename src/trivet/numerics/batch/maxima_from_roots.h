@@ -10,7 +10,8 @@ namespace trivet::numerics {
 /// Largest |q_j| of eight designs over a list of frequencies, and the lowest ω where it stands [rad/s].
 struct TableMaxima {
   alignas(64) RootTable::Row amplitude[most_pairs], angular_frequency[most_pairs];
-  bool known[table_lanes];  ///< to nine digits: no sum cancels, and the load moves each coordinate beyond round-off or not at all (then the amplitude is 0)
+  bool known[table_lanes];  ///< to nine digits: no sum cancels, and the load moves each coordinate beyond round-off or
+                            ///< not at all (then the amplitude is 0)
 };
 
 /// By partial fractions of |q_j|² in ω², a few operations a frequency; of designs whose roots are good.

@@ -11,7 +11,7 @@ namespace trivet::numerics {
 /// What is asked of every design.
 struct PeakQuestion {
   std::vector<ObservedRow> rows;
-  double from = 0, to = 0;          ///< [rad/s]
+  double from = 0, to = 0;  ///< [rad/s]
   bool count_peaks = true;
   double min_prominence = 1e-6;
 };

@@ -12,16 +12,17 @@
 #include "trivet/numerics/batch/axis_tail-inl.h"
 #include "trivet/numerics/batch/certain_top-inl.h"
 #include "trivet/numerics/batch/coupling-inl.h"
-#include "trivet/numerics/peaks/peak_count.h"
 #include "trivet/numerics/batch/peak_question.h"
 #include "trivet/numerics/batch/refined_extrema-inl.h"
+#include "trivet/numerics/peaks/peak_count.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
 /// Values of all curves at x, which may be their highest.
 template <typename Size>
-HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels, Pack* values) {
+HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels,
+                             Pack* values) {
   PairPack w[Size::most];
   each(pack.poles.count, [&](int k) TRIVET_LANES { w[k] = reach(pack.poles, k, x); });
   for (int c = 0; c < channels; ++c) {
@@ -33,7 +34,8 @@ HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, Walked
 
 /// Signs of the slopes where the walk begins; 0 where round-off hides them.
 template <typename Size>
-HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const PeakQuestion& question) {
+HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels,
+                              const PeakQuestion& question) {
   PanelPowers powers[Size::most];
   form_powers(pack.poles, pack.from, hn::Zero(Lanes()), powers);
   const WalkOptions options{false, 0};
@@ -47,8 +49,8 @@ HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves,
 
 constexpr double accuracy_of_rise = 1e-6;  // relative; margins are kept in single precision
 
-/// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and where no peaks are counted; ∞ where
-/// the steps towards it did not settle.
+/// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and
+/// where no peaks are counted; ∞ where the steps towards it did not settle.
 inline double doubt(const FoundExtremum& e, double best, const PeakQuestion& question) {
   constexpr double settled = 1e-10, near_top = 0.25, none = 0, all = std::numeric_limits<double>::infinity();
   const double least = question.min_prominence * std::sqrt(best), highest = std::sqrt(std::abs(e.value) + e.missed);
@@ -65,8 +67,12 @@ template <typename Size>
 class PackOfCurves {
  public:
   PackOfCurves(Size n, const RootTable& table, const PeakQuestion& question, int lane)
-      : question_(question), lane_(lane), channels_(static_cast<int>(question.rows.size())), curves_(new WalkedCurve[question.rows.size()]),
-        values_(new Pack[(3 + static_cast<std::size_t>(n)) * question.rows.size()]), tops_(new Top[question.count_peaks ? 0 : question.rows.size()]) {
+      : question_(question),
+        lane_(lane),
+        channels_(static_cast<int>(question.rows.size())),
+        curves_(new WalkedCurve[question.rows.size()]),
+        values_(new Pack[(3 + static_cast<std::size_t>(n)) * question.rows.size()]),
+        tops_(new Top[question.count_peaks ? 0 : question.rows.size()]) {
     form(n, table);
   }
 
@@ -74,9 +80,11 @@ class PackOfCurves {
     const SquarePoles<Size>& poles = pack_.poles;
     see_values(pack_, pack_.from, curves_.get(), channels_, at_start());
     for (int c = 0; c < channels_ && question_.from == 0; ++c)
-      if (question_.rows[static_cast<std::size_t>(c)].derivative > 0) at_start()[c] = hn::Zero(Lanes());  // to the last digit
+      if (question_.rows[static_cast<std::size_t>(c)].derivative > 0)
+        at_start()[c] = hn::Zero(Lanes());  // to the last digit
     for (int k = 0; k < poles.count; ++k) {
-      const Pack above = hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
+      const Pack above =
+          hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
       see_values(pack_, above, curves_.get(), channels_, at_poles() + k * channels_);
     }
     see_end();
@@ -84,13 +92,15 @@ class PackOfCurves {
     else first_signs(pack_, curves_.get(), channels_, question_);
     complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
     // A slope that turned where the walk could not tell its sign, and that keeps the new one to x = ∞.
-    for (int c = 0; c < channels_; ++c) complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
+    for (int c = 0; c < channels_; ++c)
+      complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
     refine(LaneStore<Size>(poles, curves_.get(), channels_, question_.rows, round_off_), found_);
   }
 
   void tell(TablePeaks& peaks) const {
     const int lanes = lane_count();
-    alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes], start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
+    alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes],
+        start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
     bool known[table_lanes];
     store_mask(complete_, peaks.complete + lane_);
     // The extrema of one curve, ascending, as a chain.
@@ -123,12 +133,14 @@ class PackOfCurves {
         double doubtful = 1e-6;  // round-off
         heights.assign(1, answer.highest);
         doubts.assign(1, start_doubts[i]);
-        for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0; at = next[static_cast<std::size_t>(at)]) {
+        for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0;
+             at = next[static_cast<std::size_t>(at)]) {
           const FoundExtremum& e = found_[static_cast<std::size_t>(at)];
           doubtful = std::max(doubtful, doubt(e, numbers[2][i], question_));
           heights.push_back(amplitude(e.value));
           // What the walk passed by as too low may be lower still beside such a minimum.
-          const bool hidden = std::sqrt(std::abs(e.value)) <= 2 * low_share * question_.min_prominence * std::sqrt(numbers[2][i]);
+          const bool hidden =
+              std::sqrt(std::abs(e.value)) <= 2 * low_share * question_.min_prominence * std::sqrt(numbers[2][i]);
           doubts.push_back(std::max(share(e.missed, e.value), hidden ? 1.0 : 0.0));
           if (e.maximum) see(heights.back(), std::sqrt(e.at));
         }
@@ -137,12 +149,14 @@ class PackOfCurves {
         see(heights.back(), question_.to);
         highest[i] = answer.highest, highest_at[i] = answer.highest_at;
         // Nor may anything seen on the way have been higher.
-        if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9)) peaks.complete[lane_ + i] = false;
+        if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
+          peaks.complete[lane_ + i] = false;
         if (!question_.count_peaks) continue;
         const double least = question_.min_prominence * answer.highest;
         const PeakCount count = prominent_peaks(heights, least);
         if (count.closest < 2 * doubtful) peaks.complete[lane_ + i] = false;  // what is in doubt may decide
-        if (!rise_is_known(heights, doubts, least, count.largest_rise, accuracy_of_rise)) peaks.complete[lane_ + i] = false;
+        if (!rise_is_known(heights, doubts, least, count.largest_rise, accuracy_of_rise))
+          peaks.complete[lane_ + i] = false;
         answer.peaks = count.peaks;
         answer.largest_rise = count.largest_rise;
       }
@@ -160,8 +174,10 @@ class PackOfCurves {
   /// What round-off may do to a height at an end of the band, as a share of it.
   [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
     const SquaredResponse& f = curves_[channel].f;
-    if (omega == 0 && question_.rows[static_cast<std::size_t>(channel)].derivative > 0) return hn::Zero(Lanes());  // nothing moves at rest
-    const Pack missed = hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
+    if (omega == 0 && question_.rows[static_cast<std::size_t>(channel)].derivative > 0)
+      return hn::Zero(Lanes());  // nothing moves at rest
+    const Pack missed =
+        hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
     return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));
   }
   static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
@@ -169,7 +185,8 @@ class PackOfCurves {
   /// Whether a height is known to nine digits.
   [[nodiscard]] LaneMask has_digits_at(int channel, const Pack& height, const Pack& omega) const {
     const SquaredResponse& f = curves_[channel].f;
-    const Pack infinity = all(std::numeric_limits<double>::infinity()), value = hn::Mul(all(0.5), hn::Mul(height, height));
+    const Pack infinity = all(std::numeric_limits<double>::infinity()),
+               value = hn::Mul(all(0.5), hn::Mul(height, height));
     const LaneMask endless = hn::Eq(omega, infinity);
     const Pack moduli = sum_of_moduli(pack_.poles, f, hn::IfThenElse(endless, pack_.from, hn::Mul(omega, omega)));
     return has_digits(hn::IfThenElse(endless, f.constant_parts, moduli), round_off_, value);
@@ -213,7 +230,8 @@ class PackOfCurves {
       at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
       if (question_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
       // Whether it does is not known where that sum is round-off, residues behind it included (conditions up to 1e3).
-      const LaneMask cancelled = hn::Lt(hn::Abs(slope), hn::Mul(hn::Mul(all(1e3), round_off_), curves_[c].f.slope_parts));
+      const LaneMask cancelled =
+          hn::Lt(hn::Abs(slope), hn::Mul(hn::Mul(all(1e3), round_off_), curves_[c].f.slope_parts));
       complete_ = hn::AndNot(cancelled, complete_);
       curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);
     }
@@ -222,7 +240,8 @@ class PackOfCurves {
   void find_tops() {
     for (int c = 0; c < channels_; ++c) {
       Pack above[Size::most];
-      for (int k = 0; k < pack_.poles.count; ++k) above[k] = hn::IfThenZeroElse(pack_.poles.real[k], at_poles()[k * channels_ + c]);
+      for (int k = 0; k < pack_.poles.count; ++k)
+        above[k] = hn::IfThenZeroElse(pack_.poles.real[k], at_poles()[k * channels_ + c]);
       tops_[c] = find_top(pack_, above, curves_[c]);
     }
     form_zones(pack_.poles, pack_.from, pack_.to, pack_.zones);
@@ -250,7 +269,8 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
   peaks.channels.resize(question.rows.size() * table_lanes);
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks) : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
+    table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks)
+                           : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

@@ -10,13 +10,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "trivet/numerics/peaks/observed_curve.h"
 #include "trivet/numerics/batch/axis_walk-inl.h"
+#include "trivet/numerics/peaks/observed_curve.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// A curve of several, each in a lane of its own: |y|², and before its derivatives, x^−derivative of that, whose terms cancel less where x is small.
+/// A curve of several, each in a lane of its own: |y|², and before its derivatives, x^−derivative of that, whose terms
+/// cancel less where x is small.
 struct GatheredCurve {
   SquaredResponse f, plain;
   Pack derivative, round_off;
@@ -26,9 +27,13 @@ struct GatheredCurve {
 template <typename Size>
 class LaneStore {
  public:
-  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels, const std::vector<ObservedRow>& rows, const Pack& of_sums)
-      : count_(poles.count), differentiated_(std::any_of(rows.begin(), rows.end(), [](const ObservedRow& row) { return row.derivative > 0; })),
-        of_channel_(static_cast<std::size_t>(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))), C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels,
+            const std::vector<ObservedRow>& rows, const Pack& of_sums)
+      : count_(poles.count),
+        differentiated_(
+            std::any_of(rows.begin(), rows.end(), [](const ObservedRow& row) { return row.derivative > 0; })),
+        of_channel_(static_cast<std::size_t>(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))),
+        C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
     hn::StoreU(of_sums, Lanes(), round_off_);
     for (int k = 0; k < count_; ++k) {
       hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
@@ -78,7 +83,8 @@ class LaneStore {
       poles.real[k] = hn::Gt(hn::GatherIndex(Lanes(), real_[k], of_lane), hn::Zero(Lanes()));
     }
     place(poles);
-    const auto number = [&](std::size_t row) HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
+    const auto number = [&](std::size_t row)
+                            HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
     curve_of.round_off = hn::GatherIndex(Lanes(), round_off_, of_lane);
     const auto pairs = static_cast<std::size_t>(count_);
     SquaredResponse &f = curve_of.f, &plain = curve_of.plain;
@@ -100,13 +106,15 @@ class LaneStore {
   bool differentiated_;
   std::size_t of_channel_;
   alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes], round_off_[table_lanes];
-  std::vector<double> C_;  ///< [channel][pairs, constant and slope, their parts; if anything is differentiated: derivative, pairs before it][lane]
+  std::vector<double> C_;  ///< [channel][pairs, constant and slope, their parts; if anything is differentiated:
+                           ///< derivative, pairs before it][lane]
 };
 
 /// Value and slopes of f = x^d g from those of g.
 HWY_INLINE Slopes times_power(const Pack& d, const Pack& x, const Slopes& g) {
   const Pack one = all(1.0), x_if_squared = hn::IfThenElse(hn::Ge(d, all(2.0)), x, one);
-  const Pack power = hn::Mul(hn::IfThenElse(hn::Ge(d, one), x, one), x_if_squared), rise = hn::Mul(d, x_if_squared), bend = hn::Mul(d, hn::Sub(d, one));
+  const Pack power = hn::Mul(hn::IfThenElse(hn::Ge(d, one), x, one), x_if_squared), rise = hn::Mul(d, x_if_squared),
+             bend = hn::Mul(d, hn::Sub(d, one));
   const Pack twice = hn::Add(rise, rise), thrice = hn::Add(twice, rise);
   return {hn::Mul(power, g.value), hn::MulAdd(rise, g.value, hn::Mul(power, g.first)),
           hn::MulAdd(bend, g.value, hn::MulAdd(twice, g.first, hn::Mul(power, g.second))),
@@ -115,16 +123,19 @@ HWY_INLINE Slopes times_power(const Pack& d, const Pack& x, const Slopes& g) {
 
 /// Slopes at x and the round-off of the value, by those terms that cancel less there.
 template <typename Size>
-HWY_INLINE Slopes slopes_of(const SquarePoles<Size>& poles, const GatheredCurve& curve, bool differentiated, const Pack& x, Pack& moduli) {
+HWY_INLINE Slopes slopes_of(const SquarePoles<Size>& poles, const GatheredCurve& curve, bool differentiated,
+                            const Pack& x, Pack& moduli) {
   Slopes s = slopes_at(poles, curve.f, x);
   moduli = sum_of_moduli(poles, curve.f, x);
   if (!differentiated) return s;
-  const Pack zero = hn::Zero(Lanes()), of_plain = times_power(curve.derivative, x, {sum_of_moduli(poles, curve.plain, x), zero, zero, zero}).value;
+  const Pack zero = hn::Zero(Lanes()),
+             of_plain =
+                 times_power(curve.derivative, x, {sum_of_moduli(poles, curve.plain, x), zero, zero, zero}).value;
   const Slopes other = times_power(curve.derivative, x, slopes_at(poles, curve.plain, x));
   const LaneMask better = hn::Lt(of_plain, moduli);
   moduli = hn::Min(of_plain, moduli);
-  return {hn::IfThenElse(better, other.value, s.value), hn::IfThenElse(better, other.first, s.first), hn::IfThenElse(better, other.second, s.second),
-          hn::IfThenElse(better, other.third, s.third)};
+  return {hn::IfThenElse(better, other.value, s.value), hn::IfThenElse(better, other.first, s.first),
+          hn::IfThenElse(better, other.second, s.second), hn::IfThenElse(better, other.third, s.third)};
 }
 
 /// Halley's steps on f' = 0 within the panels, as many extrema at once as there are lanes.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// |y|² of several designs, one per lane, as a function of x = ω²: half of it is Σ_k C_k · 1/(x − z_k) + constant + slope x. What belongs to a pair of
-// poles is one number a + b j: j² = −1 of two conjugates a ± bi, j² = 1 of two real poles a ± b; so both kinds take the same steps.
+// |y|² of several designs, one per lane, as a function of x = ω²: half of it is Σ_k C_k · 1/(x − z_k) + constant +
+// slope x. What belongs to a pair of poles is one number a + b j: j² = −1 of two conjugates a ± bi, j² = 1 of two real
+// poles a ± b; so both kinds take the same steps.
 #if defined(TRIVET_NUMERICS_SQUARE_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_SQUARE_POLES_INL_H_
 #undef TRIVET_NUMERICS_SQUARE_POLES_INL_H_
@@ -17,7 +18,7 @@ namespace trivet::numerics::HWY_NAMESPACE {
 template <typename Size>
 struct SquarePoles {
   Size count;
-  PairPack z[Size::most];      ///< real and imaginary part, or two real poles
+  PairPack z[Size::most];  ///< real and imaginary part, or two real poles
   LaneMask real[Size::most];
   Pack centre[Size::most], aside[Size::most], unit[Size::most];  ///< a, b, j²
   bool any_real = false;
@@ -43,30 +44,38 @@ template <typename Size>
 HWY_INLINE PairPack reach(const SquarePoles<Size>& poles, int k, const Pack& x) {
   const Pack ahead = hn::Sub(x, poles.centre[k]), aside = poles.aside[k];
   Pack square = hn::MulAdd(ahead, ahead, hn::Mul(aside, aside));
-  if (poles.any_real) square = hn::IfThenElse(poles.real[k], hn::Mul(hn::Sub(x, poles.z[k].first), hn::Sub(x, poles.z[k].second)), square);
+  if (poles.any_real)
+    square =
+        hn::IfThenElse(poles.real[k], hn::Mul(hn::Sub(x, poles.z[k].first), hn::Sub(x, poles.z[k].second)), square);
   const Pack scale = reciprocal(square);
   return {hn::Mul(ahead, scale), hn::Mul(aside, scale)};
 }
 
 /// Product of two such numbers, the unit already in the second: (b j², b).
 HWY_INLINE PairPack times_turned(const PairPack& a, const PairPack& b, const Pack& b_turned) {
-  return {hn::MulAdd(a.second, b_turned, hn::Mul(a.first, b.first)), hn::MulAdd(a.second, b.first, hn::Mul(a.first, b.second))};
+  return {hn::MulAdd(a.second, b_turned, hn::Mul(a.first, b.first)),
+          hn::MulAdd(a.second, b.first, hn::Mul(a.first, b.second))};
 }
 
 /// The modulus from above: √(a² + b²), or the larger of |a ± b|.
 HWY_INLINE Pack modulus_above(const LaneMask& real, const PairPack& a) {
   constexpr double root_of_two_less_one = 0.41422;
   const Pack first = hn::Abs(a.first), second = hn::Abs(a.second);
-  return hn::MulAdd(hn::IfThenElse(real, all(1.0), all(root_of_two_less_one)), hn::Min(first, second), hn::Max(first, second));
+  return hn::MulAdd(hn::IfThenElse(real, all(1.0), all(root_of_two_less_one)), hn::Min(first, second),
+                    hn::Max(first, second));
 }
 
-HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others) { return hn::MulAdd(C.first, w.first, hn::MulAdd(C.second, w.second, others)); }
+HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others) {
+  return hn::MulAdd(C.first, w.first, hn::MulAdd(C.second, w.second, others));
+}
 
-/// Of the moduli of all that f is the sum of at x, which tells what round-off its value has. Both parts of C have the round-off of the larger.
+/// Of the moduli of all that f is the sum of at x, which tells what round-off its value has. Both parts of C have the
+/// round-off of the larger.
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
   Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);
-  each(poles.count, [&](int k) TRIVET_LANES { sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(reach(poles, k, x)), sum); });
+  each(poles.count,
+       [&](int k) TRIVET_LANES { sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(reach(poles, k, x)), sum); });
   return sum;
 }
 
@@ -92,7 +101,8 @@ HWY_INLINE Slopes slopes_at(const SquarePoles<Size>& poles, const SquaredRespons
 
 /// Halley's step towards f' = 0.
 HWY_INLINE Pack step_to_extremum(const Slopes& s) {
-  return hn::Div(hn::Mul(hn::Mul(all(-2.0), s.first), s.second), hn::NegMulAdd(s.first, s.third, hn::Mul(all(2.0), hn::Mul(s.second, s.second))));
+  return hn::Div(hn::Mul(hn::Mul(all(-2.0), s.first), s.second),
+                 hn::NegMulAdd(s.first, s.third, hn::Mul(all(2.0), hn::Mul(s.second, s.second))));
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

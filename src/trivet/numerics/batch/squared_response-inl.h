@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // |y|² of a channel y = s^d (c0 + s c1)ᵀ q under a real load as partial fractions in x = ω², one design per lane:
-// y(s) y(−s) = Σ_k C_k / (x − z_k) + constant + slope x, z = −λ², C = −2 λ r y(−λ) with the residues r of y. Roots come in pairs: λ and its
-// conjugate, or two real ones. A pair is one pair of numbers, (re, im) or (first, second): PairPack.
+// y(s) y(−s) = Σ_k C_k / (x − z_k) + constant + slope x, z = −λ², C = −2 λ r y(−λ) with the residues r of y. Roots come
+// in pairs: λ and its conjugate, or two real ones. A pair is one pair of numbers, (re, im) or (first, second):
+// PairPack.
 #if defined(TRIVET_NUMERICS_SQUARED_RESPONSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_SQUARED_RESPONSE_INL_H_
 #undef TRIVET_NUMERICS_SQUARED_RESPONSE_INL_H_
@@ -15,7 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Two numbers that belong to a pair of roots: real and imaginary part at the root with im > 0, or the values at two real roots.
+/// Two numbers that belong to a pair of roots: real and imaginary part at the root with im > 0, or the values at two
+/// real roots.
 struct PairPack {
   Pack first, second;
 };
@@ -23,7 +25,8 @@ struct PairPack {
 /// Product of such values.
 HWY_INLINE PairPack times(const LaneMask& real, const PairPack& a, const PairPack& b) {
   const Pack low = hn::Mul(a.first, b.first), high = hn::Mul(a.second, b.second);
-  return {hn::IfThenElse(real, low, hn::Sub(low, high)), hn::IfThenElse(real, high, hn::MulAdd(a.first, b.second, hn::Mul(a.second, b.first)))};
+  return {hn::IfThenElse(real, low, hn::Sub(low, high)),
+          hn::IfThenElse(real, high, hn::MulAdd(a.first, b.second, hn::Mul(a.second, b.first)))};
 }
 HWY_INLINE PairPack inverse(const LaneMask& real, const PairPack& a) {
   const Pack modulus = hn::MulAdd(a.first, a.first, hn::Mul(a.second, a.second));
@@ -31,23 +34,29 @@ HWY_INLINE PairPack inverse(const LaneMask& real, const PairPack& a) {
     const Pack scale = reciprocal(modulus);
     return {hn::Mul(a.first, scale), hn::Neg(hn::Mul(a.second, scale))};
   }
-  const Pack low = reciprocal(hn::IfThenElse(real, a.first, modulus)), high = reciprocal(hn::IfThenElse(real, a.second, all(1.0)));
-  return {hn::IfThenElse(real, low, hn::Mul(a.first, low)), hn::IfThenElse(real, high, hn::Neg(hn::Mul(a.second, low)))};
+  const Pack low = reciprocal(hn::IfThenElse(real, a.first, modulus)),
+             high = reciprocal(hn::IfThenElse(real, a.second, all(1.0)));
+  return {hn::IfThenElse(real, low, hn::Mul(a.first, low)),
+          hn::IfThenElse(real, high, hn::Neg(hn::Mul(a.second, low)))};
 }
 HWY_INLINE PairPack operator*(const Pack& a, const PairPack& b) { return {hn::Mul(a, b.first), hn::Mul(a, b.second)}; }
 /// |first| + |second|
 HWY_INLINE Pack sum_of_parts(const PairPack& a) { return hn::Add(hn::Abs(a.first), hn::Abs(a.second)); }
 /// Half the sum over the pair.
-HWY_INLINE Pack half_sum(const LaneMask& real, const PairPack& a) { return hn::IfThenElse(real, hn::Mul(all(0.5), hn::Add(a.first, a.second)), a.first); }
+HWY_INLINE Pack half_sum(const LaneMask& real, const PairPack& a) {
+  return hn::IfThenElse(real, hn::Mul(all(0.5), hn::Add(a.first, a.second)), a.first);
+}
 
-/// From values at the two roots to the numbers a, b for which half the sum over them of C · w is a w.first + b w.second, w = w.first + w.second j
-/// (square_poles-inl.h); and back.
+/// From values at the two roots to the numbers a, b for which half the sum over them of C · w is a w.first + b
+/// w.second, w = w.first + w.second j (square_poles-inl.h); and back.
 HWY_INLINE PairPack for_half_sum(const LaneMask& real, const PairPack& C) {
   const PairPack half = all(0.5) * C;
-  return {hn::IfThenElse(real, hn::Add(half.first, half.second), C.first), hn::IfThenElse(real, hn::Sub(half.first, half.second), hn::Neg(C.second))};
+  return {hn::IfThenElse(real, hn::Add(half.first, half.second), C.first),
+          hn::IfThenElse(real, hn::Sub(half.first, half.second), hn::Neg(C.second))};
 }
 HWY_INLINE PairPack at_poles(const LaneMask& real, const PairPack& a) {
-  return {hn::IfThenElse(real, hn::Add(a.first, a.second), a.first), hn::IfThenElse(real, hn::Sub(a.first, a.second), hn::Neg(a.second))};
+  return {hn::IfThenElse(real, hn::Add(a.first, a.second), a.first),
+          hn::IfThenElse(real, hn::Sub(a.first, a.second), hn::Neg(a.second))};
 }
 
 /// Poles of the response of eight designs.
@@ -57,8 +66,8 @@ struct PolePairs {
   LaneMask real[most_pairs];  ///< two real roots
 };
 
-/// Half of |y|² of several designs: Σ_k first · first + second · second of C_k and 1/(x − z_k) as numbers a + b j (square_poles-inl.h), plus
-/// constant + slope x.
+/// Half of |y|² of several designs: Σ_k first · first + second · second of C_k and 1/(x − z_k) as numbers a + b j
+/// (square_poles-inl.h), plus constant + slope x.
 struct SquaredResponse {
   PairPack C[most_pairs];
   Pack constant, slope;
@@ -73,8 +82,8 @@ HWY_INLINE PairPack pole_in_square(const LaneMask& real, const PairPack& lambda)
 
 /// y(−λ_k) = Σ_l (β_l (s − p_l) + α_l) / D_l(s) at s = −λ_k, by what belongs to the places of the poles alone.
 struct PoleProducts {
-  PairPack linear[most_pairs][most_pairs];    ///< (s − p_l) / D_l
-  PairPack inverse[most_pairs][most_pairs];   ///< 1 / D_l
+  PairPack linear[most_pairs][most_pairs];   ///< (s − p_l) / D_l
+  PairPack inverse[most_pairs][most_pairs];  ///< 1 / D_l
 };
 
 /// D_l(−λ_k) = (λ_k + λ_l)(λ_k + λ̄_l), formed so that light damping is not lost in a difference.
@@ -84,10 +93,12 @@ HWY_INLINE void form_products(const PolePairs& poles, PoleProducts& products) {
       const LaneMask real_k = poles.real[k], real_l = poles.real[l];
       const PairPack a = poles.lambda[k], b = poles.lambda[l];
       const Pack zero = hn::Zero(Lanes());
-      // Root k plus the two roots of l, for k complex: (re, im) of either; for k real: the sums with b's (real) parts, per root of k.
+      // Root k plus the two roots of l, for k complex: (re, im) of either; for k real: the sums with b's (real) parts,
+      // per root of k.
       const Pack other = hn::IfThenElse(real_l, b.second, b.first);
       const Pack im_l = hn::IfThenElse(real_l, zero, b.second);
-      const ComplexPack plus = {hn::Add(a.first, b.first), hn::Add(a.second, im_l)}, minus = {hn::Add(a.first, other), hn::Sub(a.second, im_l)};
+      const ComplexPack plus = {hn::Add(a.first, b.first), hn::Add(a.second, im_l)},
+                        minus = {hn::Add(a.first, other), hn::Sub(a.second, im_l)};
       const ComplexPack d = plus * minus;
       const Pack square = hn::Mul(im_l, im_l);
       const Pack d_first = hn::MulAdd(plus.re, minus.re, square);
@@ -100,15 +111,17 @@ HWY_INLINE void form_products(const PolePairs& poles, PoleProducts& products) {
     }
 }
 
-/// From the residues r of y without its derivatives. `proper`: y falls like 1/s² then, so that Σ C is zero and not its round-off.
-HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts& products, const PairPack* r, int derivative, bool proper,
-                                      SquaredResponse& f) {
+/// From the residues r of y without its derivatives. `proper`: y falls like 1/s² then, so that Σ C is zero and not its
+/// round-off.
+HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts& products, const PairPack* r,
+                                      int derivative, bool proper, SquaredResponse& f) {
   const int n = poles.count;
   Pack beta[most_pairs], alpha[most_pairs];
   for (int l = 0; l < n; ++l) {
     const PairPack a = poles.lambda[l];
     beta[l] = hn::IfThenElse(poles.real[l], hn::Add(r[l].first, r[l].second), hn::Add(r[l].first, r[l].first));
-    alpha[l] = hn::Mul(r[l].second, hn::IfThenElse(poles.real[l], hn::Sub(a.second, a.first), hn::Mul(all(-2.0), a.second)));
+    alpha[l] =
+        hn::Mul(r[l].second, hn::IfThenElse(poles.real[l], hn::Sub(a.second, a.first), hn::Mul(all(-2.0), a.second)));
   }
   for (int k = 0; k < n; ++k) {
     PairPack y = {hn::Zero(Lanes()), hn::Zero(Lanes())};

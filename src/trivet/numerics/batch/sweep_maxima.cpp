@@ -16,12 +16,13 @@ namespace trivet::numerics {
 namespace {
 
 constexpr std::size_t designs_together = 64;
-constexpr std::size_t least_for_poles = 32;  // frequencies; the poles of a design cost as much as some sixty of them solved directly
+constexpr std::size_t least_for_poles =
+    32;  // frequencies; the poles of a design cost as much as some sixty of them solved directly
 using foundation::infinity;
 
 /// One row of the result.
-void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, SweepMaxima& result,
-                 Eigen::Index row) {
+void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega,
+                 const SweepOptions& options, SweepMaxima& result, Eigen::Index row) {
   const int n = plan.size();
   std::vector<double> square(static_cast<std::size_t>(n), -1.0), where(static_cast<std::size_t>(n));
   workspace.take(plan);
@@ -43,7 +44,8 @@ void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::ve
 }
 
 /// Designs first … last − 1 by their poles, a table at a time. @return those whose poles are not good
-std::vector<Eigen::Index> by_poles(const Designs& designs, Eigen::Index first, Eigen::Index last, const std::vector<double>& omega, SweepMaxima& result) {
+std::vector<Eigen::Index> by_poles(const Designs& designs, Eigen::Index first, Eigen::Index last,
+                                   const std::vector<double>& omega, SweepMaxima& result) {
   RootTable table{};
   TableMaxima maxima;
   std::vector<Eigen::Index> open;
@@ -64,15 +66,19 @@ std::vector<Eigen::Index> by_poles(const Designs& designs, Eigen::Index first, E
   return open;
 }
 
-SweepMaxima no_maxima(Eigen::Index designs, Eigen::Index n) { return {{}, Eigen::ArrayXXd::Zero(designs, n), Eigen::ArrayXXd::Zero(designs, n)}; }
+SweepMaxima no_maxima(Eigen::Index designs, Eigen::Index n) {
+  return {{}, Eigen::ArrayXXd::Zero(designs, n), Eigen::ArrayXXd::Zero(designs, n)};
+}
 
 void require_frequencies(const std::vector<double>& omega) {
-  if (omega.empty()) throw foundation::InvalidInput("largest amplitudes: no frequency is given; at least one is needed");
+  if (omega.empty())
+    throw foundation::InvalidInput("largest amplitudes: no frequency is given; at least one is needed");
 }
 
 }  // namespace
 
-SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, const SweepOptions& options) {
+SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
+                         const SweepOptions& options) {
   require_frequencies(omega);
   SweepMaxima result = no_maxima(1, matrices.size());
   result.angular_frequency.setConstant(omega.front());
@@ -89,23 +95,27 @@ SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omeg
   const auto count = static_cast<std::size_t>(designs.count());
   SweepMaxima result = no_maxima(designs.count(), designs.coordinates());
   result.angular_frequency.setConstant(omega.front());
-  const bool poles_pay = !options.every_backward_error && designs.coordinates() <= most_pairs && omega.size() >= least_for_poles;
+  const bool poles_pay =
+      !options.every_backward_error && designs.coordinates() <= most_pairs && omega.size() >= least_for_poles;
   std::mutex adding;
   const int threads = sweep_threads(count * omega.size(), options.threads);
-  foundation::for_each_piece(count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
-    SweepWorkspace workspace;
-    std::vector<Eigen::Index> open;
-    const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
-    if (poles_pay) open = by_poles(designs, from, to, omega, result);
-    else for (Eigen::Index design = from; design < to; ++design) open.push_back(design);
-    for (const Eigen::Index design : open) {
-      const Eigen::VectorXcd load = designs.load.row(designs.load.rows() > 1 ? design : 0).matrix().transpose().cast<Complex>();
-      if (load.isZero(0)) continue;
-      find_maxima(workspace, SweepPlan(matrices_of(designs, design), load), omega, options, result, design);
-    }
-    const std::lock_guard lock(adding);
-    result.add(workspace.counts());
-  });
+  foundation::for_each_piece(
+      count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
+        SweepWorkspace workspace;
+        std::vector<Eigen::Index> open;
+        const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
+        if (poles_pay) open = by_poles(designs, from, to, omega, result);
+        else
+          for (Eigen::Index design = from; design < to; ++design) open.push_back(design);
+        for (const Eigen::Index design : open) {
+          const Eigen::VectorXcd load =
+              designs.load.row(designs.load.rows() > 1 ? design : 0).matrix().transpose().cast<Complex>();
+          if (load.isZero(0)) continue;
+          find_maxima(workspace, SweepPlan(matrices_of(designs, design), load), omega, options, result, design);
+        }
+        const std::lock_guard lock(adding);
+        result.add(workspace.counts());
+      });
   return result;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The axis x = ω² in zones, one about each pole, and in which of them a curve may be as high as the best value known of it: in most zones the distances of
-// the poles alone forbid that.
+// The axis x = ω² in zones, one about each pole, and in which of them a curve may be as high as the best value known of
+// it: in most zones the distances of the poles alone forbid that.
 #if defined(TRIVET_NUMERICS_ZONES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_ZONES_INL_H_
 #undef TRIVET_NUMERICS_ZONES_INL_H_
@@ -13,7 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Zone k reaches from halfway to the next lower pole to halfway to the next higher one; those of poles at one frequency are the same.
+/// Zone k reaches from halfway to the next lower pole to halfway to the next higher one; those of poles at one
+/// frequency are the same.
 template <typename Size>
 struct Zones {
   Size count;
@@ -40,13 +41,15 @@ HWY_INLINE void form_zones(const SquarePoles<Size>& poles, const Pack& from, con
 /// Lanes where zone k and the stretch from x to `end` share more than a point, by zone.
 template <typename Size>
 HWY_INLINE void shared_with(const Zones<Size>& zones, const Pack& x, const Pack& end, LaneMask* shared) {
-  each(zones.count, [&](int k) TRIVET_LANES { shared[k] = hn::And(hn::Lt(zones.from[k], end), hn::Gt(zones.to[k], x)); });
+  each(zones.count,
+       [&](int k) TRIVET_LANES { shared[k] = hn::And(hn::Lt(zones.from[k], end), hn::Gt(zones.to[k], x)); });
 }
 
 /// Largest |a| and |b| of 1/(x − z_k) = a + b j at least `away` from a pair of conjugates on either side.
 HWY_INLINE PairPack most_reach(const Pack& aside, const Pack& away) {
   const Pack b = hn::Abs(aside), square = hn::Mul(b, b), further = hn::Max(away, b);
-  return {hn::Mul(further, reciprocal(hn::MulAdd(further, further, square))), hn::Mul(b, reciprocal(hn::MulAdd(away, away, square)))};
+  return {hn::Mul(further, reciprocal(hn::MulAdd(further, further, square))),
+          hn::Mul(b, reciprocal(hn::MulAdd(away, away, square)))};
 }
 
 /// The same from x upwards, above two real poles.
@@ -63,7 +66,8 @@ HWY_INLINE PairPack most_between(const SquarePoles<Size>& poles, int k, const Pa
   const PairPack most = most_reach(poles.aside[k], away);
   if (!poles.any_real) return most;
   const PairPack of_real = most_reach_of_real(poles.z[k].first, poles.z[k].second, from);
-  return {hn::IfThenElse(poles.real[k], of_real.first, most.first), hn::IfThenElse(poles.real[k], of_real.second, most.second)};
+  return {hn::IfThenElse(poles.real[k], of_real.first, most.first),
+          hn::IfThenElse(poles.real[k], of_real.second, most.second)};
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

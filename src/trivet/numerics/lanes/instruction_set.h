@@ -12,7 +12,8 @@ namespace trivet::numerics {
 /// All that were compiled and that this processor has, best first.
 [[nodiscard]] std::vector<std::string> instruction_sets();
 
-/// Runs all kernels with this one of `instruction_sets()` from now on; empty: with the best again. For tests and measurements.
+/// Runs all kernels with this one of `instruction_sets()` from now on; empty: with the best again. For tests and
+/// measurements.
 /// @throws foundation::InvalidInput if this processor has no such thing
 void use_instruction_set(const std::string& name);
 

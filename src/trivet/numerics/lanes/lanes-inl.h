@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors of doubles, one number of one frequency or one design per lane, for kernels that are compiled once for each instruction
-// set (docs/decisions/lanes.md). Include after hwy/foreach_target.h only; the usual guard toggles from target to target.
+// Vectors of doubles, one number of one frequency or one design per lane, for kernels that are compiled once for each
+// instruction set (docs/decisions/lanes.md). Include after hwy/foreach_target.h only; the usual guard toggles from
+// target to target.
 #if defined(TRIVET_NUMERICS_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_LANES_INL_H_
 #undef TRIVET_NUMERICS_LANES_INL_H_
@@ -14,7 +15,8 @@
 #undef TRIVET_LANES
 #define TRIVET_LANES __attribute__((always_inline)) HWY_ATTR
 
-// Before a loop that is written out where the compiler optimises; the instrumented build keeps it: to write them all out takes it minutes.
+// Before a loop that is written out where the compiler optimises; the instrumented build keeps it: to write them all
+// out takes it minutes.
 #undef TRIVET_UNROLL
 #ifdef NDEBUG
 #define TRIVET_UNROLL _Pragma("GCC unroll 8")
@@ -38,8 +40,12 @@ struct ComplexPack {
   Pack re, im;
 };
 
-HWY_INLINE ComplexPack operator+(const ComplexPack& a, const ComplexPack& b) { return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)}; }
-HWY_INLINE ComplexPack operator-(const ComplexPack& a, const ComplexPack& b) { return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)}; }
+HWY_INLINE ComplexPack operator+(const ComplexPack& a, const ComplexPack& b) {
+  return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)};
+}
+HWY_INLINE ComplexPack operator-(const ComplexPack& a, const ComplexPack& b) {
+  return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)};
+}
 HWY_INLINE ComplexPack operator*(const ComplexPack& a, const ComplexPack& b) {
   return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)), hn::MulAdd(a.re, b.im, hn::Mul(a.im, b.re))};
 }
@@ -47,11 +53,13 @@ HWY_INLINE ComplexPack operator*(const Pack& a, const ComplexPack& b) { return {
 
 /// target + a b
 HWY_INLINE ComplexPack add_product(const ComplexPack& target, const ComplexPack& a, const ComplexPack& b) {
-  return {hn::NegMulAdd(a.im, b.im, hn::MulAdd(a.re, b.re, target.re)), hn::MulAdd(a.im, b.re, hn::MulAdd(a.re, b.im, target.im))};
+  return {hn::NegMulAdd(a.im, b.im, hn::MulAdd(a.re, b.re, target.re)),
+          hn::MulAdd(a.im, b.re, hn::MulAdd(a.re, b.im, target.im))};
 }
 /// target − a b
 HWY_INLINE ComplexPack subtract_product(const ComplexPack& target, const ComplexPack& a, const ComplexPack& b) {
-  return {hn::MulAdd(a.im, b.im, hn::NegMulAdd(a.re, b.re, target.re)), hn::NegMulAdd(a.im, b.re, hn::NegMulAdd(a.re, b.im, target.im))};
+  return {hn::MulAdd(a.im, b.im, hn::NegMulAdd(a.re, b.re, target.re)),
+          hn::NegMulAdd(a.im, b.re, hn::NegMulAdd(a.re, b.im, target.im))};
 }
 /// target − a b with real a
 HWY_INLINE ComplexPack subtract_product(const ComplexPack& target, const Pack& a, const ComplexPack& b) {
@@ -76,7 +84,8 @@ struct AtMostTwelve {
   int value;
   constexpr operator int() const { return value; }  // NOLINT
 };
-/// Six coordinates, known to the compiler where it optimises. The instrumented build keeps its loops: to write them out takes it minutes.
+/// Six coordinates, known to the compiler where it optimises. The instrumented build keeps its loops: to write them out
+/// takes it minutes.
 constexpr auto six_coordinates() {
 #ifdef NDEBUG
   return Fixed<6>();
@@ -85,7 +94,9 @@ constexpr auto six_coordinates() {
 #endif
 }
 template <int N>
-constexpr Fixed<N + 1> after(Fixed<N>) { return {}; }
+constexpr Fixed<N + 1> after(Fixed<N>) {
+  return {};
+}
 constexpr int after(int i) { return i + 1; }
 
 /// body(i) for i = first … last − 1: where the compiler knows both, one after the other without a loop.
@@ -101,7 +112,9 @@ HWY_INLINE void each(int first, int last, const Body& body) {
   for (int i = first; i < last; ++i) body(i);
 }
 template <typename Size, typename Body>
-HWY_INLINE void each(Size n, const Body& body) { each(Fixed<0>(), n, body); }
+HWY_INLINE void each(Size n, const Body& body) {
+  each(Fixed<0>(), n, body);
+}
 
 /// Where entry (i, j), j ≤ i, of a symmetric matrix stands in its packed lower triangle.
 constexpr int packed(int i, int j) { return i * (i + 1) / 2 + j; }

@@ -7,7 +7,8 @@
 
 namespace trivet::numerics {
 
-/// Numbers that begin with a line of the cache, not set to anything: packs that cross from one line to the next are stored at half the speed.
+/// Numbers that begin with a line of the cache, not set to anything: packs that cross from one line to the next are
+/// stored at half the speed.
 class LineMemory {
  public:
   /// Keeps the memory, and what it holds, if the size stays.

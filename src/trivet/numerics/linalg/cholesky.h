@@ -5,13 +5,13 @@
 
 namespace trivet::numerics {
 
-/// X of A X = B, A symmetric positive definite (lower triangle read), by A = L Lᵀ, of the type of B. MatrixXd with matrix or vector,
-/// Matrix3d with vector; only plain matrices are taken. Without meaning unless A is definite.
+/// X of A X = B, A symmetric positive definite (lower triangle read), by A = L Lᵀ, of the type of B. MatrixXd with
+/// matrix or vector, Matrix3d with vector; only plain matrices are taken. Without meaning unless A is definite.
 template <typename Matrix, typename Right>
 [[nodiscard]] Right cholesky_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainObjectBase<Right>& B);
 
-/// X of A X = B, A symmetric (lower triangle read) and definite or semidefinite, by Pᵀ L D Lᵀ P with pivots on the diagonal. MatrixXd with
-/// matrix or vector, 6×6 with 6×12 by rows; only plain matrices are taken.
+/// X of A X = B, A symmetric (lower triangle read) and definite or semidefinite, by Pᵀ L D Lᵀ P with pivots on the
+/// diagonal. MatrixXd with matrix or vector, 6×6 with 6×12 by rows; only plain matrices are taken.
 template <typename Matrix, typename Right>
 [[nodiscard]] Right ldlt_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainObjectBase<Right>& B);
 

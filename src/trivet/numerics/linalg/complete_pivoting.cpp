@@ -10,9 +10,13 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 bool is_regular(const Matrix6& A) { return Eigen::FullPivLU<Matrix6>(A).isInvertible(); }
 
-bool is_regular(const Eigen::MatrixXd& A, double share) { return Eigen::FullPivLU<Eigen::MatrixXd>(A).setThreshold(share).isInvertible(); }
+bool is_regular(const Eigen::MatrixXd& A, double share) {
+  return Eigen::FullPivLU<Eigen::MatrixXd>(A).setThreshold(share).isInvertible();
+}
 
-Vector6 completely_pivoted_solution(const Matrix6& A, const Vector6& b) { return Eigen::FullPivLU<Matrix6>(A).solve(b); }
+Vector6 completely_pivoted_solution(const Matrix6& A, const Vector6& b) {
+  return Eigen::FullPivLU<Matrix6>(A).solve(b);
+}
 
 Matrix6 completely_pivoted_inverse(const Matrix6& A) { return Eigen::FullPivLU<Matrix6>(A).inverse(); }
 

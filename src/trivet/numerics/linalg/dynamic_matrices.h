@@ -17,7 +17,8 @@ struct DynamicMatrices {
   Eigen::MatrixXd K;
   Eigen::MatrixXd K_loss;  ///< empty if there is no loss factor
   bool symmetric = true;
-  std::vector<Eigen::Index> blocks = {};  ///< first rows of the coordinates that belong together (a body), ascending from 0; empty: unknown
+  std::vector<Eigen::Index> blocks =
+      {};  ///< first rows of the coordinates that belong together (a body), ascending from 0; empty: unknown
 
   [[nodiscard]] Eigen::Index size() const { return A.rows(); }
   [[nodiscard]] bool lossy() const { return K_loss.size() > 0; }
@@ -36,7 +37,8 @@ struct DynamicMatrices {
   return A.diagonal().unaryExpr([](double a) { return a == 0 ? 1.0 : 1 / std::sqrt(std::abs(a)); });
 }
 
-/// Rows of A that hold mass; the others belong to internal coordinates of elements (a Maxwell branch) and carry damping and stiffness only.
+/// Rows of A that hold mass; the others belong to internal coordinates of elements (a Maxwell branch) and carry damping
+/// and stiffness only.
 [[nodiscard]] std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A);
 
 /// The same, and a coordinate without mass is scaled so that its stiffness is the largest K_ii / A_ii of the others.

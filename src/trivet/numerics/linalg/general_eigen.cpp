@@ -10,14 +10,21 @@ template <typename Solver, typename Matrix>
 GeneralEigen eigen_by(const Matrix& A, bool with_vectors) {
   const Solver solver(A, with_vectors);
   const bool converged = solver.info() == Eigen::Success;
-  return {solver.eigenvalues(), with_vectors && converged ? Eigen::MatrixXcd(solver.eigenvectors()) : Eigen::MatrixXcd(), converged};
+  return {solver.eigenvalues(),
+          with_vectors && converged ? Eigen::MatrixXcd(solver.eigenvectors()) : Eigen::MatrixXcd(), converged};
 }
 
 }  // namespace
 
 GeneralEigen general_eigen(const Eigen::MatrixXd& A) { return eigen_by<Eigen::EigenSolver<Eigen::MatrixXd>>(A, true); }
-GeneralEigen general_eigen(const Eigen::MatrixXcd& A) { return eigen_by<Eigen::ComplexEigenSolver<Eigen::MatrixXcd>>(A, true); }
-GeneralEigen general_eigenvalues(const Eigen::MatrixXd& A) { return eigen_by<Eigen::EigenSolver<Eigen::MatrixXd>>(A, false); }
-GeneralEigen general_eigenvalues(const Eigen::MatrixXcd& A) { return eigen_by<Eigen::ComplexEigenSolver<Eigen::MatrixXcd>>(A, false); }
+GeneralEigen general_eigen(const Eigen::MatrixXcd& A) {
+  return eigen_by<Eigen::ComplexEigenSolver<Eigen::MatrixXcd>>(A, true);
+}
+GeneralEigen general_eigenvalues(const Eigen::MatrixXd& A) {
+  return eigen_by<Eigen::EigenSolver<Eigen::MatrixXd>>(A, false);
+}
+GeneralEigen general_eigenvalues(const Eigen::MatrixXcd& A) {
+  return eigen_by<Eigen::ComplexEigenSolver<Eigen::MatrixXcd>>(A, false);
+}
 
 }  // namespace trivet::numerics

@@ -5,7 +5,8 @@
 
 namespace trivet::numerics {
 
-/// Eigenvalues λ in no particular order, but conjugate pairs one after the other, and eigenvectors, columns of unit length.
+/// Eigenvalues λ in no particular order, but conjugate pairs one after the other, and eigenvectors, columns of unit
+/// length.
 struct GeneralEigen {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;  ///< empty if not asked for, or if the iteration did not converge

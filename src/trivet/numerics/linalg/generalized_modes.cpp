@@ -28,8 +28,8 @@ void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::V
 }
 
 /// Each shape to φᵀAφ = ±1, λ as Rayleigh quotient in extended precision, largest component positive.
-GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, const Eigen::MatrixXd& shapes, bool rayleigh,
-                        const Eigen::VectorXd& given, ModeRoute route) {
+GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, const Eigen::MatrixXd& shapes,
+                        bool rayleigh, const Eigen::VectorXd& given, ModeRoute route) {
   const Eigen::Index n = K.rows(), count = shapes.cols();
   GeneralizedModes result;
   result.route = route;
@@ -50,7 +50,8 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
     if (normed(largest, i) < 0) normed.col(i) *= -1;
   }
   // A shape that moves only where K has zeros leaves products of round-off, ε² of the largest λ.
-  const double negligible = std::pow(64 * static_cast<double>(n) * epsilon, 2) * (count > 0 ? lambda.cwiseAbs().maxCoeff() : 0);
+  const double negligible =
+      std::pow(64 * static_cast<double>(n) * epsilon, 2) * (count > 0 ? lambda.cwiseAbs().maxCoeff() : 0);
   lambda = (lambda.array().abs() <= negligible).select(0.0, lambda);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -74,7 +75,9 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
   const double scale = values.cwiseAbs().maxCoeff();
   std::vector<Eigen::Index> real;
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    if (std::abs(values(i).imag()) <= std::sqrt(epsilon) * 16 * std::abs(values(i)) || std::abs(values(i)) <= 1e-12 * scale) real.push_back(i);
+    if (std::abs(values(i).imag()) <= std::sqrt(epsilon) * 16 * std::abs(values(i)) ||
+        std::abs(values(i)) <= 1e-12 * scale)
+      real.push_back(i);
   Eigen::MatrixXd shapes(K.rows(), static_cast<Eigen::Index>(real.size()));
   Eigen::VectorXd lambda(shapes.cols());
   for (Eigen::Index i = 0; i < shapes.cols(); ++i) {

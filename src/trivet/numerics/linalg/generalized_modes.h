@@ -18,7 +18,7 @@ struct GeneralizedModes {
   Eigen::VectorXd lambda;
   Eigen::MatrixXd shapes;
   Eigen::VectorXd norm;
-  int complex_pairs = 0;   ///< modes without a real λ (general route only)
+  int complex_pairs = 0;  ///< modes without a real λ (general route only)
 };
 
 /// A verdict on definiteness is always taken first: a generalized solver may return wrong values for an indefinite A.

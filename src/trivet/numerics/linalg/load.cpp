@@ -12,10 +12,14 @@ namespace {
 std::complex<double> power_of_i_omega(std::complex<double> omega, int power) {
   const std::complex<double> of_omega = integer_power(omega, power);
   switch ((power % 4 + 4) % 4) {
-    case 0: return of_omega;
-    case 1: return {-of_omega.imag(), of_omega.real()};
-    case 2: return -of_omega;
-    default: return {of_omega.imag(), -of_omega.real()};
+    case 0:
+      return of_omega;
+    case 1:
+      return {-of_omega.imag(), of_omega.real()};
+    case 2:
+      return -of_omega;
+    default:
+      return {of_omega.imag(), -of_omega.real()};
   }
 }
 
@@ -28,7 +32,8 @@ std::complex<double> LoadTerm::factor(std::complex<double> omega) const {
 
 void Load::add(LoadTerm term) {
   if (term.value.size() == 0 || term.value.isZero(0)) return;
-  const auto same = std::find_if(terms_.begin(), terms_.end(), [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
+  const auto same = std::find_if(terms_.begin(), terms_.end(),
+                                 [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
   if (same == terms_.end()) terms_.push_back(std::move(term));
   else {
     same->value += term.value;

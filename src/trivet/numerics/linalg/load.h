@@ -9,8 +9,8 @@ namespace trivet::numerics {
 
 /// One term of a right side: s^power e^{−s delay} value, s = iω.
 struct LoadTerm {
-  int power = 0;        ///< 2: an unbalance; −2: a motion given by its acceleration
-  double delay = 0;     ///< [s]
+  int power = 0;     ///< 2: an unbalance; −2: a motion given by its acceleration
+  double delay = 0;  ///< [s]
   Eigen::VectorXcd value;
 
   /// s^power e^{−s delay}, exact in its zeros for real ω.
@@ -22,7 +22,9 @@ class Load {
  public:
   /// A constant right side.
   template <typename Vector>
-  Load(const Eigen::MatrixBase<Vector>& constant) : size_(constant.size()) { add({0, 0, constant}); }  // NOLINT: a vector is a load
+  Load(const Eigen::MatrixBase<Vector>& constant) : size_(constant.size()) {
+    add({0, 0, constant});
+  }  // NOLINT: a vector is a load
   explicit Load(Eigen::Index size) : size_(size) {}
 
   /// Adds to the term of the same power and delay. Zero values leave no term.
@@ -32,7 +34,9 @@ class Load {
   [[nodiscard]] const std::vector<LoadTerm>& terms() const { return terms_; }
   [[nodiscard]] bool vanishes() const { return terms_.empty(); }
   /// Only one term, of power 0, without delay (or none).
-  [[nodiscard]] bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_[0].power == 0 && terms_[0].delay == 0); }
+  [[nodiscard]] bool is_constant() const {
+    return terms_.empty() || (terms_.size() == 1 && terms_[0].power == 0 && terms_[0].delay == 0);
+  }
   [[nodiscard]] double longest_delay() const;
   [[nodiscard]] int lowest_power() const;   ///< 0 without terms
   [[nodiscard]] int highest_power() const;  ///< 0 without terms

@@ -27,7 +27,8 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   if (m.symmetric) result.K = (0.5 * (result.K + result.K.transpose())).eval();
   result.recovery.setZero(m.size(), n);
   for (Eigen::Index j = 0; j < n; ++j) result.recovery(massive[static_cast<std::size_t>(j)], j) = 1;
-  for (std::size_t i = 0; i < massless.size(); ++i) result.recovery.row(massless[i]) = follow.row(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < massless.size(); ++i)
+    result.recovery.row(massless[i]) = follow.row(static_cast<Eigen::Index>(i));
   return result;
 }
 
@@ -42,11 +43,14 @@ WithoutIdle without_idle(const DynamicMatrices& m) {
   const Eigen::MatrixXcd held = k(idle, idle);
   const PivotedLu<Complex> lu(held);
   if (lu.smallest_pivot() == 0)
-    throw foundation::NotComputable("a coordinate of a foundation or an element has neither mass nor damping nor stiffness");
+    throw foundation::NotComputable(
+        "a coordinate of a foundation or an element has neither mass nor damping nor stiffness");
   const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(k(idle, kept)));
   const Eigen::MatrixXcd condensed = k(kept, kept) + k(kept, idle) * follow;
-  WithoutIdle result{{m.A(kept, kept), m.B(kept, kept), condensed.real(), m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
-                     Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())), true};
+  WithoutIdle result{{m.A(kept, kept), m.B(kept, kept), condensed.real(),
+                      m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
+                     Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())),
+                     true};
   for (std::size_t j = 0; j < kept.size(); ++j) result.recovery(kept[j], static_cast<Eigen::Index>(j)) = 1;
   for (std::size_t i = 0; i < idle.size(); ++i) result.recovery.row(idle[i]) = follow.row(static_cast<Eigen::Index>(i));
   return result;

@@ -16,7 +16,8 @@ struct MassiveSystem {
 /// @throws foundation::NotComputable if a coordinate without mass is held by no stiffness
 [[nodiscard]] MassiveSystem massive_system(const DynamicMatrices& matrices);
 
-/// The system without coordinates that have neither mass nor damping: they follow the others at every frequency alike, q = recovery · q_kept.
+/// The system without coordinates that have neither mass nor damping: they follow the others at every frequency alike,
+/// q = recovery · q_kept.
 struct WithoutIdle {
   DynamicMatrices matrices;
   Eigen::MatrixXcd recovery;  ///< all × kept

@@ -9,14 +9,16 @@ namespace trivet::numerics {
 namespace {
 
 /// Unconstrained least squares over the columns of the free set, zero elsewhere.
-Eigen::VectorXd solution_over(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const std::vector<Eigen::Index>& free) {
+Eigen::VectorXd solution_over(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                              const std::vector<Eigen::Index>& free) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(a.cols());
   const Eigen::MatrixXd columns = a(Eigen::all, free);
   x(free) = columns.householderQr().solve(b);
   return x;
 }
 
-/// Goes from the feasible x towards `wanted` until the first free component reaches zero, and binds all that are zero there.
+/// Goes from the feasible x towards `wanted` until the first free component reaches zero, and binds all that are zero
+/// there.
 void step_to_boundary(Eigen::VectorXd& x, const Eigen::VectorXd& wanted, std::vector<Eigen::Index>& free) {
   double step = 1;
   Eigen::Index first = free.front();

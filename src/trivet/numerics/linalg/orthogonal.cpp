@@ -11,7 +11,9 @@ RankedSolution ranked_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& 
   return {decomposition.solve(B), decomposition.rank()};
 }
 
-Eigen::MatrixXd smallest_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return ranked_solution(A, B).X; }
+Eigen::MatrixXd smallest_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return ranked_solution(A, B).X;
+}
 
 Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
   return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(A).solve(b);

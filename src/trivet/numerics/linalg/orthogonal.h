@@ -18,7 +18,8 @@ struct RankedSolution {
 [[nodiscard]] Eigen::VectorXcd smallest_solution(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b);
 
 using ExtendedRealMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-/// X with the least |A X − B| by QR with column pivoting, in extended precision; 0 in columns of A whose pivots are round-off.
+/// X with the least |A X − B| by QR with column pivoting, in extended precision; 0 in columns of A whose pivots are
+/// round-off.
 [[nodiscard]] ExtendedRealMatrix pivoted_qr_solution(const ExtendedRealMatrix& A, const ExtendedRealMatrix& B);
 
 /// A P = Q R with column pivoting; m is the smaller number of rows and columns of A.

@@ -13,7 +13,8 @@ struct PivotedLu<Scalar>::Factors {
 };
 
 template <typename Scalar>
-PivotedLu<Scalar>::PivotedLu(const Matrix& A) : factors_(std::make_shared<const Factors>(Factors{Eigen::PartialPivLU<Matrix>(A)})) {}
+PivotedLu<Scalar>::PivotedLu(const Matrix& A)
+    : factors_(std::make_shared<const Factors>(Factors{Eigen::PartialPivLU<Matrix>(A)})) {}
 
 template <typename Scalar>
 typename PivotedLu<Scalar>::Matrix PivotedLu<Scalar>::solve(const Matrix& B) const {

@@ -11,12 +11,13 @@ constexpr double negligible_pivot(int n) { return 16 * n * std::numeric_limits<d
 
 /// Z x = h by LU with partial pivoting and one step of refinement.
 struct PivotedSolution {
-  Eigen::VectorXcd x;          ///< NaN if Z is singular
-  double backward_error = 0;   ///< ‖Zx − h‖∞ / (‖Z‖∞ ‖x‖∞ + ‖h‖∞); NaN if Z is singular
-  double condition = 0;        ///< of Z, estimated, if asked for; infinite if Z is singular
+  Eigen::VectorXcd x;         ///< NaN if Z is singular
+  double backward_error = 0;  ///< ‖Zx − h‖∞ / (‖Z‖∞ ‖x‖∞ + ‖h‖∞); NaN if Z is singular
+  double condition = 0;       ///< of Z, estimated, if asked for; infinite if Z is singular
 };
 
 /// @param Z  scaled so that its rows and columns compare
-[[nodiscard]] PivotedSolution pivoted_solution(const Eigen::MatrixXcd& Z, const Eigen::VectorXcd& h, bool with_condition = false);
+[[nodiscard]] PivotedSolution pivoted_solution(const Eigen::MatrixXcd& Z, const Eigen::VectorXcd& h,
+                                               bool with_condition = false);
 
 }  // namespace trivet::numerics

@@ -37,7 +37,8 @@ PoleResidueForm empty_form(Eigen::Index n, Eigen::Index right_sides) {
   return form;
 }
 
-/// (s − state)⁻¹ from the eigenvectors; their inverse keeps equal poles apart, which products with left vectors would not.
+/// (s − state)⁻¹ from the eigenvectors; their inverse keeps equal poles apart, which products with left vectors would
+/// not.
 void add_poles(const StateForm& form, PoleResidueForm& result) {
   const GeneralEigen eigen = form.real ? general_eigen(Eigen::MatrixXd(form.state.real())) : general_eigen(form.state);
   if (!eigen.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
@@ -55,8 +56,8 @@ bool is_diagonal(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& available
 }
 
 /// η̈ + b η̇ + (ω² + i loss) η = p for each mode on its own.
-PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lambda, const Eigen::VectorXd& b, const Eigen::VectorXd& loss,
-                          const Eigen::MatrixXcd& right_sides) {
+PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lambda, const Eigen::VectorXd& b,
+                          const Eigen::VectorXd& loss, const Eigen::MatrixXcd& right_sides) {
   const Eigen::MatrixXcd modal = phi.transpose() * right_sides;
   PoleResidueForm result = empty_form(phi.rows(), right_sides.cols());
   const Eigen::Index n = lambda.size();
@@ -87,14 +88,17 @@ PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lam
   return result;
 }
 
-/// States (w η, η̇) of the undamped modes that are not free motions without damping; w = ω, or the slowest ω where ω = 0.
+/// States (w η, η̇) of the undamped modes that are not free motions without damping; w = ω, or the slowest ω where ω =
+/// 0.
 PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes, const Eigen::MatrixXcd& right_sides) {
   const Eigen::MatrixXd& phi = modes.shapes;
   Eigen::MatrixXd damping = phi.transpose() * m.B * phi;
   const Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.B.cwiseAbs() * phi.cwiseAbs();
-  damping = (damping.array().abs() <= 64 * static_cast<double>(m.size()) * epsilon * available.array()).select(0.0, damping);
+  damping =
+      (damping.array().abs() <= 64 * static_cast<double>(m.size()) * epsilon * available.array()).select(0.0, damping);
   const Eigen::Index n = modes.lambda.size();
-  const Eigen::MatrixXd loss = m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd::Zero(n, n);
+  const Eigen::MatrixXd loss =
+      m.lossy() ? Eigen::MatrixXd(phi.transpose() * m.K_loss * phi) : Eigen::MatrixXd::Zero(n, n);
   const Eigen::MatrixXd available_loss =
       m.lossy() ? Eigen::MatrixXd(phi.cwiseAbs().transpose() * m.K_loss.cwiseAbs() * phi.cwiseAbs()) : loss;
   if (is_diagonal(damping, available) && is_diagonal(loss, available_loss))
@@ -126,7 +130,8 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
   form.output.leftCols(count) = (shapes * weight.cwiseInverse().asDiagonal()).cast<Complex>();
   PoleResidueForm result = empty_form(m.size(), right_sides.cols());
   add_poles(form, result);
-  for (const Eigen::Index i : others(n, moving)) result.free_motion += phi.col(i) * (phi.col(i).transpose() * right_sides);
+  for (const Eigen::Index i : others(n, moving))
+    result.free_motion += phi.col(i) * (phi.col(i).transpose() * right_sides);
   return result;
 }
 
@@ -163,9 +168,12 @@ PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& 
   form.input.middleRows(n, n) = v_input / speed;
   form.input.bottomRows(k) = z_input;
   form.output = Eigen::MatrixXcd::Zero(m.size(), 2 * n + k);
-  for (Eigen::Index i = 0; i < n; ++i) form.output(p[static_cast<std::size_t>(i)], i) = d(p[static_cast<std::size_t>(i)]);
-  for (Eigen::Index i = 0; i < k; ++i) form.output(z[static_cast<std::size_t>(i)], 2 * n + i) = d(z[static_cast<std::size_t>(i)]);
-  if (!form.state.allFinite() || !form.input.allFinite()) throw foundation::NotComputable("a coordinate without mass is held by nothing");
+  for (Eigen::Index i = 0; i < n; ++i)
+    form.output(p[static_cast<std::size_t>(i)], i) = d(p[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < k; ++i)
+    form.output(z[static_cast<std::size_t>(i)], 2 * n + i) = d(z[static_cast<std::size_t>(i)]);
+  if (!form.state.allFinite() || !form.input.allFinite())
+    throw foundation::NotComputable("a coordinate without mass is held by nothing");
   PoleResidueForm result = empty_form(m.size(), h.cols());
   add_poles(form, result);
   return result;
@@ -183,11 +191,13 @@ PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::
   const Rows p = others(m.size(), z);
   const Eigen::MatrixXcd K = m.complex_stiffness(), held = K(z, z);
   const PivotedLu<Complex> lu(held);
-  const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(K(z, p))), at_once = lu.solve(Eigen::MatrixXcd(h(z, Eigen::all)));
-  if (!follow.allFinite() || !at_once.allFinite()) throw foundation::NotComputable("a coordinate without mass is held by nothing");
+  const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(K(z, p))),
+                         at_once = lu.solve(Eigen::MatrixXcd(h(z, Eigen::all)));
+  if (!follow.allFinite() || !at_once.allFinite())
+    throw foundation::NotComputable("a coordinate without mass is held by nothing");
   const Eigen::MatrixXcd rest = K(p, p) + K(p, z) * follow;
-  const DynamicMatrices reduced{m.A(p, p), m.B(p, p), rest.real(), m.lossy() ? Eigen::MatrixXd(rest.imag()) : Eigen::MatrixXd(),
-                                m.symmetric};
+  const DynamicMatrices reduced{m.A(p, p), m.B(p, p), rest.real(),
+                                m.lossy() ? Eigen::MatrixXd(rest.imag()) : Eigen::MatrixXd(), m.symmetric};
   const PoleResidueForm inner = pole_residue_form(reduced, h(p, Eigen::all) - K(p, z) * at_once);
   PoleResidueForm result = empty_form(m.size(), h.cols());
   result.poles = inner.poles;
@@ -205,7 +215,8 @@ PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::
 }  // namespace
 
 PoleResidueForm pole_residue_form(const DynamicMatrices& m, const Eigen::MatrixXcd& right_sides) {
-  if (right_sides.cols() == 0) {  // only the poles and shapes are asked for; products with no columns are better not formed
+  if (right_sides.cols() ==
+      0) {  // only the poles and shapes are asked for; products with no columns are better not formed
     PoleResidueForm form = pole_residue_form(m, Eigen::MatrixXcd::Zero(m.size(), 1));
     form.participation.resize(form.poles.size(), 0);
     form.free_motion.resize(m.size(), 0);

@@ -33,7 +33,8 @@ void normalise_by_largest(Eigen::Ref<Eigen::VectorXcd> v, const Eigen::VectorXd&
 
 }  // namespace
 
-QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K_loss) {
+QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::MatrixXd& B,
+                                    const Eigen::MatrixXd& K_loss) {
   const Eigen::Index n = omega.size();
   const double damping_scale = B.size() > 0 ? B.cwiseAbs().maxCoeff() : 0;
   std::vector<Eigen::Index> sprung, moving, resting;
@@ -87,7 +88,7 @@ QuadraticRoots roots_of_companion(const DynamicMatrices& given) {
   const Eigen::Index n = matrices.size();
   const PivotedLu<double> mass(matrices.A);
   const Eigen::MatrixXcd stiffness = mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().real())).cast<Complex>() +
-                                     Complex(0, 1) * mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().imag())).cast<Complex>();
+      Complex(0, 1) * mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().imag())).cast<Complex>();
   const double speed = std::sqrt(std::max(stiffness.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
   state.topRightCorner(n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
@@ -149,7 +150,8 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
   const Eigen::VectorXcd starts = roots.lambda;
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     if (std::abs(roots.lambda(k)) == 0) continue;
-    if (k > 0 && !matrices.lossy() && starts(k).imag() < 0 && starts(k) == std::conj(starts(k - 1))) {  // the other one of a pair
+    if (k > 0 && !matrices.lossy() && starts(k).imag() < 0 &&
+        starts(k) == std::conj(starts(k - 1))) {  // the other one of a pair
       roots.lambda(k) = std::conj(roots.lambda(k - 1));
       roots.vectors.col(k) = roots.vectors.col(k - 1).conjugate();
       continue;
@@ -176,7 +178,8 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
       v = u.normalized();
     }
     const bool small = first <= Extended(1e-6) * Extended(scale);
-    const bool converged = last <= Extended(1e-3) * first || last <= Extended(16) * Extended(epsilon) * std::abs(lambda);
+    const bool converged =
+        last <= Extended(1e-3) * first || last <= Extended(16) * Extended(epsilon) * std::abs(lambda);
     if (!finite || !small || !converged) continue;
     roots.lambda(k) = Complex(static_cast<double>(lambda.real()), real ? 0.0 : static_cast<double>(lambda.imag()));
     roots.vectors.col(k) = d.asDiagonal() * v.cast<Complex>();

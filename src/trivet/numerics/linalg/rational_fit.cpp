@@ -32,7 +32,8 @@ class Loewner {
     Eigen::VectorXcd column = Eigen::VectorXcd::Zero(values_.size());
     for (Eigen::Index k = 0; k < x_.size(); ++k)
       if (std::find(nodes_.begin(), nodes_.end(), k) == nodes_.end())
-        column.segment(k * functions, functions) = ((values_.col(k) - values_.col(node)).array() / scales_.col(k).array() / (x_(k) - x_(node))).matrix();
+        column.segment(k * functions, functions) =
+            ((values_.col(k) - values_.col(node)).array() / scales_.col(k).array() / (x_(k) - x_(node))).matrix();
     const double length = column.norm();
     lengths_.push_back(length > 0 ? length : 1);
     column /= lengths_.back();
@@ -61,7 +62,8 @@ class Loewner {
     const Eigen::Index n = gram_.rows();
     const Eigen::HouseholderQR<Eigen::MatrixXcd> qr(rows_);
     Eigen::MatrixXcd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-    const double least = std::numeric_limits<double>::epsilon() * r.diagonal().cwiseAbs().maxCoeff() + std::numeric_limits<double>::min();
+    const double least = std::numeric_limits<double>::epsilon() * r.diagonal().cwiseAbs().maxCoeff() +
+        std::numeric_limits<double>::min();
     for (Eigen::Index j = 0; j < n; ++j)
       if (std::abs(r(j, j)) < least) r(j, j) = least;
     return iterated([&](const Eigen::VectorXcd& v) {
@@ -76,7 +78,8 @@ class Loewner {
     constexpr int steps = 4;
     const Eigen::Index n = gram_.rows();
     Eigen::VectorXcd v(n);
-    for (Eigen::Index j = 0; j < n; ++j) v(j) = std::polar(1.0, 2.4 * static_cast<double>(j));  // no direction preferred
+    for (Eigen::Index j = 0; j < n; ++j)
+      v(j) = std::polar(1.0, 2.4 * static_cast<double>(j));  // no direction preferred
     for (int step = 0; step < steps; ++step) v = inverse(v.normalized());
     v.normalize();
     for (Eigen::Index j = 0; j < n; ++j) v(j) /= lengths_[static_cast<std::size_t>(j)];
@@ -92,7 +95,8 @@ class Loewner {
   Eigen::MatrixXcd gram_;
 };
 
-RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const std::vector<Eigen::Index>& nodes, Eigen::VectorXcd weights) {
+RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values,
+                         const std::vector<Eigen::Index>& nodes, Eigen::VectorXcd weights) {
   RationalFit fit{Eigen::VectorXd(static_cast<Eigen::Index>(nodes.size())), std::move(weights),
                   Eigen::MatrixXcd(values.rows(), static_cast<Eigen::Index>(nodes.size())), 0};
   for (std::size_t j = 0; j < nodes.size(); ++j) {
@@ -103,11 +107,14 @@ RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
 }
 
 /// Where the fit is worst; sets its error.
-Eigen::Index worst_sample(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales, RationalFit& fit) {
+Eigen::Index worst_sample(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales,
+                          RationalFit& fit) {
   const Eigen::MatrixXcd found = fit.at(x);
   Eigen::Index worst = 0, function = 0;
   // A pole on a sample gives no number: nothing could be worse.
-  const Eigen::MatrixXd errors = ((found - values).cwiseAbs().array() / scales.array()).unaryExpr([](double e) { return std::isnan(e) ? std::numeric_limits<double>::infinity() : e; });
+  const Eigen::MatrixXd errors = ((found - values).cwiseAbs().array() / scales.array()).unaryExpr([](double e) {
+    return std::isnan(e) ? std::numeric_limits<double>::infinity() : e;
+  });
   fit.error = errors.maxCoeff(&function, &worst);
   return worst;
 }
@@ -138,14 +145,19 @@ Eigen::VectorXcd RationalFit::poles() const {
   return general_eigenvalues(companion).values;
 }
 
-RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales, double tolerance) {
-  if (x.size() < 2 || values.cols() != x.size() || scales.cols() != x.size() || scales.rows() != values.rows() || values.rows() < 1)
+RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales,
+                         double tolerance) {
+  if (x.size() < 2 || values.cols() != x.size() || scales.cols() != x.size() || scales.rows() != values.rows() ||
+      values.rows() < 1)
     throw foundation::InvalidInput("rational fit: samples, values and scales do not go together");
-  if (!values.allFinite() || !(scales.minCoeff() > 0)) throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
-  const Eigen::Index most_nodes = std::min(x.size() - 1, values.size() / (values.rows() + 1));  // no more weights than equations
+  if (!values.allFinite() || !(scales.minCoeff() > 0))
+    throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
+  const Eigen::Index most_nodes =
+      std::min(x.size() - 1, values.size() / (values.rows() + 1));  // no more weights than equations
   Loewner loewner(x, values, scales);
   RationalFit fit = with_weights(x, values, {x.size() / 2}, Eigen::VectorXcd::Ones(1));
-  for (Eigen::Index worst = worst_sample(x, values, scales, fit); fit.error > tolerance && std::ssize(loewner.nodes()) < most_nodes;
+  for (Eigen::Index worst = worst_sample(x, values, scales, fit);
+       fit.error > tolerance && std::ssize(loewner.nodes()) < most_nodes;
        worst = worst_sample(x, values, scales, fit)) {
     loewner.add_node(worst);
     fit = with_weights(x, values, loewner.nodes(), loewner.quick_weights());

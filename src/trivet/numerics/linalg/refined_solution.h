@@ -9,7 +9,8 @@
 namespace trivet::numerics {
 
 /// Solves Z x = b to nearly extended precision: pivoted LU in double, residuals in long double, refined until they
-/// settle; where they do not, LU in long double. Right even at a resonance with damping ratio 1e-6, where plain double keeps ten digits.
+/// settle; where they do not, LU in long double. Right even at a resonance with damping ratio 1e-6, where plain double
+/// keeps ten digits.
 class RefinedSolver {
  public:
   /// Z in extended precision, scaled so that its rows and columns compare.

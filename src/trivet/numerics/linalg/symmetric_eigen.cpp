@@ -25,7 +25,8 @@ SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) 
 }
 
 template <typename Matrix>
-SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P) {
+SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S,
+                                       const Eigen::PlainObjectBase<Matrix>& P) {
   const Eigen::LLT<Computed<Matrix>> cholesky(P.derived());
   const auto L = cholesky.matrixL();
   const Computed<Matrix> half = L.solve(Computed<Matrix>(S.derived()));

@@ -13,17 +13,19 @@ struct SymmetricEigen {
   bool converged = true;
 };
 
-/// S φ = λ φ of a symmetric S, of which the lower triangle is read. Only a plain matrix is taken, of the size that its type
-/// says: MatrixXd, Matrix2d, Matrix3d, 6×6 or 12×12.
+/// S φ = λ φ of a symmetric S, of which the lower triangle is read. Only a plain matrix is taken, of the size that its
+/// type says: MatrixXd, Matrix2d, Matrix3d, 6×6 or 12×12.
 template <typename Matrix>
 [[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S);
 
 /// S φ = λ P φ with P positive definite, by its Cholesky factor; φᵀ P φ = 1. MatrixXd, Matrix2d.
 template <typename Matrix>
-[[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S, const Eigen::PlainObjectBase<Matrix>& P);
+[[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S,
+                                                     const Eigen::PlainObjectBase<Matrix>& P);
 
 /// Eigenvalues of a symmetric or Hermitian matrix, ascending: MatrixXd, MatrixXcd, 6×6 or 12×12.
 template <typename Matrix>
-[[nodiscard]] Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S);
+[[nodiscard]] Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(
+    const Eigen::PlainObjectBase<Matrix>& S);
 
 }  // namespace trivet::numerics

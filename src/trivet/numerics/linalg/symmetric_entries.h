@@ -15,10 +15,12 @@ struct SymmetricEntry {
   int free = -1;  ///< number of what is added at each frequency, or nothing is
 };
 
-/// Those of the lower triangle that are not 0, column by column, in coordinates q = D q̃; the only look at the full matrices.
+/// Those of the lower triangle that are not 0, column by column, in coordinates q = D q̃; the only look at the full
+/// matrices.
 [[nodiscard]] std::vector<SymmetricEntry> symmetric_entries(const DynamicMatrices& matrices, const Eigen::VectorXd& d);
 
-/// An entry of Z(ω), and by symmetry the one across the diagonal, to which something is added that is given for each frequency.
+/// An entry of Z(ω), and by symmetry the one across the diagonal, to which something is added that is given for each
+/// frequency.
 struct FreeEntry {
   Eigen::Index row = 0, column = 0;
 };

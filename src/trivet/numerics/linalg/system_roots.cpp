@@ -34,8 +34,8 @@ QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
   return result;
 }
 
-/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`, two for each free motion,
-/// however fast the fastest of the others is.
+/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`,
+/// two for each free motion, however fast the fastest of the others is.
 double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
   if (most == 0) return 0;
   Eigen::VectorXd size = roots.lambda.cwiseAbs();
@@ -86,7 +86,8 @@ SystemRoots system_roots(const DynamicMatrices& m) {
   const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
   if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
   QuadraticRoots result;
-  const bool basis_is_orthonormal = !massless && modes.route == ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
+  const bool basis_is_orthonormal =
+      !massless && modes.route == ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
   if (basis_is_orthonormal) {
     std::vector<Eigen::Index> free;
     for (Eigen::Index i = 0; i < modes.lambda.size(); ++i)

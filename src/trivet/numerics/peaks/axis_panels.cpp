@@ -20,8 +20,9 @@ constexpr double most_turns = 20'000;  // of a delayed load's phase
 constexpr std::size_t most_panels = 200'000;
 constexpr double lowest_of_free_motion = 1e-6;  // [rad/s]; a turn in two months
 
-/// Where the cover of a system that is free to move begins. What its other motions do at rest is missed by (ω/smallest)², and the free one, ω²A beside the
-/// round-off of K, by ε (largest/ω)²: as far for the one as for the other.
+/// Where the cover of a system that is free to move begins. What its other motions do at rest is missed by
+/// (ω/smallest)², and the free one, ω²A beside the round-off of K, by ε (largest/ω)²: as far for the one as for the
+/// other.
 double lowest_beside_free_motion(double smallest, double largest) {
   if (largest == 0) return lowest_of_free_motion;
   return std::min(1e-4 * std::sqrt(smallest * largest), 1e-2 * smallest);
@@ -40,7 +41,8 @@ double distance_to_poles(const Eigen::VectorXcd& poles, double omega) {
   return poles.size() == 0 ? 1 / panel_ratio : (poles.array() - std::complex<double>(0, omega)).abs().minCoeff();
 }
 
-/// Largest tried radius r for a panel that starts at `from` with r ≤ panel_ratio · (distance of its centre to the poles).
+/// Largest tried radius r for a panel that starts at `from` with r ≤ panel_ratio · (distance of its centre to the
+/// poles).
 double panel_radius(const Eigen::VectorXcd& poles, double from) {
   const double here = distance_to_poles(poles, from);
   const double certain = panel_ratio * here / (1 + panel_ratio);
@@ -67,20 +69,29 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
     if (size(k) > 0) smallest = std::min(smallest, size(k));
     const double round_off = std::max(64 * std::numeric_limits<double>::epsilon() * size(k), 1e-16 * largest);
-    if (std::abs(poles(k).real()) <= round_off && poles(k).imag() > round_off) cover.poles_on_axis.push_back(poles(k).imag());
+    if (std::abs(poles(k).real()) <= round_off && poles(k).imag() > round_off)
+      cover.poles_on_axis.push_back(poles(k).imag());
   }
   std::sort(cover.poles_on_axis.begin(), cover.poles_on_axis.end());
   const auto same = [](double a, double b) { return b - a <= 4 * gap_at_pole * b; };
-  cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same), cover.poles_on_axis.end());
+  cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same),
+                            cover.poles_on_axis.end());
   const bool free = (of_system.array() == std::complex<double>(0)).any();
-  cover.lowest = free ? lowest_beside_free_motion(smallest, largest) : !load.unbounded_at_rest ? 0 : smallest > 0 ? 1e-6 * smallest : lowest_of_free_motion;
+  cover.lowest = free           ? lowest_beside_free_motion(smallest, largest)
+      : !load.unbounded_at_rest ? 0
+      : smallest > 0            ? 1e-6 * smallest
+                                : lowest_of_free_motion;
 
   const bool turning = load.longest_delay > 0;
-  const double end = turning ? load.highest : poles.size() == 0 ? 1 : std::max(largest / panel_ratio, 2 * cover.lowest);  // one panel at least before infinity
+  const double end = turning ? load.highest
+      : poles.size() == 0    ? 1
+                             : std::max(largest / panel_ratio, 2 * cover.lowest);  // one panel at least before infinity
   const double most = turning ? most_turning / load.longest_delay : std::numeric_limits<double>::infinity();
   if (turning && end * load.longest_delay > most_turns * 2 * std::numbers::pi)
-    throw foundation::NotComputable(fmt::format("peaks: a delay of {:.4g} s turns the phase {:.3g} times up to {:.4g} rad/s; at most {:.0f} turns are searched: a faster wave, or a lower band",
-                                                load.longest_delay, end * load.longest_delay / (2 * std::numbers::pi), end, most_turns));
+    throw foundation::NotComputable(
+        fmt::format("peaks: a delay of {:.4g} s turns the phase {:.3g} times up to {:.4g} rad/s; at most {:.0f} turns "
+                    "are searched: a faster wave, or a lower band",
+                    load.longest_delay, end * load.longest_delay / (2 * std::numbers::pi), end, most_turns));
   double from = cover.lowest;
   auto pole = cover.poles_on_axis.begin();
   while (from < end) {
@@ -88,7 +99,8 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
       from = std::max(from, *pole * (1 + 4 * gap_at_pole));
       ++pole;
     }
-    const double radius = std::max(std::min(panel_radius(poles, from), most), 64 * std::numeric_limits<double>::epsilon() * from);
+    const double radius =
+        std::max(std::min(panel_radius(poles, from), most), 64 * std::numeric_limits<double>::epsilon() * from);
     if (!(from + 2 * radius > from) || cover.panels.size() >= most_panels)
       throw foundation::NotComputable(
           fmt::format("peaks: the axis from {:.4g} to {:.4g} rad/s cannot be covered with {} panels free of poles: the "

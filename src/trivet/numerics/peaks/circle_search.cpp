@@ -22,8 +22,8 @@ constexpr int samples = 64;
 constexpr double spread = 1.25;
 constexpr int betraying = 8;
 constexpr double pole_free = 1e-11;
-/// Round-off of a curve, as a share of what its terms could make of it: a few units times the condition of Z, and never so much that a
-/// pole could hide in it.
+/// Round-off of a curve, as a share of what its terms could make of it: a few units times the condition of Z, and never
+/// so much that a pole could hide in it.
 double round_off_share(double condition) {
   constexpr double count = 16, most = 1e-6;
   return std::min(count * std::numeric_limits<double>::epsilon() * condition, most);
@@ -48,7 +48,8 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   possible.resize(0);
   double condition = 0;
   for (int k = 0; k < samples; ++k) {
-    const CurveSample at = sample(panel.centre + spread * panel.radius * std::polar(1.0, 2 * std::numbers::pi * k / samples), panel.centre);
+    const CurveSample at = sample(
+        panel.centre + spread * panel.radius * std::polar(1.0, 2 * std::numbers::pi * k / samples), panel.centre);
     if (!at.values.allFinite()) return {};
     values.push_back(at.values);
     condition = std::max(condition, at.condition);
@@ -60,13 +61,16 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   Eigen::MatrixXcd series = Eigen::MatrixXcd::Zero(curves, samples);
   level.setZero(curves);
   for (int j = 0; j < samples; ++j)
-    for (int k = 0; k < samples; ++k) series.col(j) += values[static_cast<std::size_t>(k)] * std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
+    for (int k = 0; k < samples; ++k)
+      series.col(j) += values[static_cast<std::size_t>(k)] *
+          std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
   for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
   // Coefficients of the last powers are those of the first negative ones: the principal part of a pole inside.
   doubt.setZero(curves);
   for (Eigen::Index c = 0; c < curves; ++c) {
     const double tail = series.row(c).tail(betraying).cwiseAbs().maxCoeff();
-    if (level(c) <= noise(c) || tail <= std::max(pole_free * level(c), round_off_share(condition) * possible(c))) continue;
+    if (level(c) <= noise(c) || tail <= std::max(pole_free * level(c), round_off_share(condition) * possible(c)))
+      continue;
     if (tail > noise(c)) return {};
     doubt(c) = noise(c);
   }
@@ -75,11 +79,15 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   return series.leftCols(samples - betraying);
 }
 
-/// Where one smooth piece ends and the next begins a curve may have a corner, and an extremum there that no derivative shows.
-void note_corner(double before, double after, const CurveSeries& series, const Panel& panel, std::vector<Extremum>& extrema) {
+/// Where one smooth piece ends and the next begins a curve may have a corner, and an extremum there that no derivative
+/// shows.
+void note_corner(double before, double after, const CurveSeries& series, const Panel& panel,
+                 std::vector<Extremum>& extrema) {
   constexpr double significant = 1e-9;
   const double height = amplitude(series, panel, -1);
-  if (!(before * after < 0) || !(std::min(std::abs(before), std::abs(after)) > significant * height * height / panel.radius)) return;
+  if (!(before * after < 0) ||
+      !(std::min(std::abs(before), std::abs(after)) > significant * height * height / panel.radius))
+    return;
   extrema.push_back({panel.centre - panel.radius, height, before > 0, panel.radius, 0});
 }
 
@@ -93,8 +101,12 @@ double first_guess(const Eigen::VectorXcd& poles, double from) {
 class Walk {
  public:
   Walk(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options)
-      : sample_(sample), options_(options), seams_(options.seams),
-        doubt_(static_cast<std::size_t>(curves), 0.0), top_(static_cast<std::size_t>(curves), 0.0), rise_(static_cast<std::size_t>(curves), 0.0),
+      : sample_(sample),
+        options_(options),
+        seams_(options.seams),
+        doubt_(static_cast<std::size_t>(curves), 0.0),
+        top_(static_cast<std::size_t>(curves), 0.0),
+        rise_(static_cast<std::size_t>(curves), 0.0),
         found_{std::vector<SearchedCurve>(static_cast<std::size_t>(curves)), options.from, options.to, 0} {
     seams_.push_back(options.to);
     std::sort(seams_.begin(), seams_.end());
@@ -115,9 +127,9 @@ class Walk {
     constexpr double negligible = 1e-7;
     for (std::size_t c = 0; c < top_.size(); ++c)
       if (doubt_[c] > negligible * top_[c])
-        throw foundation::NotComputable(
-            fmt::format("peaks: {} is so small compared with the others that round-off hides its peaks: do not ask for it",
-                        options_.name ? options_.name(static_cast<Eigen::Index>(c)) : fmt::format("curve {}", c + 1)));
+        throw foundation::NotComputable(fmt::format(
+            "peaks: {} is so small compared with the others that round-off hides its peaks: do not ask for it",
+            options_.name ? options_.name(static_cast<Eigen::Index>(c)) : fmt::format("curve {}", c + 1)));
   }
 
   void step(double& from, double& radius) {
@@ -167,7 +179,9 @@ class Walk {
 
   void leave_gap(double& from) {
     std::fill(rise_.begin(), rise_.end(), 0);
-    if (++gaps_ > most_gaps_in_a_row) throw foundation::NotComputable(fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));
+    if (++gaps_ > most_gaps_in_a_row)
+      throw foundation::NotComputable(
+          fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));
     poles_.push_back(from * (1 + gap_at_pole));
     from *= 1 + 4 * gap_at_pole;
   }
@@ -185,7 +199,8 @@ class Walk {
       std::ranges::transform(around_pole(pole), y.begin(), [&](double omega) { return amplitudes(omega); });
       for (std::size_t c = 0; c < rise_.size(); ++c) {
         const auto row = static_cast<Eigen::Index>(c);
-        if (is_unbounded({y[0](row), y[1](row), y[2](row), y[3](row)})) found_.curves[c].extrema.push_back(unbounded_at(pole));
+        if (is_unbounded({y[0](row), y[1](row), y[2](row), y[3](row)}))
+          found_.curves[c].extrema.push_back(unbounded_at(pole));
       }
     }
     for (SearchedCurve& curve : found_.curves) curve.extrema = alternating(std::move(curve.extrema));
@@ -195,8 +210,8 @@ class Walk {
   const CircleSearchOptions& options_;
   std::vector<double> seams_;
   std::vector<double> doubt_, top_;  ///< of each curve: round-off that its series took, and its largest amplitude
-  std::vector<double> rise_;   ///< d|y|²/dω at the end of the panel before
-  std::vector<double> poles_;  ///< undamped ones
+  std::vector<double> rise_;         ///< d|y|²/dω at the end of the panel before
+  std::vector<double> poles_;        ///< undamped ones
   AxisSearch found_;
   int gaps_ = 0;
   std::size_t trials_ = 0;
@@ -205,7 +220,8 @@ class Walk {
 }  // namespace
 
 AxisSearch search_by_circles(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options) {
-  if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to))) throw foundation::InvalidInput("peaks by circles: a band needs 0 < from < to < ∞");
+  if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to)))
+    throw foundation::InvalidInput("peaks by circles: a band needs 0 < from < to < ∞");
   return Walk(sample, curves, options).search();
 }
 

@@ -76,13 +76,15 @@ Laurent weighted_series(const CurveTerms& terms, const Panel& panel, const Serie
 /// A polynomial with the sign of d|y|²/dτ for τ > 0 at infinity, everywhere else d|y|²/dτ itself.
 std::vector<double> slope(const CurveSeries& series) {
   std::vector<double> g;
-  for (std::size_t k = series.power == 0 ? 1 : 0; k < series.square.size(); ++k) g.push_back((2.0 * series.power + static_cast<double>(k)) * series.square[k]);
+  for (std::size_t k = series.power == 0 ? 1 : 0; k < series.square.size(); ++k)
+    g.push_back((2.0 * series.power + static_cast<double>(k)) * series.square[k]);
   return g;
 }
 
 }  // namespace
 
-CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given, const Panel& panel) {
+CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given,
+                                   const Panel& panel) {
   const bool rests = given.vanishes();
   if (panel.at_infinity)
     return {response_series_at_infinity(matrices, load, panel.radius, series_order),
@@ -112,7 +114,8 @@ CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel, const C
     while (!y.coefficients.isZero(0) && y.coefficients(0) == Complex(0)) y = without_first(y, panel);
     return squared_modulus(y.coefficients, y.power);
   }
-  for (int d = 0; d < curve.derivative; ++d) y.coefficients = times_linear(y.coefficients, i * panel.centre, i * panel.radius);
+  for (int d = 0; d < curve.derivative; ++d)
+    y.coefficients = times_linear(y.coefficients, i * panel.centre, i * panel.radius);
   return squared_modulus(y.coefficients);
 }
 
@@ -129,15 +132,20 @@ double amplitude(const CurveSeries& series, const Panel& panel, double tau) {
 
 double limit_at_infinity(const CurveSeries& series, const Panel& panel) {
   const double negligible = std::pow(vanishing_share * size_of(series), 2);
-  const auto leading = std::find_if(series.square.begin(), series.square.end(), [&](double s) { return s > negligible; });
+  const auto leading =
+      std::find_if(series.square.begin(), series.square.end(), [&](double s) { return s > negligible; });
   const auto power = 2 * series.power + (leading - series.square.begin());  // of 1/ω in |y|²
   if (leading == series.square.end() || power > 0) return 0;
-  return power < 0 ? std::numeric_limits<double>::infinity() : std::sqrt(*leading) * std::pow(panel.radius, series.power);
+  return power < 0 ? std::numeric_limits<double>::infinity()
+                   : std::sqrt(*leading) * std::pow(panel.radius, series.power);
 }
 
-double rise_of_square(const CurveSeries& series, const Panel& panel, double tau) { return polynomial_value(slope(series), tau) / panel.radius; }
+double rise_of_square(const CurveSeries& series, const Panel& panel, double tau) {
+  return polynomial_value(slope(series), tau) / panel.radius;
+}
 
-void add_extrema(const CurveSeries& series, const Panel& panel, double from, double to, std::vector<Extremum>& extrema) {
+void add_extrema(const CurveSeries& series, const Panel& panel, double from, double to,
+                 std::vector<Extremum>& extrema) {
   std::vector<SignChange> changes = sign_changes(slope(series), panel.at_infinity ? 0 : -1 - overlap, 1 + overlap);
   if (panel.at_infinity) std::reverse(changes.begin(), changes.end());
   for (const SignChange& change : changes) {

@@ -17,15 +17,18 @@ struct CurveSeries {
   int power = 0;
 };
 
-/// Taylor coefficients (columns) of the response and of what is given on a panel; powers of 1/ω before them at infinity, else 0.
+/// Taylor coefficients (columns) of the response and of what is given on a panel; powers of 1/ω before them at
+/// infinity, else 0.
 struct CoordinateSeries {
   SeriesAtInfinity response;
-  SeriesAtInfinity given;   ///< no rows if nothing is
+  SeriesAtInfinity given;  ///< no rows if nothing is
 };
 
-[[nodiscard]] CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given, const Panel& panel);
+[[nodiscard]] CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given,
+                                                 const Panel& panel);
 
-[[nodiscard]] CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates);
+[[nodiscard]] CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel,
+                                       const CoordinateSeries& coordinates);
 
 /// |y|² of a curve whose own coefficients are known.
 [[nodiscard]] CurveSeries squared_modulus(const Eigen::RowVectorXcd& coefficients, int power = 0);

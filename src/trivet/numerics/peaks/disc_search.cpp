@@ -27,7 +27,9 @@ double where_sized(const Panel& panel) { return panel.at_infinity ? 1 / panel.ra
 
 /// Their sizes there if all weighed the same.
 Eigen::VectorXd sizes_on(const Panel& panel, const SeriesAtInfinity& q, const Eigen::VectorXd& scale) {
-  const Eigen::VectorXcd there = panel.at_infinity ? Eigen::VectorXcd(std::pow(panel.radius, q.power) * q.coefficients.rowwise().sum()) : Eigen::VectorXcd(q.coefficients.col(0));
+  const Eigen::VectorXcd there = panel.at_infinity
+      ? Eigen::VectorXcd(std::pow(panel.radius, q.power) * q.coefficients.rowwise().sum())
+      : Eigen::VectorXcd(q.coefficients.col(0));
   return there.cwiseAbs().cwiseQuotient(scale).maxCoeff() * scale;
 }
 
@@ -37,9 +39,11 @@ bool search_panel(const ObservedCurve& curve, const Panel& panel, const Coordina
   const CurveSeries series = curve_series(curve, panel, coordinates);
   if (!std::isfinite(size_of(series))) return false;
   if (panel.at_infinity) result.at_end = limit_at_infinity(series, panel);
-  else if (const double tau = (band.from - panel.centre) / panel.radius; std::abs(tau) <= 1 + round_off) result.at_start = amplitude(series, panel, tau);
+  else if (const double tau = (band.from - panel.centre) / panel.radius; std::abs(tau) <= 1 + round_off)
+    result.at_start = amplitude(series, panel, tau);
   const double size = size_of(series) * (panel.at_infinity ? std::pow(panel.radius, series.power) : 1);
-  const double possible = possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
+  const double possible =
+      possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
   if (!(size > vanishing_share * possible)) return true;  // its ups and downs are round-off
   result.largest_share = std::max(result.largest_share, size / possible);
   add_extrema(series, panel, band.from, band.to, result.extrema);
@@ -55,19 +59,22 @@ bool stands_on_a_pole(const Panel& panel, const std::vector<double>& poles) {
 }
 
 /// |y|, curves × frequencies, from direct solutions.
-Eigen::MatrixXd amplitudes(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const std::vector<double>& omega) {
+Eigen::MatrixXd amplitudes(const DrivenSystem& system, const std::vector<ObservedCurve>& curves,
+                           const std::vector<double>& omega) {
   const auto count = static_cast<Eigen::Index>(omega.size());
   const Eigen::MatrixXcd q = sweep(system.matrices, system.load, omega).response;
   const Eigen::MatrixXcd given = system.given.at(omega);
   const Eigen::RowVectorXcd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), count).cast<Complex>();
   Eigen::MatrixXd result(static_cast<Eigen::Index>(curves.size()), count);
-  for (std::size_t c = 0; c < curves.size(); ++c) result.row(static_cast<Eigen::Index>(c)) = curve_values(curves[c], q, given, at).cwiseAbs();
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    result.row(static_cast<Eigen::Index>(c)) = curve_values(curves[c], q, given, at).cwiseAbs();
   return result;
 }
 
-/// @param beside_free_motion  the search begins there: Z may count as singular for its sake, while a curve that takes no part has a height, which its series tells
-void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const std::vector<double>& poles, bool beside_free_motion,
-                         AxisSearch& search) {
+/// @param beside_free_motion  the search begins there: Z may count as singular for its sake, while a curve that takes
+/// no part has a height, which its series tells
+void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedCurve>& curves,
+                         const std::vector<double>& poles, bool beside_free_motion, AxisSearch& search) {
   std::vector<double> omega = {search.from};
   if (std::isfinite(search.to)) omega.push_back(search.to);
   const auto ends = static_cast<Eigen::Index>(omega.size());
@@ -81,7 +88,8 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
     if (ends > 1) curve.at_end = y(row, 1);
     Eigen::Index at = ends;
     for (const double pole : poles) {
-      if (is_unbounded({y(row, at), y(row, at + 1), y(row, at + 2), y(row, at + 3)})) curve.extrema.push_back(unbounded_at(pole));
+      if (is_unbounded({y(row, at), y(row, at + 1), y(row, at + 2), y(row, at + 3)}))
+        curve.extrema.push_back(unbounded_at(pole));
       at += 4;
     }
     curve.extrema = alternating(std::move(curve.extrema));
@@ -90,12 +98,13 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
 
 }  // namespace
 
-AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<ObservedCurve>& curves, const Eigen::VectorXcd& poles,
-                           const DiscSearchOptions& options) {
+AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<ObservedCurve>& curves,
+                           const Eigen::VectorXcd& poles, const DiscSearchOptions& options) {
   const double delay = std::max(system.load.longest_delay(), system.given.longest_delay());
   const bool unbounded_at_rest = std::min(system.load.lowest_power(), system.given.lowest_power()) < 0;
   const PanelCover cover = cover_axis(poles, {unbounded_at_rest, delay, options.to});
-  AxisSearch result{std::vector<SearchedCurve>(curves.size()), std::max(options.from, cover.lowest), options.to, static_cast<int>(cover.panels.size())};
+  AxisSearch result{std::vector<SearchedCurve>(curves.size()), std::max(options.from, cover.lowest), options.to,
+                    static_cast<int>(cover.panels.size())};
   if (system.load.vanishes() && system.given.vanishes()) return result;
   const Eigen::VectorXd scale = unit_scale(system.matrices);
   // Panels of a delayed load end beyond the band: what the last one shows there tells how far the last peaks stand out.
@@ -110,7 +119,9 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
   for (const Panel& panel : cover.panels) {
     foundation::report_progress(options.progress, "peaks", done / all);
     done += static_cast<double>(curves.size());
-    if (panel.at_infinity ? band.to < 1 / panel.radius : panel.centre + panel.radius < band.from || panel.centre - panel.radius > band.to) continue;
+    if (panel.at_infinity ? band.to < 1 / panel.radius
+                          : panel.centre + panel.radius < band.from || panel.centre - panel.radius > band.to)
+      continue;
     const CoordinateSeries q = coordinate_series(system.matrices, system.load, system.given, panel);
     const auto note_gap = [&](SearchedCurve& curve) {
       curve.complete = false;
@@ -127,7 +138,8 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
       continue;
     }
     const Eigen::VectorXd sizes = sizes_on(panel, q.response, scale);
-    const Eigen::VectorXd given = system.given.vanishes() ? Eigen::VectorXd() : system.given.possible(where_sized(panel));
+    const Eigen::VectorXd given =
+        system.given.vanishes() ? Eigen::VectorXd() : system.given.possible(where_sized(panel));
     for (std::size_t c = 0; c < curves.size(); ++c) {
       foundation::report_progress(options.progress, "peaks", (done - static_cast<double>(curves.size() - c)) / all);
       if (!search_panel(curves[c], panel, q, sizes, given, band, result.curves[c])) note_gap(result.curves[c]);

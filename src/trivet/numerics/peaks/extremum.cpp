@@ -9,7 +9,8 @@
 namespace trivet::numerics {
 
 std::vector<Extremum> alternating(std::vector<Extremum> all) {
-  std::stable_sort(all.begin(), all.end(), [](const Extremum& a, const Extremum& b) { return a.angular_frequency < b.angular_frequency; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Extremum& a, const Extremum& b) { return a.angular_frequency < b.angular_frequency; });
   std::vector<Extremum> result;
   for (const Extremum& e : all) {
     if (result.empty() || result.back().maximum != e.maximum) result.push_back(e);
@@ -24,7 +25,8 @@ CurveHeights heights_of(const SearchedCurve& curve, double from, double to, bool
   const auto add = [&](double amplitude, double omega) {
     const double height = std::isnan(amplitude) ? std::numeric_limits<double>::infinity() : amplitude;  // Z is singular
     heights.along.push_back(height);
-    if (std::isfinite(height) && (start_is_scale || heights.along.size() > 1)) heights.finite_top = std::max(heights.finite_top, height);
+    if (std::isfinite(height) && (start_is_scale || heights.along.size() > 1))
+      heights.finite_top = std::max(heights.finite_top, height);
     if (height > heights.highest) heights.highest = height, heights.highest_at = omega;
   };
   add(curve.at_start, from);
@@ -38,8 +40,12 @@ std::array<double, 4> around_pole(double pole) {
   return {pole * (1 - far), pole * (1 - near), pole * (1 + near), pole * (1 + far)};
 }
 
-bool is_unbounded(const std::array<double, 4>& y) { return y[1] > 9 * y[0] && y[2] > 9 * y[3]; }  // a pole in reach gives 10
+bool is_unbounded(const std::array<double, 4>& y) {
+  return y[1] > 9 * y[0] && y[2] > 9 * y[3];
+}  // a pole in reach gives 10
 
-Extremum unbounded_at(double pole) { return {pole, std::numeric_limits<double>::infinity(), true, gap_at_pole * pole, 0}; }
+Extremum unbounded_at(double pole) {
+  return {pole, std::numeric_limits<double>::infinity(), true, gap_at_pole * pole, 0};
+}
 
 }  // namespace trivet::numerics

@@ -49,9 +49,10 @@ template <typename Real>
 template <typename Real>
 [[nodiscard]] Jet<ComplexVector<Real>> terms_jet(const CurveTerms& terms, Eigen::Index n, Real omega) {
   using Scalar = std::complex<Real>;
-  const ComplexVector<Real> velocity = Scalar(0, 1) * terms.on_velocity.head(n).cast<Scalar>(), acceleration = -terms.on_acceleration.head(n).cast<Scalar>();
-  return {terms.on_displacement.head(n).cast<Scalar>() + omega * velocity + omega * omega * acceleration, velocity + Real(2) * omega * acceleration,
-          Real(2) * acceleration};
+  const ComplexVector<Real> velocity = Scalar(0, 1) * terms.on_velocity.head(n).cast<Scalar>(),
+                            acceleration = -terms.on_acceleration.head(n).cast<Scalar>();
+  return {terms.on_displacement.head(n).cast<Scalar>() + omega * velocity + omega * omega * acceleration,
+          velocity + Real(2) * omega * acceleration, Real(2) * acceleration};
 }
 
 /// cᵀq.
@@ -70,7 +71,8 @@ template <typename T, typename Real>
 
 /// x of Z x = b. @param solve  Z⁻¹ times a vector
 template <typename Real, typename Solve>
-[[nodiscard]] Jet<ComplexVector<Real>> solution_jet(const Solve& solve, const Jet<ComplexMatrix<Real>>& z, const Jet<ComplexVector<Real>>& b) {
+[[nodiscard]] Jet<ComplexVector<Real>> solution_jet(const Solve& solve, const Jet<ComplexMatrix<Real>>& z,
+                                                    const Jet<ComplexVector<Real>>& b) {
   Jet<ComplexVector<Real>> x;
   x[0] = solve(b[0]);
   x[1] = solve(ComplexVector<Real>(b[1] - z[1] * x[0]));

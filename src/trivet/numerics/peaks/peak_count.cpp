@@ -7,7 +7,8 @@
 namespace trivet::numerics {
 namespace {
 
-/// The two minima that part a peak from higher ground or from an end, the higher one first; the peak itself where there is none.
+/// The two minima that part a peak from higher ground or from an end, the higher one first; the peak itself where there
+/// is none.
 struct Minima {
   std::size_t base, lower;
 };
@@ -21,7 +22,9 @@ Minima minima_of(std::span<const double> heights, std::size_t peak) {
   return heights[left] > heights[right] ? Minima{left, right} : Minima{right, left};
 }
 
-bool stands_out(std::span<const double> heights, std::size_t i) { return heights[i] > heights[i - 1] && heights[i] > heights[i + 1]; }
+bool stands_out(std::span<const double> heights, std::size_t i) {
+  return heights[i] > heights[i - 1] && heights[i] > heights[i + 1];
+}
 
 }  // namespace
 
@@ -29,16 +32,19 @@ double prominence(std::span<const double> heights, std::size_t peak) {
   return std::isinf(heights[peak]) ? heights[peak] : heights[peak] - heights[minima_of(heights, peak).base];
 }
 
-bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least, double largest_rise, double accuracy) {
+bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least, double largest_rise,
+                   double accuracy) {
   for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
     if (!stands_out(heights, i) || std::isinf(heights[i])) continue;
     const auto [base, lower] = minima_of(heights, i);
     if (!(heights[i] - heights[base] > least)) continue;
-    const bool exchange = heights[lower] * (1 + 2 * doubts[lower]) > heights[base] && doubts[lower] > accuracy;  // the lower may be the higher
+    const bool exchange = heights[lower] * (1 + 2 * doubts[lower]) > heights[base] &&
+        doubts[lower] > accuracy;                                                         // the lower may be the higher
     const auto hidden = [&](std::size_t k) { return heights[k] == 0 && doubts[k] > 0; };  // by round-off
     if (exchange || hidden(base) || hidden(lower)) return false;
     const double ratio = heights[i] / heights[base], doubt = doubts[i] + doubts[base];
-    if (doubt > 0 && !(ratio * doubt <= accuracy * largest_rise || ratio * (1 + 2 * doubt) < 1 + largest_rise)) return false;
+    if (doubt > 0 && !(ratio * doubt <= accuracy * largest_rise || ratio * (1 + 2 * doubt) < 1 + largest_rise))
+      return false;
   }
   return true;
 }

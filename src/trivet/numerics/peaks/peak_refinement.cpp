@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/numerics/peaks/jet.h"
 #include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/numerics/peaks/jet.h"
 
 namespace trivet::numerics {
 namespace {
@@ -24,15 +24,20 @@ struct Sensitivity {
 class Curve {
  public:
   Curve(const DrivenSystem& system, const ObservedCurve& curve)
-      : d_(unit_scale(system.matrices)), m_(scaled(system.matrices, d_)), load_(system.load.scaled(d_)), given_(system.given),
+      : d_(unit_scale(system.matrices)),
+        m_(scaled(system.matrices, d_)),
+        load_(system.load.scaled(d_)),
+        given_(system.given),
         terms_{d_.asDiagonal() * curve.of_response.on_displacement, d_.asDiagonal() * curve.of_response.on_velocity,
                d_.asDiagonal() * curve.of_response.on_acceleration},
-        of_given_(curve.of_given), derivative_(curve.derivative) {}
+        of_given_(curve.of_given),
+        derivative_(curve.derivative) {}
 
   Jet<ExtendedComplex> at(Extended w) const {
     const Jet<ExtendedMatrix> z = stiffness_jet(m_, w);
     const RefinedSolver solver(z[0]);
-    const Jet<ExtendedVector> q = solution_jet<Extended>([&](const ExtendedVector& b) { return solver.solve(b); }, z, load_jet(load_, w));
+    const Jet<ExtendedVector> q =
+        solution_jet<Extended>([&](const ExtendedVector& b) { return solver.solve(b); }, z, load_jet(load_, w));
     Jet<ExtendedComplex> y = dot<Extended>(terms_jet(terms_, m_.size(), w), q);
     const Jet<ExtendedComplex> direct = of_given(w);
     for (std::size_t k = 0; k < 3; ++k) y[k] += direct[k];
@@ -40,8 +45,8 @@ class Curve {
     return y;
   }
 
-  /// δy = −pᵀ δZ q with pᵀ = cᵀZ⁻¹; entries of K and ω²A change by real, those of ωB by imaginary amounts of one unit of
-  /// round-off. Only what lies along y changes its amplitude.
+  /// δy = −pᵀ δZ q with pᵀ = cᵀZ⁻¹; entries of K and ω²A change by real, those of ωB by imaginary amounts of one unit
+  /// of round-off. Only what lies along y changes its amplitude.
   Sensitivity sensitivity(Extended w) const {
     const ExtendedMatrix z = stiffness_jet(m_, w)[0], K = m_.complex_stiffness().cast<ExtendedComplex>();
     const ExtendedVector c = terms_jet(terms_, m_.size(), w)[0];
@@ -54,7 +59,8 @@ class Curve {
     for (Eigen::Index row = 0; row < q.size(); ++row)
       for (Eigen::Index column = 0; column < q.size(); ++column) {
         const ExtendedComplex effect = along * p(row) * q(column);
-        const Extended real = std::abs(K(row, column)) + w * w * std::abs(Extended(m_.A(row, column))), imaginary = w * std::abs(Extended(m_.B(row, column)));
+        const Extended real = std::abs(K(row, column)) + w * w * std::abs(Extended(m_.A(row, column))),
+                       imaginary = w * std::abs(Extended(m_.B(row, column)));
         sum.amplitude += rate * unit_round_off * (real * std::abs(effect.real()) + imaginary * std::abs(effect.imag()));
         sum.value += rate * unit_round_off * (real + imaginary) * std::abs(effect);
       }
@@ -85,7 +91,8 @@ RefinedPeak refine_peak(const DrivenSystem& system, const ObservedCurve& of, dou
   RefinedPeak result;
   result.amplitude_uncertainty = static_cast<double>(sensitivity.amplitude);
   // A change of the data moves the curve along the axis by about δy / y'.
-  result.frequency_uncertainty = static_cast<double>(sensitivity.value / std::max(std::abs(y[1]), std::numeric_limits<Extended>::min()));
+  result.frequency_uncertainty =
+      static_cast<double>(sensitivity.value / std::max(std::abs(y[1]), std::numeric_limits<Extended>::min()));
   Extended previous = std::numeric_limits<Extended>::infinity();
   for (int step = 0; step < most_steps && !result.converged; ++step) {
     const Extended gradient = std::real(std::conj(y[0]) * y[1]);

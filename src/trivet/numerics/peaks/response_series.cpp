@@ -9,7 +9,8 @@ namespace trivet::numerics {
 namespace {
 
 /// Coefficients of (Z0 + Z1 τ + Z2 τ²)⁻¹ Σ h_j τʲ.
-Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2, const Eigen::MatrixXcd& h) {
+Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2,
+                        const Eigen::MatrixXcd& h) {
   const Eigen::Index n = h.rows();
   const PivotedLu<Complex> lu(Z0);
   Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], for the last two coefficients one above the other
@@ -44,12 +45,14 @@ Eigen::RowVectorXcd factor_series(const LoadTerm& term, double centre, double ra
     }
   } else {
     c(0) = std::pow(centre, term.power);
-    for (int j = 1; j <= order; ++j) c(j) = c(j - 1) * (radius / centre) * (static_cast<double>(term.power - j + 1) / j);
+    for (int j = 1; j <= order; ++j)
+      c(j) = c(j - 1) * (radius / centre) * (static_cast<double>(term.power - j + 1) / j);
   }
   if (term.delay == 0) return c;
   Eigen::RowVectorXcd turning(order + 1), product = Eigen::RowVectorXcd::Zero(order + 1);
   turning(0) = std::polar(1.0, -centre * term.delay);
-  for (int j = 1; j <= order; ++j) turning(j) = turning(j - 1) * Complex(0, -radius * term.delay) / static_cast<double>(j);
+  for (int j = 1; j <= order; ++j)
+    turning(j) = turning(j - 1) * Complex(0, -radius * term.delay) / static_cast<double>(j);
   for (int j = 0; j <= order; ++j)
     for (int k = 0; k <= j; ++k) product(j) += c(k) * turning(j - k);
   return product;
@@ -67,7 +70,8 @@ Eigen::MatrixXcd load_series(const Load& load, double centre, double radius, int
   return h;
 }
 
-Eigen::MatrixXcd response_series(const DynamicMatrices& given, const Load& load, double centre, double radius, int order) {
+Eigen::MatrixXcd response_series(const DynamicMatrices& given, const Load& load, double centre, double radius,
+                                 int order) {
   const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
   const Eigen::MatrixXcd A = m.A.cast<Complex>(), B = m.B.cast<Complex>();
@@ -93,8 +97,8 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
   Eigen::MatrixXcd constant = -m.A.cast<Complex>();
   Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();
   Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
-  // Without mass in a row, −A leaves it empty at s = 0; divided by s it is regular: s K + i B, or by s² where it has stiffness only. What
-  // loads such a row must then start so many powers later: the whole right side is shifted.
+  // Without mass in a row, −A leaves it empty at s = 0; divided by s it is regular: s K + i B, or by s² where it has
+  // stiffness only. What loads such a row must then start so many powers later: the whole right side is shifted.
   std::vector<int> lowered(static_cast<std::size_t>(m.size()), 0);
   int shift = 0;
   for (Eigen::Index i = 0; i < m.size(); ++i) {
@@ -113,7 +117,8 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
   // s² Z q = s² h; q = s^power p.
   Eigen::MatrixXcd right = Eigen::MatrixXcd::Zero(m.size(), order + 1);
   for (Eigen::Index i = 0; i < m.size(); ++i) {
-    const int by = lowered[static_cast<std::size_t>(i)] - shift;  // the shift multiplies by s, a lowered row is divided by it
+    const int by =
+        lowered[static_cast<std::size_t>(i)] - shift;  // the shift multiplies by s, a lowered row is divided by it
     for (int j = std::max(0, -by); j <= order; ++j) right(i, j) = h.coefficients(i, j + by) * std::pow(radius, -by);
   }
   return {d.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};

@@ -10,7 +10,8 @@
 namespace trivet::numerics {
 namespace {
 
-/// g and its first derivatives at a point over 1!, 2!, 3!; bounds on |τ| ≤ reach for what is left of Taylor's series and for round-off.
+/// g and its first derivatives at a point over 1!, 2!, 3!; bounds on |τ| ≤ reach for what is left of Taylor's series
+/// and for round-off.
 struct Local {
   double g = 0, first = 0, second = 0, third = 0;
   double fourth = 0;  ///< no fourth derivative over 4! is larger
@@ -73,7 +74,8 @@ class Search {
  private:
   static int sign(double value, double noise) { return value > noise ? 1 : value < -noise ? -1 : 0; }
 
-  /// From `from` on the sign is known again; if it differs from the last known one, it changed in the unclear part between.
+  /// From `from` on the sign is known again; if it differs from the last known one, it changed in the unclear part
+  /// between.
   void settle(double from, int now) {
     if (now == 0) return open(from);
     if (sign_ != 0 && now != sign_) {

@@ -9,8 +9,8 @@ namespace trivet::numerics {
 /// A place where a polynomial changes its sign.
 struct SignChange {
   double at = 0;
-  bool falling = false;       ///< from + to −
-  double uncertainty = 0;     ///< half width of the interval in which round-off hides the sign
+  bool falling = false;    ///< from + to −
+  double uncertainty = 0;  ///< half width of the interval in which round-off hides the sign
 };
 
 /// All sign changes of g(τ) = Σ coefficients[k] τᵏ for lower < τ < upper, ascending; |τ| may pass 1 by a little.

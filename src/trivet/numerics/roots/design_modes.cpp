@@ -15,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Columns of a few designs side by side: many columns far apart at once are more than the processor foresees (twice as slow).
+/// Columns of a few designs side by side: many columns far apart at once are more than the processor foresees (twice as
+/// slow).
 class Tile {
  public:
   static constexpr Eigen::Index designs = 64;
@@ -31,7 +32,8 @@ class Tile {
     }
   }
   void write(Eigen::ArrayXXd& to, Eigen::Index first, Eigen::Index taken) {
-    for (Eigen::Index c = 0; c < to.cols(); ++c) std::copy_n(at(static_cast<int>(c), 0), taken, to.data() + c * to.rows() + first);
+    for (Eigen::Index c = 0; c < to.cols(); ++c)
+      std::copy_n(at(static_cast<int>(c), 0), taken, to.data() + c * to.rows() + first);
   }
   [[nodiscard]] double* at(int column, Eigen::Index design) { return numbers_.data() + column * designs + design; }
 
@@ -58,7 +60,8 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
       const LaneMask definite = modes_of_pack<shapes>(n, a, k, modes);
       sort<shapes>(n, modes);
       const LaneMask known = hn::And(definite, modes.settled);
-      for (int i = 0; i < n; ++i) hn::StoreU(hn::IfThenElse(known, modes.lambda[i], nothing), Lanes(), lambda.at(i, at));
+      for (int i = 0; i < n; ++i)
+        hn::StoreU(hn::IfThenElse(known, modes.lambda[i], nothing), Lanes(), lambda.at(i, at));
       if constexpr (shapes)
         for (int i = 0; i < n * n; ++i) hn::StoreU(hn::IfThenElse(known, modes.x[i], nothing), Lanes(), x.at(i, at));
       double verdict[8];
@@ -73,11 +76,13 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
 
 template <typename Size>
 void modes_of_size(Size n, const Designs& designs, Eigen::Index first, Eigen::Index last, DesignModes& result) {
-  result.shapes.size() > 0 ? pieces_of_modes<true>(n, designs, first, last, result) : pieces_of_modes<false>(n, designs, first, last, result);
+  result.shapes.size() > 0 ? pieces_of_modes<true>(n, designs, first, last, result)
+                           : pieces_of_modes<false>(n, designs, first, last, result);
 }
 
 void modes_of_designs(const Designs& designs, int n, Eigen::Index first, Eigen::Index last, DesignModes& result) {
-  n == 6 ? modes_of_size(six_coordinates(), designs, first, last, result) : modes_of_size(AtMostTwelve{n}, designs, first, last, result);
+  n == 6 ? modes_of_size(six_coordinates(), designs, first, last, result)
+         : modes_of_size(AtMostTwelve{n}, designs, first, last, result);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
@@ -128,13 +133,15 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
   result.shapes.resize(count, options.shapes ? n * n : 0);
   result.definite.resize(static_cast<std::size_t>(count));
   constexpr std::size_t designs_a_piece = 256;
-  foundation::for_each_piece(static_cast<std::size_t>(count), {designs_a_piece, options.threads, options.progress, "modes of the designs"},
+  foundation::for_each_piece(static_cast<std::size_t>(count),
+                             {designs_a_piece, options.threads, options.progress, "modes of the designs"},
                              [&](std::size_t first, std::size_t last) {
                                const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
                                if (n > 12) return one_by_one(designs, from, to, result);
                                TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
                                for (Eigen::Index d = from; d < to; ++d)  // not settled in lanes
-                                 if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0))) one_by_one(designs, d, d + 1, result);
+                                 if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0)))
+                                   one_by_one(designs, d, d + 1, result);
                              });
 }
 

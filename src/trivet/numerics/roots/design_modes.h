@@ -9,12 +9,13 @@
 
 namespace trivet::numerics {
 
-/// Modes K φ = λ A φ of many designs. A is positive definite where `definite`; elsewhere, and where a number is not finite,
-/// nothing was solved and all numbers of that row are NaN.
+/// Modes K φ = λ A φ of many designs. A is positive definite where `definite`; elsewhere, and where a number is not
+/// finite, nothing was solved and all numbers of that row are NaN.
 struct DesignModes {
-  Eigen::ArrayXXd lambda;       ///< designs × n, ascending
-  Eigen::ArrayXXd shapes;       ///< designs × n², component i of mode k at k n + i, φᵀAφ = 1, sign free; empty if not asked for
-  std::vector<char> definite;   ///< by design
+  Eigen::ArrayXXd lambda;  ///< designs × n, ascending
+  Eigen::ArrayXXd
+      shapes;  ///< designs × n², component i of mode k at k n + i, φᵀAφ = 1, sign free; empty if not asked for
+  std::vector<char> definite;  ///< by design
 };
 
 struct DesignModesOptions {
@@ -23,8 +24,9 @@ struct DesignModesOptions {
   foundation::Progress progress = {};
 };
 
-/// By Cholesky with a verdict on the definiteness of each A (scaled to a unit diagonal, Σ 1/eigenvalue < 1/(8 n ε)) and cyclic Jacobi,
-/// a design per lane up to n = 12, above one by one. Small λ beside large ones keep their digits. Needs A and K only.
+/// By Cholesky with a verdict on the definiteness of each A (scaled to a unit diagonal, Σ 1/eigenvalue < 1/(8 n ε)) and
+/// cyclic Jacobi, a design per lane up to n = 12, above one by one. Small λ beside large ones keep their digits. Needs
+/// A and K only.
 [[nodiscard]] DesignModes design_modes(const Designs& designs, const DesignModesOptions& options = {});
 /// The same into memory that can be used again: fresh memory takes as long to reach as the modes themselves.
 void design_modes(const Designs& designs, DesignModes& result, const DesignModesOptions& options = {});

@@ -13,8 +13,10 @@ void require_shapes(const Designs& designs, const char* what) {
   const auto refuse = [&](const char* rule) { throw foundation::InvalidInput(std::string(what) + ": " + rule); };
   if (n < 1) refuse("at least one coordinate is needed");
   for (const Eigen::ArrayXXd* m : {&designs.A, &designs.B, &designs.K})
-    if (m->rows() != designs.count() || m->cols() != entries) refuse("A, B and K need a row of n(n + 1)/2 entries for every design");
-  if (designs.load.rows() != 1 && designs.load.rows() != designs.count()) refuse("the load needs one row, or one for every design");
+    if (m->rows() != designs.count() || m->cols() != entries)
+      refuse("A, B and K need a row of n(n + 1)/2 entries for every design");
+  if (designs.load.rows() != 1 && designs.load.rows() != designs.count())
+    refuse("the load needs one row, or one for every design");
 }
 
 Eigen::Index coordinates_of(Eigen::Index entries) {

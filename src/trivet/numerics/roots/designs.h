@@ -8,9 +8,10 @@
 namespace trivet::numerics {
 
 /// Many systems of n coordinates with real symmetric matrices, K + iωB − ω²A each: one design per row, the packed lower
-/// triangle (entry (i, j), j ≤ i, at i(i+1)/2 + j) in columns, so that neighbours in memory are neighbours among the designs.
+/// triangle (entry (i, j), j ≤ i, at i(i+1)/2 + j) in columns, so that neighbours in memory are neighbours among the
+/// designs.
 struct Designs {
-  Eigen::ArrayXXd A;     ///< designs × n(n+1)/2
+  Eigen::ArrayXXd A;  ///< designs × n(n+1)/2
   Eigen::ArrayXXd B;
   Eigen::ArrayXXd K;
   Eigen::ArrayXXd load;  ///< designs × n, or 1 × n: the same for all
@@ -19,8 +20,8 @@ struct Designs {
   [[nodiscard]] Eigen::Index coordinates() const { return load.cols(); }
 };
 
-/// @throws foundation::InvalidInput, which begins with `what`, unless there is at least one coordinate, a row of n(n + 1)/2 entries of A, B and K for
-/// every design, and one row of the load or one for every design
+/// @throws foundation::InvalidInput, which begins with `what`, unless there is at least one coordinate, a row of n(n +
+/// 1)/2 entries of A, B and K for every design, and one row of the load or one for every design
 void require_shapes(const Designs& designs, const char* what);
 
 /// n of a packed lower triangle of n(n + 1)/2 entries; 0 if no n has so many.

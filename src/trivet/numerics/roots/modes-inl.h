@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// K φ = λ A φ with one design per lane: Cholesky of A with a verdict on definiteness, then Jacobi rotations of L⁻¹ K L⁻ᵀ in rounds of
-// pairs that do not touch each other, so that their angles are computed together. Rotations act on C = D Y D and Φ = X D with a diagonal
-// D: two multiply-adds for a pair of numbers, D follows (fast Givens rotations: W. Rath, Numerische Mathematik 40, 1982).
+// K φ = λ A φ with one design per lane: Cholesky of A with a verdict on definiteness, then Jacobi rotations of L⁻¹ K
+// L⁻ᵀ in rounds of pairs that do not touch each other, so that their angles are computed together. Rotations act on C =
+// D Y D and Φ = X D with a diagonal D: two multiply-adds for a pair of numbers, D follows (fast Givens rotations: W.
+// Rath, Numerische Mathematik 40, 1982).
 #if defined(TRIVET_NUMERICS_MODES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_MODES_INL_H_
 #undef TRIVET_NUMERICS_MODES_INL_H_
@@ -39,10 +40,14 @@ HWY_INLINE Pack reciprocal(const Pack& x) {
 
 /// Rounds in which each of n meets each other once, and pairs in each of them.
 template <int N>
-constexpr Fixed<N + N % 2 - 1> rounds_of(Fixed<N>) { return {}; }
+constexpr Fixed<N + N % 2 - 1> rounds_of(Fixed<N>) {
+  return {};
+}
 constexpr int rounds_of(int n) { return n + n % 2 - 1; }
 template <int N>
-constexpr Fixed<(N + 1) / 2> pairs_of(Fixed<N>) { return {}; }
+constexpr Fixed<(N + 1) / 2> pairs_of(Fixed<N>) {
+  return {};
+}
 constexpr int pairs_of(int n) { return (n + 1) / 2; }
 
 /// Where the pair (i, j), j < i, stands among the pairs.
@@ -52,12 +57,12 @@ constexpr int pair_of(int i, int j) { return i > j ? pair(i, j) : pair(j, i); }
 /// C = D Y D and Φ = X D on the way to a diagonal C; at its end λ and Φ, one design per lane.
 template <typename Size>
 struct PackOfModes {
-  Pack lambda[Size::most];                              ///< diagonal of C
-  Pack y[Size::most * (Size::most - 1) / 2 + 1];        ///< Y below the diagonal
-  Pack weight[Size::most];                              ///< D²
-  Pack x[Size::most * Size::most];                      ///< X by columns of n
-  Pack negligible;                                      ///< what of a product of two λ is round-off
-  LaneMask settled;                                     ///< no rotation is left that matters
+  Pack lambda[Size::most];                        ///< diagonal of C
+  Pack y[Size::most * (Size::most - 1) / 2 + 1];  ///< Y below the diagonal
+  Pack weight[Size::most];                        ///< D²
+  Pack x[Size::most * Size::most];                ///< X by columns of n
+  Pack negligible;                                ///< what of a product of two λ is round-off
+  LaneMask settled;                               ///< no rotation is left that matters
 };
 
 /// x_p ← x_p − α x_q, x_q ← x_q + β x_p
@@ -71,8 +76,9 @@ struct Angle {
   Pack alpha, beta;
 };
 
-/// The rotation that annihilates y(p, q), applied to the diagonals. Where `check`, `unsettled` becomes positive in a lane whose
-/// rotation matters for the others: neither is c(p, q)² below round-off of λ_p λ_q, nor are tangent and c(p, q)² so small that their products are.
+/// The rotation that annihilates y(p, q), applied to the diagonals. Where `check`, `unsettled` becomes positive in a
+/// lane whose rotation matters for the others: neither is c(p, q)² below round-off of λ_p λ_q, nor are tangent and c(p,
+/// q)² so small that their products are.
 template <bool check, typename Size>
 HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   Pack& z = m.y[pair_of(p, q)];
@@ -80,11 +86,14 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   const Pack z_p = hn::Mul(m.weight[p], z), z_q = hn::Mul(m.weight[q], z);
   const Pack square = hn::Mul(z_p, z_q);
   const Pack distance = hn::Add(hn::Abs(difference), all(1e-140));  // no rotation where both vanish
-  const Pack inverse = inverse_root(hn::MulAdd(distance, distance, hn::Mul(all(4.0), square)));  // cos 2θ = distance · inverse
-  const Pack twice_cosine = hn::MulAdd(distance, inverse, all(1.0));                             // 2 cos²θ
-  Pack step = hn::CopySign(hn::Mul(hn::Add(inverse, inverse), reciprocal(twice_cosine)), difference), cosine = hn::Mul(all(0.5), twice_cosine), product;
+  const Pack inverse =
+      inverse_root(hn::MulAdd(distance, distance, hn::Mul(all(4.0), square)));  // cos 2θ = distance · inverse
+  const Pack twice_cosine = hn::MulAdd(distance, inverse, all(1.0));            // 2 cos²θ
+  Pack step = hn::CopySign(hn::Mul(hn::Add(inverse, inverse), reciprocal(twice_cosine)), difference),
+       cosine = hn::Mul(all(0.5), twice_cosine), product;
   if constexpr (check) {
-    constexpr double nothing = 1e-40;  // such rotations are left out: numbers that went on shrinking would become too small to be quick
+    constexpr double nothing =
+        1e-40;  // such rotations are left out: numbers that went on shrinking would become too small to be quick
     product = hn::Add(hn::Abs(hn::Mul(m.lambda[p], m.lambda[q])), m.negligible);
     const LaneMask matters = hn::Gt(square, hn::Mul(all(nothing), product));
     step = hn::IfThenElseZero(matters, step);
@@ -99,7 +108,8 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   if constexpr (check) {
     constexpr double small = 1e-15, round_off = 2e-31;
     const Pack larger = hn::Max(square, hn::Mul(hn::Mul(alpha, beta), product));
-    unsettled = hn::Max(unsettled, hn::Min(hn::NegMulAdd(all(small), product, larger), hn::NegMulAdd(all(round_off), product, square)));
+    unsettled = hn::Max(
+        unsettled, hn::Min(hn::NegMulAdd(all(small), product, larger), hn::NegMulAdd(all(round_off), product, square)));
   }
   return {alpha, beta};
 }
@@ -129,8 +139,9 @@ HWY_INLINE Pack turn(Size n, PackOfModes<Size>& m) {
   return unsettled;
 }
 
-/// A = L Lᵀ: L below the diagonal, the inverse of L with it. In lanes that are false in the answer A is not positive definite beyond
-/// round-off: scaled to a unit diagonal, Σ 1/eigenvalue, which is not below 1/smallest, reaches 1/(8 n ε).
+/// A = L Lᵀ: L below the diagonal, the inverse of L with it. In lanes that are false in the answer A is not positive
+/// definite beyond round-off: scaled to a unit diagonal, Σ 1/eigenvalue, which is not below 1/smallest, reaches 1/(8 n
+/// ε).
 template <typename Size>
 HWY_INLINE LaneMask cholesky(Size n, const Pack* a, Pack* l, Pack* inverse) {
   constexpr double epsilon = 2.220446049250313e-16;
@@ -183,7 +194,8 @@ HWY_INLINE Pack transformed(Size n, const Pack* l, const Pack* inverse, const Pa
   return largest;
 }
 
-/// C = L⁻¹ K L⁻ᵀ and X = L⁻ᵀ. A lane where A is not positive definite or a number not finite is false in the answer and has C = 0.
+/// C = L⁻¹ K L⁻ᵀ and X = L⁻ᵀ. A lane where A is not positive definite or a number not finite is false in the answer and
+/// has C = 0.
 template <bool vectors, typename Size>
 HWY_INLINE LaneMask reduced(Size n, const Pack* a, const Pack* k, PackOfModes<Size>& m) {
   constexpr int triangle = Size::most * (Size::most + 1) / 2;
@@ -196,13 +208,15 @@ HWY_INLINE LaneMask reduced(Size n, const Pack* a, const Pack* k, PackOfModes<Si
     m.weight[i] = all(1.0);
     m.lambda[i] = hn::IfThenElseZero(definite, m.lambda[i]);
     each(i, [&](int j) TRIVET_LANES { m.y[pair(i, j)] = hn::IfThenElseZero(definite, m.y[pair(i, j)]); });
-    if constexpr (vectors) each(n, [&](int j) TRIVET_LANES { m.x[i * n + j] = j <= i ? inverse[packed_of(i, j)] : all(0.0); });
+    if constexpr (vectors)
+      each(n, [&](int j) TRIVET_LANES { m.x[i * n + j] = j <= i ? inverse[packed_of(i, j)] : all(0.0); });
   });
   return definite;
 }
 
-/// Modes of a pack of designs from the packed lower triangles of A and K: λ in no order, shapes in the columns of x with φᵀAφ = 1. In lanes that are
-/// false in the answer (A not positive definite beyond round-off, numbers not finite) λ is 0 and the shapes mean nothing.
+/// Modes of a pack of designs from the packed lower triangles of A and K: λ in no order, shapes in the columns of x
+/// with φᵀAφ = 1. In lanes that are false in the answer (A not positive definite beyond round-off, numbers not finite)
+/// λ is 0 and the shapes mean nothing.
 template <bool vectors, typename Size>
 HWY_INLINE LaneMask modes_of_pack(Size n, const Pack* a, const Pack* k, PackOfModes<Size>& m) {
   constexpr int unchecked_turns = 2, most_turns = 14;

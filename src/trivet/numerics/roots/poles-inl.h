@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poles and residues of q(s) = Σ R_k/(s − λ_k) from real modes and modal damping, (λ² + λB̃ + Ω²) v = 0, by Rayleigh quotient iteration for symmetric
-// quadratic problems: M(λ) u = M'(λ) v, λ from uᵀM(λ)u = 0; cubic. A root near iΩ_k is kept as i·centre + offset, so that Re λ has all its digits
-// however light the damping: M is formed from differences of frequencies, never from differences of squares.
+// Poles and residues of q(s) = Σ R_k/(s − λ_k) from real modes and modal damping, (λ² + λB̃ + Ω²) v = 0, by Rayleigh
+// quotient iteration for symmetric quadratic problems: M(λ) u = M'(λ) v, λ from uᵀM(λ)u = 0; cubic. A root near iΩ_k is
+// kept as i·centre + offset, so that Re λ has all its digits however light the damping: M is formed from differences of
+// frequencies, never from differences of squares.
 #if defined(TRIVET_NUMERICS_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_POLES_INL_H_
 #undef TRIVET_NUMERICS_POLES_INL_H_
@@ -52,13 +53,15 @@ struct Root {
   ComplexPack offset;
   ComplexPack v[Size::most];  ///< length 1
   ComplexPack bv[Size::most];
-  ComplexPack slope;          ///< vᵀ M'(λ) v
-  Pack turned;                ///< sin² of the angle between v and the one before
+  ComplexPack slope;  ///< vᵀ M'(λ) v
+  Pack turned;        ///< sin² of the angle between v and the one before
 };
 
 /// λ with its frequency rounded.
 template <typename Size>
-HWY_INLINE ComplexPack value(const Pencil<Size>& m, const ComplexPack& offset) { return {offset.re, hn::Add(m.centre, offset.im)}; }
+HWY_INLINE ComplexPack value(const Pencil<Size>& m, const ComplexPack& offset) {
+  return {offset.re, hn::Add(m.centre, offset.im)};
+}
 
 /// λ² + Ω_j² + λB_jj without cancellation.
 template <typename Size>
@@ -87,12 +90,14 @@ HWY_INLINE Pack normalise(Size n, ComplexPack* v) {
   return scale;
 }
 
-/// The change of λ to the nearer root of a quadratic with this value, slope and half its second derivative; third order.
+/// The change of λ to the nearer root of a quadratic with this value, slope and half its second derivative; third
+/// order.
 HWY_INLINE ComplexPack to_root(const ComplexPack& value, const ComplexPack& slope, const ComplexPack& square) {
   return divided(value, subtract_product(slope, square, divided(value, slope)));
 }
 
-/// From the root of the last diagonal entry: v is the last unit vector, turned towards each other mode as if that were the only one.
+/// From the root of the last diagonal entry: v is the last unit vector, turned towards each other mode as if that were
+/// the only one.
 template <typename Size>
 HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
   const ComplexPack lambda = value(m, at.offset);
@@ -122,7 +127,8 @@ HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
   at.offset = at.offset - to_root(p, add_product(middle, lambda + lambda, square), square);
 }
 
-/// M = L D Lᵀ, and r on the way to u of M(λ) u = r. Pivots are never smaller than 1e-60 of (centre + Ω)²: λ may be a root to the last digit.
+/// M = L D Lᵀ, and r on the way to u of M(λ) u = r. Pivots are never smaller than 1e-60 of (centre + Ω)²: λ may be a
+/// root to the last digit.
 template <typename Size>
 struct Factors {
   ComplexPack lambda, l[Size::most * Size::most], by_pivot[Size::most], u[Size::most];
@@ -152,7 +158,9 @@ struct Factors {
     });
     each(n, [&](auto back) TRIVET_LANES {
       const int i = n - 1 - back;
-      each(back, [&](int other) TRIVET_LANES { u[i] = subtract_product(u[i], l[(n - 1 - other) * n + i], u[n - 1 - other]); });
+      each(back, [&](int other) TRIVET_LANES {
+        u[i] = subtract_product(u[i], l[(n - 1 - other) * n + i], u[n - 1 - other]);
+      });
     });
     return product;
   }
@@ -164,7 +172,9 @@ HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[ro
   Factors<Size> factors[roots];
   each(Fixed<roots>(), [&](int r) TRIVET_LANES {
     factors[r].lambda = value(m[r], at[r].offset);
-    each(n, [&](int i) TRIVET_LANES { factors[r].u[i] = add_product(at[r].bv[i], factors[r].lambda + factors[r].lambda, at[r].v[i]); });
+    each(n, [&](int i) TRIVET_LANES {
+      factors[r].u[i] = add_product(at[r].bv[i], factors[r].lambda + factors[r].lambda, at[r].v[i]);
+    });
   });
   each(n, [&](auto i) TRIVET_LANES {
     each(Fixed<roots>(), [&](int r) TRIVET_LANES { factors[r].eliminate(n, m[r], at[r].offset, i); });
@@ -187,8 +197,8 @@ HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[ro
   });
 }
 
-/// From the roots of the last diagonal entries until v settles in all lanes: a step that turns it by an angle whose square is at most `settled` leaves
-/// the third power of that angle.
+/// From the roots of the last diagonal entries until v settles in all lanes: a step that turns it by an angle whose
+/// square is at most `settled` leaves the third power of that angle.
 template <typename Size, int roots>
 HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots], double settled) {
   constexpr int most_steps = 6;
@@ -197,7 +207,8 @@ HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> 
   for (int i = 0; i < most_steps; ++i) {
     step(n, m, at);
     turned = all(0.0);
-    each(Fixed<roots>(), [&](int r) TRIVET_LANES { turned = hn::IfThenElse(hn::Le(at[r].turned, all(settled)), turned, all(1.0)); });
+    each(Fixed<roots>(),
+         [&](int r) TRIVET_LANES { turned = hn::IfThenElse(hn::Le(at[r].turned, all(settled)), turned, all(1.0)); });
     if (hn::AllTrue(Lanes(), hn::Eq(turned, all(0.0)))) break;
   }
   return hn::Eq(turned, all(0.0));
@@ -213,7 +224,8 @@ struct ModalPack {
 };
 
 template <typename Size>
-HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h, ModalPack<Size>& result) {
+HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h,
+                         ModalPack<Size>& result) {
   constexpr double round_off = 1e-26;  // squared
   LaneMask coupled = hn::Lt(all(0.0), all(0.0));
   each(n, [&](auto k) TRIVET_LANES {
@@ -233,7 +245,8 @@ HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, 
     });
     each(k, [&](int l) TRIVET_LANES {
       Pack& entry = result.b[packed_of(k, l)];
-      const LaneMask matters = hn::Gt(hn::Mul(entry, entry), hn::Mul(all(round_off), hn::Mul(result.b[packed(k, k)], result.b[packed(l, l)])));
+      const LaneMask matters = hn::Gt(hn::Mul(entry, entry),
+                                      hn::Mul(all(round_off), hn::Mul(result.b[packed(k, k)], result.b[packed(l, l)])));
       entry = hn::IfThenElseZero(matters, entry);
       coupled = hn::Or(coupled, matters);
     });
@@ -258,18 +271,19 @@ HWY_INLINE void arrange(Size n, const ModalPack<Size>& modal, int own, const Pac
 /// Poles and residues of a pack of designs, one design per lane. Poles k and n + k belong to mode k.
 template <typename Size>
 struct PackOfPoles {
-  ComplexPack lambda[2 * Size::most];                 ///< k: Im > 0, or the slower of two real ones; n + k: its conjugate, or the faster
-  ComplexPack residue[2 * Size::most * Size::most];   ///< in coordinate j of pole p at p n + j
-  ComplexPack driving[2 * Size::most];                ///< hᵀ residue
-  LaneMask real[Size::most];                          ///< two real poles
-  Pack condition;                                     ///< largest |2λ| |v|²/|vᵀM'(λ)v|: 1 where modes are apart, without bound where poles merge
-  LaneMask good;                                      ///< all converged and found once: Σλ = −tr B̃, Π|λ|² = ΠΩ², hᵀΣR = 0, hᵀΣλR = hᵀA⁻¹h within 1e-9
+  ComplexPack
+      lambda[2 * Size::most];  ///< k: Im > 0, or the slower of two real ones; n + k: its conjugate, or the faster
+  ComplexPack residue[2 * Size::most * Size::most];  ///< in coordinate j of pole p at p n + j
+  ComplexPack driving[2 * Size::most];               ///< hᵀ residue
+  LaneMask real[Size::most];                         ///< two real poles
+  Pack condition;  ///< largest |2λ| |v|²/|vᵀM'(λ)v|: 1 where modes are apart, without bound where poles merge
+  LaneMask good;   ///< all converged and found once: Σλ = −tr B̃, Π|λ|² = ΠΩ², hᵀΣR = 0, hᵀΣλR = hᵀA⁻¹h within 1e-9
 };
 
 /// Pole and residue from a converged root, or, without one, from mode k alone.
 template <typename Size>
-HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k, const Pack& centre, const Root<Size>& at,
-                             int pole, PackOfPoles<Size>& result) {
+HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k,
+                             const Pack& centre, const Root<Size>& at, int pole, PackOfPoles<Size>& result) {
   ComplexPack participation = zero(), *residue = result.residue + pole * n;
   if (modal.coupled) {
     each(n, [&](int j) TRIVET_LANES { residue[j] = zero(); });
@@ -306,7 +320,8 @@ HWY_INLINE void mirror(Size n, int k, PackOfPoles<Size>& result) {
 /// Each pole found once?
 template <typename Size>
 HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfPoles<Size>& poles) {
-  Pack trace = all(0.0), damping = trace, product = all(1.0), energy = trace, sum = trace, size = trace, slope_sum = trace, slope_size = trace;
+  Pack trace = all(0.0), damping = trace, product = all(1.0), energy = trace, sum = trace, size = trace,
+       slope_sum = trace, slope_size = trace;
   for (int k = 0; k < n; ++k) {
     const ComplexPack &one = poles.lambda[k], two = poles.lambda[n + k], *driving = poles.driving;
     damping = hn::Add(damping, modal.b[packed(k, k)]);
@@ -331,7 +346,8 @@ HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfP
 template <typename Size>
 HWY_INLINE void alone(const ModalPack<Size>& modal, int k, bool partner, LaneMask& real, Pack& centre, Root<Size>& at) {
   const Pack omega = modal.omega[k], damping = hn::Mul(all(0.5), modal.b[packed(k, k)]);
-  const Pack difference = hn::Mul(hn::Sub(damping, omega), hn::Add(damping, omega)), radical = hn::Sqrt(hn::Abs(difference));
+  const Pack difference = hn::Mul(hn::Sub(damping, omega), hn::Add(damping, omega)),
+             radical = hn::Sqrt(hn::Abs(difference));
   real = hn::Gt(difference, all(0.0));
   centre = hn::IfThenZeroElse(real, omega);
   const Pack fast = hn::Neg(hn::Add(damping, radical)), slow = hn::Div(hn::Mul(omega, omega), fast);
@@ -340,9 +356,11 @@ HWY_INLINE void alone(const ModalPack<Size>& modal, int k, bool partner, LaneMas
   at.slope = {hn::Mul(all(2.0), hn::Add(at.offset.re, damping)), hn::Mul(all(2.0), hn::Add(centre, at.offset.im))};
 }
 
-/// Poles and residues from modes (ω² > 0 in lanes that shall be good), damping matrix (packed lower triangle) and real load.
+/// Poles and residues from modes (ω² > 0 in lanes that shall be good), damping matrix (packed lower triangle) and real
+/// load.
 template <typename Size>
-HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h, PackOfPoles<Size>& result) {
+HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h,
+                              PackOfPoles<Size>& result) {
   constexpr int together = Size::most % 2 == 0 && Size::most < 12 ? 2 : 1;
   constexpr double settled = 1e-8;
   ModalPack<Size> modal;
@@ -362,7 +380,8 @@ HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack
         if (modal.coupled) arrange(n, modal, k + r, centre[r], pencil[r]);
       }
       if (modal.coupled) result.good = hn::And(result.good, converge(n, pencil, at, settled));
-      for (int r = 0; r < together; ++r) pole_of_mode(n, modes, modal, k + r, centre[r], at[r], partner * n + k + r, result);
+      for (int r = 0; r < together; ++r)
+        pole_of_mode(n, modes, modal, k + r, centre[r], at[r], partner * n + k + r, result);
     }
   }
   for (int k = 0; k < n; ++k) mirror(n, k, result);

@@ -18,14 +18,16 @@ HWY_INLINE Pack column_of(const Eigen::ArrayXXd& numbers, Eigen::Index column, E
   if (numbers.rows() == 1) return all(at[0]);
   if (first + lane_count() <= numbers.rows()) return hn::LoadU(Lanes(), at + first);
   HWY_ALIGN double buffer[table_lanes];
-  for (int lane = 0; lane < lane_count(); ++lane) buffer[lane] = at[std::min<Eigen::Index>(first + lane, numbers.rows() - 1)];
+  for (int lane = 0; lane < lane_count(); ++lane)
+    buffer[lane] = at[std::min<Eigen::Index>(first + lane, numbers.rows() - 1)];
   return hn::Load(Lanes(), buffer);
 }
 
 template <typename Size>
 void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, RootTable& table) {
   constexpr double most_condition = 1e3, round_off = 2e-15;
-  Pack a[Size::most * (Size::most + 1) / 2], b[Size::most * (Size::most + 1) / 2], k[Size::most * (Size::most + 1) / 2], h[Size::most];
+  Pack a[Size::most * (Size::most + 1) / 2], b[Size::most * (Size::most + 1) / 2], k[Size::most * (Size::most + 1) / 2],
+      h[Size::most];
   for (int entry = 0; entry < n * (n + 1) / 2; ++entry) {
     a[entry] = column_of(designs.A, entry, first);
     b[entry] = column_of(designs.B, entry, first);
@@ -38,7 +40,9 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
   poles_of_pack(n, modes, b, h, poles);
   Pack stiffest = all(0.0);
   for (int p = 0; p < n; ++p) stiffest = hn::Max(stiffest, modes.lambda[p]);
-  const Pack held = hn::Mul(all(64 * n * 2.2e-16), stiffest);  // a stiffness below may be the round-off of none: 64 n ε, eight times what definiteness asks
+  const Pack held =
+      hn::Mul(all(64 * n * 2.2e-16),
+              stiffest);  // a stiffness below may be the round-off of none: 64 n ε, eight times what definiteness asks
   LaneMask good = hn::And(hn::And(modes.settled, poles.good), hn::Le(poles.condition, all(most_condition)));
   for (int j = 0; j < n; ++j) hn::StoreU(a[packed(j, j)], Lanes(), table.mass[j] + lane);
   hn::StoreU(all(round_off), Lanes(), table.round_off + lane);
@@ -67,7 +71,8 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
 void roots_in_lanes(const Designs& designs, Eigen::Index first, RootTable& table) {
   const auto n = static_cast<int>(designs.coordinates());
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    n == 6 ? roots_of(six_coordinates(), designs, first + lane, lane, table) : roots_of(AtMostTwelve{n}, designs, first + lane, lane, table);
+    n == 6 ? roots_of(six_coordinates(), designs, first + lane, lane, table)
+           : roots_of(AtMostTwelve{n}, designs, first + lane, lane, table);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

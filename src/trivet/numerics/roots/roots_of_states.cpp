@@ -14,24 +14,30 @@ namespace {
 constexpr double tolerance = 1e-11;
 /// Roots that nearly coincide have large residues of opposite signs: what they lose is this times round-off.
 constexpr double most_cancellation = 1e4;
-/// Least decay rate against the fastest pole: below, round-off of the eigensolver (in units of that pole) shows in the height of a peak.
+/// Least decay rate against the fastest pole: below, round-off of the eigensolver (in units of that pole) shows in the
+/// height of a peak.
 constexpr double least_decay = 1e-5;
 /// Round-off of sums over these roots: so many times what the sums above miss, which may lie well by chance.
 constexpr double margin = 10, least_round_off = 2e-15;
 
-/// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of them.
+/// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of
+/// them.
 /// @return by how much they are missed at most, as a share of their terms; infinite where terms cancel too far
-double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles, const Eigen::MatrixXcd& r) {
+double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles,
+                   const Eigen::MatrixXcd& r) {
   const Eigen::VectorXd acceleration = cholesky_solution(m.A, load), displacement = -cholesky_solution(m.K, load);
   const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // metres and radians by what they weigh
   const auto share = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
     const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
-    const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(), weighed = weight.cwiseProduct(sum).norm();
+    const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(),
+                 weighed = weight.cwiseProduct(sum).norm();
     const double part = missed.cwiseAbs().maxCoeff() / size;
-    return (weighed > 0 && size > most_cancellation * weighed) || !std::isfinite(part) ? std::numeric_limits<double>::infinity() : part;
+    return (weighed > 0 && size > most_cancellation * weighed) || !std::isfinite(part)
+        ? std::numeric_limits<double>::infinity()
+        : part;
   };
-  return std::max({share(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())), share(poles, acceleration),
-                   share(poles.cwiseInverse(), displacement)});
+  return std::max({share(Eigen::VectorXcd::Ones(poles.size()), Eigen::VectorXd::Zero(load.size())),
+                   share(poles, acceleration), share(poles.cwiseInverse(), displacement)});
 }
 
 }  // namespace
@@ -58,11 +64,13 @@ bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, Root
     if (form.poles(k).imag() == 0) real.push_back(k);
   }
   if (turning.size() + real.size() / 2 != static_cast<std::size_t>(n)) return false;
-  std::sort(real.begin(), real.end(), [&](Eigen::Index a, Eigen::Index b) { return form.poles(a).real() > form.poles(b).real(); });
+  std::sort(real.begin(), real.end(),
+            [&](Eigen::Index a, Eigen::Index b) { return form.poles(a).real() > form.poles(b).real(); });
   for (int pair = 0; pair < n; ++pair) {
     const auto turns = static_cast<int>(turning.size());
     const bool is_real = pair >= turns;
-    const Eigen::Index one = is_real ? real[static_cast<std::size_t>(2 * (pair - turns))] : turning[static_cast<std::size_t>(pair)];
+    const Eigen::Index one =
+        is_real ? real[static_cast<std::size_t>(2 * (pair - turns))] : turning[static_cast<std::size_t>(pair)];
     const Eigen::Index two = is_real ? real[static_cast<std::size_t>(2 * (pair - turns) + 1)] : one;
     table.real[pair][lane] = is_real;
     table.first[pair][lane] = form.poles(one).real();

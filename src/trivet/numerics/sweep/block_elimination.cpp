@@ -55,7 +55,8 @@ bool mostly_filled(const Couplings& c) {
         if (const int block = j / body_coordinates; block != std::exchange(before, block)) columns.push_back(block);
     }
     std::sort(columns.begin(), columns.end());
-    room += static_cast<double>(rows) * static_cast<double>(body_coordinates * (std::unique(columns.begin(), columns.end()) - columns.begin()));
+    room += static_cast<double>(rows) *
+        static_cast<double>(body_coordinates * (std::unique(columns.begin(), columns.end()) - columns.begin()));
   }
   return entries >= most * room;
 }
@@ -65,7 +66,8 @@ std::vector<Eigen::Index> cut(const std::vector<Eigen::Index>& starts, Eigen::In
   std::vector<Eigen::Index> result;
   for (std::size_t b = 0; b < starts.size(); ++b) {
     const Eigen::Index end = b + 1 < starts.size() ? starts[b + 1] : n;
-    for (Eigen::Index i = starts[b]; i < end; i += end - starts[b] > largest_block ? body_coordinates : end - starts[b]) result.push_back(i);
+    for (Eigen::Index i = starts[b]; i<end; i += end - starts[b]> largest_block ? body_coordinates : end - starts[b])
+      result.push_back(i);
   }
   return result;
 }
@@ -77,7 +79,8 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
   Neighbours neighbours(blocks);
   for (std::size_t i = 0; i < c.size(); ++i)
     for (int before = block_of_row[i]; const int j : c[i])
-      if (const int block = block_of_row[at(j)]; block != std::exchange(before, block) && block != block_of_row[i]) neighbours[at(block_of_row[i])].push_back(block);
+      if (const int block = block_of_row[at(j)]; block != std::exchange(before, block) && block != block_of_row[i])
+        neighbours[at(block_of_row[i])].push_back(block);
   for (std::vector<int>& of_block : neighbours) {
     std::sort(of_block.begin(), of_block.end());
     of_block.erase(std::unique(of_block.begin(), of_block.end()), of_block.end());
@@ -89,13 +92,15 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
 
 Couplings couplings(Eigen::Index rows, const std::vector<SymmetricEntry>& entries) {
   Couplings c(at(rows));
-  for (const SymmetricEntry& e : entries) c[at(e.row)].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
+  for (const SymmetricEntry& e : entries)
+    c[at(e.row)].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
   for (const SymmetricEntry& e : entries)
     if (e.row != e.column) c[at(e.column)].push_back(static_cast<int>(e.row));
   return c;
 }
 
-BlockElimination block_elimination(const Couplings& couplings, const std::vector<Eigen::Index>& starts, const std::vector<bool>& loaded) {
+BlockElimination block_elimination(const Couplings& couplings, const std::vector<Eigen::Index>& starts,
+                                   const std::vector<bool>& loaded) {
   const auto n = static_cast<Eigen::Index>(couplings.size());
   const auto blocks = static_cast<int>(starts.size());
   std::vector<int> size, block_of_row(at(n));
@@ -109,7 +114,10 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
     }
   }
   Neighbours neighbours = graph(couplings, block_of_row, starts.size());
-  const auto degree = [&](int b) { return std::accumulate(neighbours[at(b)].begin(), neighbours[at(b)].end(), 0, [&](int sum, int k) { return sum + size[at(k)]; }); };
+  const auto degree = [&](int b) {
+    return std::accumulate(neighbours[at(b)].begin(), neighbours[at(b)].end(), 0,
+                           [&](int sum, int k) { return sum + size[at(k)]; });
+  };
   using Waiting = std::tuple<int, char, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;  // also what was true once
   std::vector<int> now;                                                      // degrees
@@ -126,7 +134,8 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
     const std::vector<int> clique = std::move(neighbours[at(next)]);
     for (const int k : clique) {
       joined.clear();
-      std::set_union(neighbours[at(k)].begin(), neighbours[at(k)].end(), clique.begin(), clique.end(), std::back_inserter(joined));
+      std::set_union(neighbours[at(k)].begin(), neighbours[at(k)].end(), clique.begin(), clique.end(),
+                     std::back_inserter(joined));
       std::erase_if(joined, [&](int b) { return b == k || b == next; });
       neighbours[at(k)] = joined;
       now[at(k)] = degree(k);
@@ -169,7 +178,8 @@ double cost(const BlockElimination& e) {
   return multiply_adds(e) * (all_six ? 1 : of_other_sizes) + of_visit * visits;
 }
 
-BlockElimination cheapest_block_elimination(const Couplings& c, const std::vector<Eigen::Index>& given, const std::vector<bool>& loaded) {
+BlockElimination cheapest_block_elimination(const Couplings& c, const std::vector<Eigen::Index>& given,
+                                            const std::vector<bool>& loaded) {
   const auto n = static_cast<Eigen::Index>(c.size());
   if (!given.empty()) return block_elimination(c, cut(given, n), loaded);
   BlockElimination best = block_elimination(c, equal_blocks(n, body_coordinates), loaded);

@@ -15,7 +15,8 @@ namespace {
 /// Writes the plan of one elimination.
 class Planner {
  public:
-  Planner(const BlockElimination& elimination, std::vector<SymmetricEntry> entries) : e_(elimination), entries_(std::move(entries)) {}
+  Planner(const BlockElimination& elimination, std::vector<SymmetricEntry> entries)
+      : e_(elimination), entries_(std::move(entries)) {}
 
   BlockPlan plan(const Load* load, const Eigen::VectorXd& scale) {
     plan_.rows = e_.rows.size();
@@ -81,7 +82,8 @@ class Planner {
   [[nodiscard]] int number(int i, int j) const {
     if (i == j) return first_of_column_[at(j)];
     const std::vector<int>& below = e_.below[at(j)];
-    return first_of_column_[at(j)] + 1 + static_cast<int>(std::lower_bound(below.begin(), below.end(), i) - below.begin());
+    return first_of_column_[at(j)] + 1 +
+        static_cast<int>(std::lower_bound(below.begin(), below.end(), i) - below.begin());
   }
 
   void add_values() {
@@ -107,14 +109,17 @@ class Planner {
   }
 
   void put(SymmetricEntry& e, BlockPlan::Block& block) {
-    const Eigen::Index i = e.row - e_.first[at(block_of_row_[at(e.row)])], j = e.column - e_.first[at(block_of_row_[at(e.column)])];
+    const Eigen::Index i = e.row - e_.first[at(block_of_row_[at(e.row)])],
+                       j = e.column - e_.first[at(block_of_row_[at(e.column)])];
     const Eigen::Index entry = block.diagonal ? i * (i + 1) / 2 + j : i * block.columns + j;
     std::size_t to = block.values + at(entry);
-    for (const auto& [has, value] : {std::pair(block.has_K, e.K), {block.has_loss, e.loss}, {block.has_B, e.B}, {block.has_A, e.A}}) {
+    for (const auto& [has, value] :
+         {std::pair(block.has_K, e.K), {block.has_loss, e.loss}, {block.has_B, e.B}, {block.has_A, e.A}}) {
       if (has) plan_.values[to] = value, to += at(block.entries());
     }
     if (e.free < 0) return;
-    plan_.free[block.free_end] = {at(entry), at(e.free), plan_.scale[at(e.row)] * plan_.scale[at(e.column)], at(e.row), at(e.column)};
+    plan_.free[block.free_end] = {at(entry), at(e.free), plan_.scale[at(e.row)] * plan_.scale[at(e.column)], at(e.row),
+                                  at(e.column)};
     e.free = static_cast<int>(block.free_end++);
   }
 
@@ -122,7 +127,8 @@ class Planner {
   void mark_kept(int j) {
     const std::vector<int>& below = e_.below[at(j)];
     for (std::size_t left = 0; left < below.size(); ++left)
-      for (std::size_t right = 0; right <= left; ++right) plan_.blocks[at(number(below[left], below[right]))].kept = true;
+      for (std::size_t right = 0; right <= left; ++right)
+        plan_.blocks[at(number(below[left], below[right]))].kept = true;
   }
 
   void place_kept() {
@@ -180,15 +186,18 @@ class Planner {
 
   void add_large_rows() {
     using Part = double BlockPlan::Entry::*;
-    for (const Part part : {&BlockPlan::Entry::A, &BlockPlan::Entry::B, &BlockPlan::Entry::K, &BlockPlan::Entry::loss}) {
+    for (const Part part :
+         {&BlockPlan::Entry::A, &BlockPlan::Entry::B, &BlockPlan::Entry::K, &BlockPlan::Entry::loss}) {
       std::size_t largest = 0;
       double most = 0;
       for (std::size_t i = 0; i < plan_.rows; ++i) {
         double sum = 0;
-        for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) sum += std::abs(plan_.entries[k].*part);
+        for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k)
+          sum += std::abs(plan_.entries[k].*part);
         if (sum > most) most = sum, largest = i;
       }
-      if (most > 0 && std::find(plan_.large_rows.begin(), plan_.large_rows.end(), largest) == plan_.large_rows.end()) plan_.large_rows.push_back(largest);
+      if (most > 0 && std::find(plan_.large_rows.begin(), plan_.large_rows.end(), largest) == plan_.large_rows.end())
+        plan_.large_rows.push_back(largest);
     }
   }
 
@@ -222,7 +231,8 @@ class Planner {
 
 }  // namespace
 
-BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Eigen::VectorXd& scale, const std::vector<FreeEntry>& free) {
+BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Eigen::VectorXd& scale,
+                     const std::vector<FreeEntry>& free) {
   std::vector<bool> loaded(at(matrices.size()), load == nullptr);
   if (load != nullptr)
     for (const LoadTerm& term : load->terms())
@@ -230,7 +240,8 @@ BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Ei
         if (term.value(i) != 0.0) loaded[at(i)] = true;
   std::vector<SymmetricEntry> entries = symmetric_entries(matrices, scale);
   add_free(free, entries);
-  const BlockElimination elimination = cheapest_block_elimination(couplings(matrices.size(), entries), matrices.blocks, loaded);
+  const BlockElimination elimination =
+      cheapest_block_elimination(couplings(matrices.size(), entries), matrices.blocks, loaded);
   return Planner(elimination, std::move(entries)).plan(load, scale);
 }
 

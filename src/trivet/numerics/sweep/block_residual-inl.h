@@ -54,7 +54,8 @@ inline Pack seen_backward_error(const BlockPlan& plan, const Pass& p) {
     if (entry.row != entry.column) moved = moved + all(plan.weight[entry.column]) * p.q[entry.row];
     seen = add_product(seen, p.free[k], moved);
   }
-  for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i) seen = subtract_product(seen, all(plan.weight[i]), p.load[i]);
+  for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i)
+    seen = subtract_product(seen, all(plan.weight[i]), p.load[i]);
   for (std::size_t t = 0; t < plan.load.size(); ++t)
     seen = subtract_product(seen, p.terms[t], {all(plan.load[t].weighted.real()), all(plan.load[t].weighted.imag())});
   const Pack norm = norm_of_large_rows(plan, p);
@@ -85,7 +86,8 @@ inline Pack set_residual(const BlockPlan& plan, const BlockSolver& solver, const
   return load;
 }
 
-/// As in `SweepResult`, with |re| + |im| for the modulus; ‖Z‖∞ by its large rows, and where that is not accepted in full.
+/// As in `SweepResult`, with |re| + |im| for the modulus; ‖Z‖∞ by its large rows, and where that is not accepted in
+/// full.
 inline Pack backward_error(const BlockPlan& plan, const BlockSolver& solver, const Pass& p) {
   const Pack load = set_residual(plan, solver, p), zero = all(0.0);
   Pack worst = zero, size = zero, nothing = zero;
@@ -97,7 +99,9 @@ inline Pack backward_error(const BlockPlan& plan, const BlockSolver& solver, con
   }
   worst = hn::Add(worst, nothing);
   Pack norm = norm_of_large_rows(plan, p);
-  const auto error = [&]() TRIVET_LANES { return hn::IfThenZeroElse(hn::Eq(worst, zero), hn::Div(worst, hn::MulAdd(norm, size, load))); };
+  const auto error = [&]() TRIVET_LANES {
+    return hn::IfThenZeroElse(hn::Eq(worst, zero), hn::Div(worst, hn::MulAdd(norm, size, load)));
+  };
   const LaneMask accepted = hn::Le(error(), all(accepted_backward_error));
   if (!hn::AllTrue(Lanes(), accepted)) {
     Pack full = norm;
@@ -110,7 +114,8 @@ inline Pack backward_error(const BlockPlan& plan, const BlockSolver& solver, con
 /// Lanes whose residual need not be looked at in full; one direction may see less of it than there is.
 inline LaneMask certain(const Pack& error) { return hn::Le(error, all(accepted_backward_error / 4)); }
 
-/// Measures the backward errors in full where those seen were not certain, and refines there until they are accepted or a few steps are done.
+/// Measures the backward errors in full where those seen were not certain, and refines there until they are accepted or
+/// a few steps are done.
 inline void refine(const BlockPlan& plan, BlockSolver& solver, Pack* error) {
   constexpr int most_steps = 3;
   LaneMask doubtful[passes], bad[passes];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan of blocks carried out for some packs of frequencies: elimination and substitution. Include after hwy/foreach_target.h only.
+// A plan of blocks carried out for some packs of frequencies: elimination and substitution. Include after
+// hwy/foreach_target.h only.
 #if defined(TRIVET_NUMERICS_BLOCK_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_BLOCK_SOLVER_INL_H_
 #undef TRIVET_NUMERICS_BLOCK_SOLVER_INL_H_
@@ -32,13 +33,14 @@ struct Pass {
   ComplexPack *factors, *left, *plain, *residual, *terms, *free, *load;
   ComplexPack* q = nullptr;  ///< where the solution shall stand
   Frequencies at{};
-  Pack smallest{};           ///< |pivot|²
+  Pack smallest{};  ///< |pivot|²
 };
 
 /// Memory of a few packs of frequencies after another.
 class BlockSolver {
  public:
-  BlockSolver(const BlockPlan& plan, double* memory) : plan_(plan), passes_{Pass(plan, memory), Pass(plan, memory + plan.packs() * BlockPlan::pack)} {}
+  BlockSolver(const BlockPlan& plan, double* memory)
+      : plan_(plan), passes_{Pass(plan, memory), Pass(plan, memory + plan.packs() * BlockPlan::pack)} {}
 
   [[nodiscard]] Pass& pass(int i) { return passes_[i]; }
 
@@ -70,16 +72,19 @@ class BlockSolver {
       return;
     }
     for (const BlockPlan::Column& column : plan_.columns)
-      for (std::size_t i = column.row; column.loaded && i < column.row + static_cast<std::size_t>(column.size); ++i) h[i] = {all(0.0), all(0.0)};
+      for (std::size_t i = column.row; column.loaded && i < column.row + static_cast<std::size_t>(column.size); ++i)
+        h[i] = {all(0.0), all(0.0)};
     for (std::size_t t = 0; t < plan_.load.size(); ++t)
-      for (const BlockPlan::LoadRow& row : plan_.load[t].rows) h[row.row] = add_product(h[row.row], p.terms[t], {all(row.value.real()), all(row.value.imag())});
+      for (const BlockPlan::LoadRow& row : plan_.load[t].rows)
+        h[row.row] = add_product(h[row.row], p.terms[t], {all(row.value.real()), all(row.value.imag())});
   }
 
   void assemble_block(const BlockPlan::Block& b, const Pass& p, ComplexPack* to) const {
     const Given matrices = given(b);
     if (matrices.with_mass()) assemble_with_mass(b.entries(), matrices, p.at, to);
     else assemble(b.entries(), matrices, p.at, to);
-    for (std::size_t k = b.free_first; k < b.free_end; ++k) to[plan_.free[k].entry] = to[plan_.free[k].entry] + p.free[k];
+    for (std::size_t k = b.free_first; k < b.free_end; ++k)
+      to[plan_.free[k].entry] = to[plan_.free[k].entry] + p.free[k];
   }
 
  private:
@@ -90,18 +95,23 @@ class BlockSolver {
   static constexpr int written_out = 0;  ///< the instrumented build keeps its loops: to write them out takes it minutes
 #endif
 
-  [[nodiscard]] const BlockPlan::Block& block(int number) const { return plan_.blocks[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const BlockPlan::Block& block(int number) const {
+    return plan_.blocks[static_cast<std::size_t>(number)];
+  }
   [[nodiscard]] Given given(const BlockPlan::Block& b) const { return {b, plan_.values.data()}; }
 
   template <int fixed>
-  static HWY_INLINE int size_of(const BlockPlan::Column& column) { return fixed > 0 ? fixed : column.size; }
+  static HWY_INLINE int size_of(const BlockPlan::Column& column) {
+    return fixed > 0 ? fixed : column.size;
+  }
 
   template <int fixed>
   HWY_INLINE void eliminate(const BlockPlan::Column& column) {
     const BlockPlan::Block& diagonal = block(column.diagonal);
     if (column.first)
       for (const Pass& p : passes_) assemble_block(diagonal, p, p.factors + diagonal.place);
-    factor<fixed>(column.size, passes_[0].factors + diagonal.place, passes_[1].factors + diagonal.place, passes_[0].smallest, passes_[1].smallest);
+    factor<fixed>(column.size, passes_[0].factors + diagonal.place, passes_[1].factors + diagonal.place,
+                  passes_[0].smallest, passes_[1].smallest);
     for (std::size_t k = column.below_first; k < column.below_end; ++k)
       for (const Pass& p : passes_) divide_below<fixed>(column, plan_.below[k], p);
     for (std::size_t k = column.update_first; k < column.update_end; ++k)
@@ -152,7 +162,8 @@ class BlockSolver {
     const ComplexPack* l = p.factors + block(column.diagonal).place;
     forward(size, l, h + column.row);
     for (std::size_t k = column.below_first; k < column.below_end; ++k)
-      forward_below(block(plan_.below[k].block).rows, size, left_of(plan_.below[k], p), h + column.row, h + plan_.below[k].row);
+      forward_below(block(plan_.below[k].block).rows, size, left_of(plan_.below[k], p), h + column.row,
+                    h + plan_.below[k].row);
     divide_by_pivots(size, l, h + column.row);
   }
 
@@ -188,8 +199,8 @@ class BlockSolver {
     const int size = size_of<fixed>(column);
     const std::size_t place = block(column.diagonal).place;
     Small sum;
-    TRIVET_UNROLL for (int p = 0; p < passes; ++p)
-      TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] = {all(0.0), all(0.0)};
+    TRIVET_UNROLL for (int p = 0; p < passes; ++p) TRIVET_UNROLL for (int i = 0; i < size; ++i)
+        sum.x[p][i] = {all(0.0), all(0.0)};
     const bool pulled = pull(size, column, x, sum);
     TRIVET_UNROLL for (int p = 0; p < passes; ++p) {
       const ComplexPack* l = passes_[p].factors + place;
@@ -197,7 +208,9 @@ class BlockSolver {
         forward(size, l, sum.x[p]);
         divide_by_pivots(size, l, sum.x[p]);
       }
-      if (loaded) TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] = x[p][column.row + static_cast<std::size_t>(i)] + sum.x[p][i];
+      if (loaded)
+        TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] =
+            x[p][column.row + static_cast<std::size_t>(i)] + sum.x[p][i];
       for (std::size_t k = column.below_first; k < column.below_end; ++k) {
         const BlockPlan::Block& b = block(plan_.below[k].block);
         if (b.kept) backward_below(b.rows, size, passes_[p].factors + b.place, x[p] + plan_.below[k].row, sum.x[p]);
@@ -209,7 +222,8 @@ class BlockSolver {
 
   /// sum −= Aᵀx over the blocks below that are not kept. Returns whether there are any.
   HWY_INLINE bool pull(int size, const BlockPlan::Column& column, ComplexPack* const* x, Small& sum) const {
-    const Pack one[passes] = {all(-1.0), all(-1.0)}, omega[passes] = {hn::Neg(passes_[0].at.omega), hn::Neg(passes_[1].at.omega)};
+    const Pack one[passes] = {all(-1.0), all(-1.0)},
+               omega[passes] = {hn::Neg(passes_[0].at.omega), hn::Neg(passes_[1].at.omega)};
     bool any = false;
     for (std::size_t k = column.below_first; k < column.below_end; ++k) {
       const BlockPlan::Block& b = block(plan_.below[k].block);

@@ -3,8 +3,8 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trivet/numerics/sweep/block_sweep.cpp"
-#include <hwy/foreach_target.h>
 #include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
 
 #include "trivet/numerics/sweep/block_residual-inl.h"
 
@@ -14,7 +14,8 @@ namespace {
 
 /// Number k of `count` frequencies from `first` on; lanes that are left over repeat the last.
 ComplexPack read(const Planes& from, std::size_t k, Eigen::Index first, int count) {
-  const double *re = from.re + static_cast<Eigen::Index>(k) * from.stride + first, *im = from.im + static_cast<Eigen::Index>(k) * from.stride + first;
+  const double *re = from.re + static_cast<Eigen::Index>(k) * from.stride + first,
+               *im = from.im + static_cast<Eigen::Index>(k) * from.stride + first;
   if (count >= lane_count()) return {hn::LoadU(Lanes(), re), hn::LoadU(Lanes(), im)};
   HWY_ALIGN double padded_re[8];
   HWY_ALIGN double padded_im[8];
@@ -40,8 +41,10 @@ void read_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
     }
     p.terms[t] = {hn::Load(Lanes(), re), hn::Load(Lanes(), im)};
   }
-  for (std::size_t k = 0; k < plan.free.size(); ++k) p.free[k] = all(plan.free[k].scale) * read(batch.free, plan.free[k].number, first, count);
-  for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i) p.load[i] = all(plan.scale[i]) * read(batch.load, plan.given_row[i], first, count);
+  for (std::size_t k = 0; k < plan.free.size(); ++k)
+    p.free[k] = all(plan.free[k].scale) * read(batch.free, plan.free[k].number, first, count);
+  for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i)
+    p.load[i] = all(plan.scale[i]) * read(batch.load, plan.given_row[i], first, count);
 }
 
 void write(const Pack& value, int count, double* to) {
@@ -55,9 +58,12 @@ void write(const Pack& value, int count, double* to) {
 }
 
 /// Solutions of `count` frequencies from `first` on, each pack of them after `rows` packs.
-void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, const ComplexPack* q) {
+void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count,
+                     const ComplexPack* q) {
   const int lanes = lane_count();
-  const auto start = [&](std::size_t row) { return static_cast<Eigen::Index>(plan.given_row[row]) * batch.response.stride + first; };
+  const auto start = [&](std::size_t row) {
+    return static_cast<Eigen::Index>(plan.given_row[row]) * batch.response.stride + first;
+  };
   for (std::size_t i = 0; i < plan.rows; ++i) {
     constexpr int line = 8;
     constexpr std::size_t ahead = 2;  // lines of other planes, each on a page of its own: measured
@@ -68,14 +74,18 @@ void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Inde
     const Eigen::Index to = start(i);
     const Pack scale = all(plan.scale[i]);
     const ComplexPack* from = q + i;
-    for (int f = 0; f < count; f += lanes, from += plan.rows) write(hn::Mul(scale, from->re), count - f, batch.response.re + to + f);
+    for (int f = 0; f < count; f += lanes, from += plan.rows)
+      write(hn::Mul(scale, from->re), count - f, batch.response.re + to + f);
     from = q + i;
-    for (int f = 0; f < count; f += lanes, from += plan.rows) write(hn::Mul(scale, from->im), count - f, batch.response.im + to + f);
+    for (int f = 0; f < count; f += lanes, from += plan.rows)
+      write(hn::Mul(scale, from->im), count - f, batch.response.im + to + f);
   }
 }
 
-/// Solves `count` frequencies from `first` on, as many as stand side by side at most; their solutions stand from `q` on. Returns how many were doubtful.
-int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, BlockSolver& solver, ComplexPack* q) {
+/// Solves `count` frequencies from `first` on, as many as stand side by side at most; their solutions stand from `q`
+/// on. Returns how many were doubtful.
+int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, BlockSolver& solver,
+               ComplexPack* q) {
   const int lanes = lane_count();
   const auto filled = [&](int i) { return std::clamp(count - i * lanes, 0, lanes); };
   int doubtful = 0;
@@ -88,7 +98,8 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
   }
   solver.solve();
   for (int i = 0; i < passes; ++i) {
-    error[i] = batch.measure_all ? all(std::numeric_limits<double>::infinity()) : seen_backward_error(plan, solver.pass(i));
+    error[i] =
+        batch.measure_all ? all(std::numeric_limits<double>::infinity()) : seen_backward_error(plan, solver.pass(i));
     const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled(i)));
     doubtful += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(certain(error[i]), present)));
   }
@@ -100,12 +111,14 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
 int solve_blocks(const BlockPlan& plan, const BlockBatch& batch, double* memory) {
   const int side_by_side = passes * lane_count();
   BlockSolver solver(plan, memory);
-  auto* const q = new (memory + passes * plan.packs() * BlockPlan::pack) ComplexPack[plan.rows * static_cast<std::size_t>(BlockPlan::together / lane_count())];
+  auto* const q = new (memory + passes * plan.packs() * BlockPlan::pack)
+      ComplexPack[plan.rows * static_cast<std::size_t>(BlockPlan::together / lane_count())];
   int doubtful = 0;
   for (Eigen::Index first = 0; first < batch.count; first += BlockPlan::together) {
     const auto count = static_cast<int>(std::min<Eigen::Index>(batch.count - first, BlockPlan::together));
     for (int f = 0; f < count; f += side_by_side)
-      doubtful += solve_some(plan, batch, first + f, std::min(count - f, side_by_side), solver, q + plan.rows * static_cast<std::size_t>(f / lane_count()));
+      doubtful += solve_some(plan, batch, first + f, std::min(count - f, side_by_side), solver,
+                             q + plan.rows * static_cast<std::size_t>(f / lane_count()));
     write_solutions(plan, batch, first, count, q);
   }
   return doubtful;
@@ -128,7 +141,8 @@ BlockSweep::BlockSweep(const DynamicMatrices& matrices, const Load& load, const 
   plan_ = block_plan(matrices, &scaled_load, d, free);
 }
 
-BlockSweep::BlockSweep(const DynamicMatrices& matrices, const std::vector<FreeEntry>& free) : plan_(block_plan(matrices, nullptr, unit_scale(matrices), free)) {}
+BlockSweep::BlockSweep(const DynamicMatrices& matrices, const std::vector<FreeEntry>& free)
+    : plan_(block_plan(matrices, nullptr, unit_scale(matrices), free)) {}
 
 int BlockSweep::solve(const BlockBatch& batch, LineMemory& memory) const {
   memory.resize(plan_.memory());

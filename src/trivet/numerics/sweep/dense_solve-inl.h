@@ -19,7 +19,9 @@ namespace trivet::numerics::HWY_NAMESPACE {
 class PackArray {
  public:
   explicit PackArray(int count) : numbers_(static_cast<std::size_t>(count) * 16) {}
-  HWY_INLINE ComplexPack operator[](int i) const { return {load_pack(&numbers_[at(i)]), load_pack(&numbers_[at(i) + 8])}; }
+  HWY_INLINE ComplexPack operator[](int i) const {
+    return {load_pack(&numbers_[at(i)]), load_pack(&numbers_[at(i) + 8])};
+  }
   HWY_INLINE void set(int i, const ComplexPack& z) {
     store_pack(z.re, &numbers_[at(i)]);
     store_pack(z.im, &numbers_[at(i) + 8]);
@@ -38,16 +40,23 @@ struct PackSystem {
   Pack omega, square;
 
   HWY_INLINE PackSystem(const sweep_kernels::Coefficients& coefficients, const sweep_kernels::Batch& given, long first)
-      : z(coefficients), batch(given), at(first), omega(load_pack(given.omega + first)), square(hn::Mul(omega, omega)) {}
+      : z(coefficients),
+        batch(given),
+        at(first),
+        omega(load_pack(given.omega + first)),
+        square(hn::Mul(omega, omega)) {}
 
   HWY_INLINE ComplexPack entry(int i, int j) const {
     const auto here = static_cast<std::size_t>(i * z.n + j);
-    ComplexPack value{hn::NegMulAdd(square, all(z.A[here]), all(z.K[here])), hn::MulAdd(omega, all(z.B[here]), all(z.K_loss[here]))};
+    ComplexPack value{hn::NegMulAdd(square, all(z.A[here]), all(z.K[here])),
+                      hn::MulAdd(omega, all(z.B[here]), all(z.K_loss[here]))};
     if (batch.extra.re) value = value + load_pack(batch.extra, (i * z.n + j) * batch.extra.stride + at);
     return value;
   }
   HWY_INLINE ComplexPack load(int i) const { return load_pack(batch.load, i * batch.load.stride + at); }
-  HWY_INLINE void store(int i, const ComplexPack& q) const { store_pack(all(batch.scale[i]) * q, batch.q, i * batch.q.stride + at); }
+  HWY_INLINE void store(int i, const ComplexPack& q) const {
+    store_pack(all(batch.scale[i]) * q, batch.q, i * batch.q.stride + at);
+  }
 };
 
 /// Exchanges x and y in the lanes of a mask.
@@ -57,7 +66,8 @@ HWY_INLINE void exchange(const LaneMask& where, PackArray& array, int a, int b) 
   array.set(b, {hn::IfThenElse(where, x.re, y.re), hn::IfThenElse(where, x.im, y.im)});
 }
 
-/// In each lane its own row with the largest |re| + |im| is carried up to row j by exchanges on the way down. Returns that largest.
+/// In each lane its own row with the largest |re| + |im| is carried up to row j by exchanges on the way down. Returns
+/// that largest.
 HWY_INLINE Pack bring_up_pivot(PackArray& z, PackArray& q, int n, int j) {
   Pack largest = one_norm(z[j * n + j]);
   for (int i = j + 1; i < n; ++i) {
@@ -107,7 +117,8 @@ HWY_INLINE LaneMask solve_pivoted_pack(const PackSystem& s, PackArray& z, PackAr
 
 HWY_INLINE Pack backward_error(const PackSystem& s, PackArray& q) {
   const int n = s.z.n;
-  Pack residual = hn::Zero(Lanes()), norm = residual, size = residual, load = residual, nothing = residual;  // Max may lose what is not a number
+  Pack residual = hn::Zero(Lanes()), norm = residual, size = residual, load = residual,
+       nothing = residual;  // Max may lose what is not a number
   for (int i = 0; i < n; ++i) {
     q.set(i, all(1 / s.batch.scale[i]) * load_pack(s.batch.q, i * s.batch.q.stride + s.at));
     size = hn::Max(size, one_norm(q[i]));

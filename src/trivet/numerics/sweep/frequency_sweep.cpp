@@ -14,46 +14,56 @@ namespace {
 
 constexpr std::size_t piece = 16 * static_cast<std::size_t>(SweepWorkspace::chunk);
 
-/// Solves all chunks; target(first) says where the solutions from `first` on may go, take(first, count, planes, errors) gets them.
+/// Solves all chunks; target(first) says where the solutions from `first` on may go, take(first, count, planes, errors)
+/// gets them.
 template <typename Target, typename Take>
-SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options, const Target& target, const Take& take) {
+SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options,
+                           const Target& target, const Take& take) {
   SweepCounts counts;
   std::mutex adding;
   const int threads = sweep_threads(plan.weight() * omega.size(), options.threads);
-  foundation::for_each_piece(omega.size(), {plan.weight() > 1 ? piece / 4 : piece, threads, options.progress, "frequencies"}, [&](std::size_t first, std::size_t last) {
-    SweepWorkspace workspace(plan);
-    for (std::size_t at = first; at < last; at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
-      const auto count = static_cast<long>(std::min(last - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
-      const Planes q = workspace.solve(&omega[at], count, options.every_backward_error, target(static_cast<long>(at)));
-      take(static_cast<long>(at), count, q, workspace.backward_errors());
-    }
-    const std::lock_guard lock(adding);
-    counts.add(workspace.counts());
-  });
+  foundation::for_each_piece(
+      omega.size(), {plan.weight() > 1 ? piece / 4 : piece, threads, options.progress, "frequencies"},
+      [&](std::size_t first, std::size_t last) {
+        SweepWorkspace workspace(plan);
+        for (std::size_t at = first; at < last; at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
+          const auto count = static_cast<long>(std::min(last - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
+          const Planes q =
+              workspace.solve(&omega[at], count, options.every_backward_error, target(static_cast<long>(at)));
+          take(static_cast<long>(at), count, q, workspace.backward_errors());
+        }
+        const std::lock_guard lock(adding);
+        counts.add(workspace.counts());
+      });
   return counts;
 }
 
-/// Frequencies from which on poles pay, measured at six coordinates with AVX-512: their set-up takes 8 µs while its code is in the cache, else twice that, a
-/// direct solution 7 ns more than a sum over them.
+/// Frequencies from which on poles pay, measured at six coordinates with AVX-512: their set-up takes 8 µs while its
+/// code is in the cache, else twice that, a direct solution 7 ns more than a sum over them.
 constexpr std::size_t worth_poles = 2400;
 
 /// Whether the sums over proven poles are all in the result.
-bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options) {
+bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
+                    SweepPlanes& result, const SweepOptions& options) {
   if (options.every_backward_error || omega.size() < worth_poles || !load.is_constant()) return false;
   const std::optional<PoleSweep> poles = PoleSweep::of(matrices, load.at(0));
   if (!poles) return false;
   std::atomic<bool> good = true;
-  foundation::for_each_piece(omega.size(), {piece, sweep_threads(omega.size(), options.threads), options.progress, "frequencies"}, [&](std::size_t first, std::size_t last) {
-    const auto at = static_cast<Eigen::Index>(first), taken = static_cast<Eigen::Index>(last - first);
-    if (!poles->response(Eigen::Map<const Eigen::ArrayXd>(&omega[first], taken), result.re.middleRows(at, taken), result.im.middleRows(at, taken))) good = false;
-  });
+  foundation::for_each_piece(
+      omega.size(), {piece, sweep_threads(omega.size(), options.threads), options.progress, "frequencies"},
+      [&](std::size_t first, std::size_t last) {
+        const auto at = static_cast<Eigen::Index>(first), taken = static_cast<Eigen::Index>(last - first);
+        if (!poles->response(Eigen::Map<const Eigen::ArrayXd>(&omega[first], taken), result.re.middleRows(at, taken),
+                             result.im.middleRows(at, taken)))
+          good = false;
+      });
   return good;
 }
 
 }  // namespace
 
-SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part, const std::vector<double>& omega,
-                  const SweepOptions& options) {
+SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part,
+                  const std::vector<double>& omega, const SweepOptions& options) {
   const Eigen::Index n = matrices.size(), count = static_cast<Eigen::Index>(omega.size());
   SweepResult result;
   if (load.vanishes() && !part) {
@@ -64,22 +74,27 @@ SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const Frequ
   result.response.resize(n, count);
   if (options.every_backward_error) result.backward_error.resize(count);
   const auto own = [](long) { return Planes{}; };
-  static_cast<SweepCounts&>(result) = for_each_chunk(SweepPlan(matrices, load, part), omega, options, own,
-                                                     [&](long first, long taken, const Planes& q, const double* errors) {
-    constexpr long line = 8;  // of the cache: numbers that are read together
-    for (long some = 0; some < taken; some += line)
-      for (Eigen::Index j = 0; j < n; ++j)
-        for (long f = some; f < std::min(some + line, taken); ++f) result.response(j, first + f) = {q.re[j * q.stride + f], q.im[j * q.stride + f]};
-    if (options.every_backward_error) std::copy_n(errors, taken, result.backward_error.data() + first);
-  });
+  static_cast<SweepCounts&>(result) =
+      for_each_chunk(SweepPlan(matrices, load, part), omega, options, own,
+                     [&](long first, long taken, const Planes& q, const double* errors) {
+                       constexpr long line = 8;  // of the cache: numbers that are read together
+                       for (long some = 0; some < taken; some += line)
+                         for (Eigen::Index j = 0; j < n; ++j)
+                           for (long f = some; f < std::min(some + line, taken); ++f)
+                             result.response(j, first + f) = {q.re[j * q.stride + f], q.im[j * q.stride + f]};
+                       if (options.every_backward_error)
+                         std::copy_n(errors, taken, result.backward_error.data() + first);
+                     });
   return result;
 }
 
-SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, const SweepOptions& options) {
+SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
+                  const SweepOptions& options) {
   return sweep(matrices, load, {}, omega, options);
 }
 
-void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result, const SweepOptions& options) {
+void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result,
+           const SweepOptions& options) {
   const Eigen::Index n = matrices.size(), count = static_cast<Eigen::Index>(omega.size());
   result.re.resize(count, n);
   result.im.resize(count, n);
@@ -93,15 +108,17 @@ void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<
   }
   if (swept_by_poles(matrices, load, omega, result, options)) return;
   const auto target = [&](long first) { return Planes{result.re.data() + first, result.im.data() + first, count}; };
-  static_cast<SweepCounts&>(result) = for_each_chunk(SweepPlan(matrices, load), omega, options, target,
-                                                     [&](long first, long taken, const Planes& q, const double* errors) {
-    const Planes to = target(first);
-    for (Eigen::Index j = 0; j < n && q.re != to.re; ++j) {
-      std::copy_n(q.re + j * q.stride, taken, to.re + j * to.stride);
-      std::copy_n(q.im + j * q.stride, taken, to.im + j * to.stride);
-    }
-    if (options.every_backward_error) std::copy_n(errors, taken, result.backward_error.data() + first);
-  });
+  static_cast<SweepCounts&>(result) =
+      for_each_chunk(SweepPlan(matrices, load), omega, options, target,
+                     [&](long first, long taken, const Planes& q, const double* errors) {
+                       const Planes to = target(first);
+                       for (Eigen::Index j = 0; j < n && q.re != to.re; ++j) {
+                         std::copy_n(q.re + j * q.stride, taken, to.re + j * to.stride);
+                         std::copy_n(q.im + j * q.stride, taken, to.im + j * to.stride);
+                       }
+                       if (options.every_backward_error)
+                         std::copy_n(errors, taken, result.backward_error.data() + first);
+                     });
 }
 
 }  // namespace trivet::numerics

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trivet/numerics/sweep/pole_kernels.cpp"
-#include <hwy/foreach_target.h>
 #include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 
-#include "trivet/numerics/sweep/pole_kernels.h"
 #include "trivet/numerics/roots/poles-inl.h"
+#include "trivet/numerics/sweep/pole_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -56,9 +56,12 @@ void roots_of_size(Size n, RootsOfSystem& s) {
   }
 }
 
-void roots_in_lanes(RootsOfSystem& s) { s.n == 6 ? roots_of_size(six_coordinates(), s) : roots_of_size(AtMostTwelve{s.n}, s); }
+void roots_in_lanes(RootsOfSystem& s) {
+  s.n == 6 ? roots_of_size(six_coordinates(), s) : roots_of_size(AtMostTwelve{s.n}, s);
+}
 
-/// Frequencies before the first that stands at the beginning of a line of memory in every row of the results; −1 where they do not agree.
+/// Frequencies before the first that stands at the beginning of a line of memory in every row of the results; −1 where
+/// they do not agree.
 inline Eigen::Index before_first_line(const PairsAtFrequencies& s) {
   constexpr std::uintptr_t line = 64;
   const auto off = [](const double* p) { return reinterpret_cast<std::uintptr_t>(p) % line; };
@@ -72,7 +75,8 @@ inline bool goes_past_caches(const PairsAtFrequencies& s) {
   return lane_count() == 8 && s.count * s.n * 2 > most && before_first_line(s) >= 0;
 }
 
-/// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once more.
+/// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once
+/// more.
 template <bool complex_load, typename Size>
 void pairs_of_size(Size n, const PairsAtFrequencies& s) {
   const int numbers = complex_load ? 4 * n + 3 : 2 * n + 3;
@@ -90,7 +94,8 @@ void pairs_of_size(Size n, const PairsAtFrequencies& s) {
     each(n, [&](int k) TRIVET_LANES {
       const double* pair = pairs + k * numbers;
       const Pack omega = all(pair[0]);
-      const ComplexPack z = {hn::Mul(hn::Add(hn::Sub(omega, p), all(pair[1])), hn::Add(omega, p)), hn::Mul(all(pair[2]), p)};
+      const ComplexPack z = {hn::Mul(hn::Add(hn::Sub(omega, p), all(pair[1])), hn::Add(omega, p)),
+                             hn::Mul(all(pair[2]), p)};
       g[k] = reciprocal(squared_modulus(z)) * z;
     });
     each(n, [&](int j) TRIVET_LANES {
@@ -131,7 +136,8 @@ double error_in_lanes(const EquationAtFrequencies& s) {
     ComplexPack q[12];
     Pack size = all(0.0), residual = size, norm = size, load = size;
     for (int j = 0; j < n; ++j) {
-      q[j] = all(s.by_scale[j]) * ComplexPack{some(s.re + j * s.stride + f, s.count - f), some(s.im + j * s.stride + f, s.count - f)};
+      q[j] = all(s.by_scale[j]) *
+          ComplexPack{some(s.re + j * s.stride + f, s.count - f), some(s.im + j * s.stride + f, s.count - f)};
       size = hn::Max(size, one_norm(q[j]));
     }
     for (int i = 0; i < n; ++i) {
@@ -139,7 +145,9 @@ double error_in_lanes(const EquationAtFrequencies& s) {
       load = hn::Max(load, one_norm(r));
       Pack row = all(0.0);
       for (int j = 0; j < n; ++j) {
-        const Pack a = all(s.A[i * n + j]), re = hn::NegMulAdd(rest, a, hn::NegMulAdd(square, a, all(s.K[i * n + j])));  // fused: right though it cancels
+        const Pack a = all(s.A[i * n + j]),
+                   re = hn::NegMulAdd(rest, a,
+                                      hn::NegMulAdd(square, a, all(s.K[i * n + j])));  // fused: right though it cancels
         const ComplexPack z = {re, hn::Mul(p, all(s.B[i * n + j]))};
         row = hn::Add(row, one_norm(z));
         r = subtract_product(r, z, q[j]);
@@ -150,7 +158,9 @@ double error_in_lanes(const EquationAtFrequencies& s) {
     const Pack error = hn::Div(residual, hn::MulAdd(norm, size, load));
     worst = hn::Max(worst, error);
     // Max may lose what is not a number.
-    if (!hn::AllTrue(Lanes(), hn::And(hn::Lt(size, all(std::numeric_limits<double>::infinity())), hn::Le(error, worst)))) return std::numeric_limits<double>::infinity();
+    if (!hn::AllTrue(Lanes(),
+                     hn::And(hn::Lt(size, all(std::numeric_limits<double>::infinity())), hn::Le(error, worst))))
+      return std::numeric_limits<double>::infinity();
   }
   return hn::GetLane(hn::MaxOfLanes(Lanes(), worst));
 }
@@ -168,7 +178,9 @@ TRIVET_VARIANTS(pairs_in_lanes);
 TRIVET_VARIANTS(error_in_lanes);
 
 void roots_of_system(RootsOfSystem& system) { TRIVET_DISPATCH(roots_in_lanes)(system); }
-void pairs_at(const PairsAtFrequencies& sums, bool complex_load) { TRIVET_DISPATCH(pairs_in_lanes)(sums, complex_load); }
+void pairs_at(const PairsAtFrequencies& sums, bool complex_load) {
+  TRIVET_DISPATCH(pairs_in_lanes)(sums, complex_load);
+}
 double worst_backward_error(const EquationAtFrequencies& equation) { return TRIVET_DISPATCH(error_in_lanes)(equation); }
 
 }  // namespace trivet::numerics

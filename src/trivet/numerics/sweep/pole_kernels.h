@@ -10,12 +10,12 @@ namespace trivet::numerics {
 
 /// What one system needs of its modes for its roots: a root per lane, each in its own order of the modes, its own last.
 struct RootsOfSystem {
-  using Row = double[most_pairs];                      ///< by root
+  using Row = double[most_pairs];  ///< by root
   int n = 0;
-  Row centre, below[most_pairs], above[most_pairs];    ///< i centre + offset; centre ∓ Ω of each mode
-  Row b[most_pairs * (most_pairs + 1) / 2];            ///< by entry
-  Row offset_re, offset_im;                            ///< where they start, and end
-  Row v_re[most_pairs], v_im[most_pairs];              ///< by mode
+  Row centre, below[most_pairs], above[most_pairs];  ///< i centre + offset; centre ∓ Ω of each mode
+  Row b[most_pairs * (most_pairs + 1) / 2];          ///< by entry
+  Row offset_re, offset_im;                          ///< where they start, and end
+  Row v_re[most_pairs], v_im[most_pairs];            ///< by mode
   Row slope_re, slope_im;
   bool converged = false;
 };

@@ -6,19 +6,20 @@
 #include <limits>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/quadratic_form.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/pole_kernels.h"
-#include "trivet/numerics/linalg/quadratic_form.h"
 
 namespace trivet::numerics {
 namespace {
 
 using Extended = long double;
 
-/// Modes of the scaled system with frequencies to extended precision: errors of a shape enter its Rayleigh quotient squared.
+/// Modes of the scaled system with frequencies to extended precision: errors of a shape enter its Rayleigh quotient
+/// squared.
 struct ExtendedModes {
-  Eigen::MatrixXd shapes, b;   ///< φᵀAφ = 1; ΦᵀBΦ
+  Eigen::MatrixXd shapes, b;  ///< φᵀAφ = 1; ΦᵀBΦ
   Extended omega[12];
   bool coupled = false;
 };
@@ -33,7 +34,8 @@ std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
   ExtendedModes modes;
   modes.shapes = Eigen::Map<const Eigen::MatrixXd>(found.shapes.data(), n, n);
   for (int k = 0; k < n; ++k) {
-    const Extended mass = quadratic_form(m.A, modes.shapes.col(k)), stiffness = quadratic_form(m.K, modes.shapes.col(k));
+    const Extended mass = quadratic_form(m.A, modes.shapes.col(k)),
+                   stiffness = quadratic_form(m.K, modes.shapes.col(k));
     if (!(mass > 0 && stiffness > 0)) return std::nullopt;
     modes.omega[k] = std::sqrt(stiffness / mass);
     modes.shapes.col(k) /= static_cast<double>(std::sqrt(mass));
@@ -71,8 +73,8 @@ void pairs_at_any(PairsAtFrequencies s, bool complex_load) {
 
 struct PoleOfMode {
   std::complex<Extended> lambda;
-  Eigen::VectorXcd shape;       ///< v in coordinates, of unit modal length
-  Eigen::VectorXcd v;           ///< in modes
+  Eigen::VectorXcd shape;  ///< v in coordinates, of unit modal length
+  Eigen::VectorXcd v;      ///< in modes
   Complex slope;
 };
 
@@ -161,7 +163,8 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
       const Eigen::VectorXd modal = modes->shapes.transpose() * h;
       const Complex a = one.v.cwiseProduct(modal.cast<Complex>()).sum() / one.slope;
       const Complex b = two.v.cwiseProduct(modal.cast<Complex>()).sum() / two.slope;
-      pair.segment(from, n) = -result.scale_.array() * (one.shape * (a * second) + two.shape * (b * first)).real().array();
+      pair.segment(from, n) =
+          -result.scale_.array() * (one.shape * (a * second) + two.shape * (b * first)).real().array();
       pair.segment(from + n, n) = result.scale_.array() * (one.shape * a + two.shape * b).real().array();
     };
     add_load(load_re, 3);
@@ -169,7 +172,9 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
   }
   constexpr double once = 1e-9, most_condition = 1e4;
   const double damping = modes->b.trace();
-  if (!(std::abs(static_cast<double>(trace) + damping) <= once * damping && std::abs(static_cast<double>(product - 1)) <= once)) return std::nullopt;
+  if (!(std::abs(static_cast<double>(trace) + damping) <= once * damping &&
+        std::abs(static_cast<double>(product - 1)) <= once))
+    return std::nullopt;
   if (!(condition <= most_condition)) return std::nullopt;
   std::sort(at_poles.begin(), at_poles.end());
   Eigen::ArrayXd checked(2 * n + 1);
@@ -181,31 +186,48 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
   constexpr double share = 0.3;  // of what is accepted: only some frequencies are checked
   Eigen::ArrayXXd re(checked.size(), n), im(checked.size(), n);
   result.evaluate(checked, re, im);
-  if (!(result.backward_error(checked, 0, checked.size(), re, im) <= share * accepted_backward_error)) return std::nullopt;
+  if (!(result.backward_error(checked, 0, checked.size(), re, im) <= share * accepted_backward_error))
+    return std::nullopt;
   return result;
 }
 
-void PoleSweep::evaluate(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re, Eigen::Ref<Eigen::ArrayXXd> im) const {
-  pairs_at_any({static_cast<int>(matrices_.size()), pairs_.data(), omega.data(), omega.size(), re.data(), im.data(), re.outerStride()}, complex_load_);
+void PoleSweep::evaluate(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re,
+                         Eigen::Ref<Eigen::ArrayXXd> im) const {
+  pairs_at_any({static_cast<int>(matrices_.size()), pairs_.data(), omega.data(), omega.size(), re.data(), im.data(),
+                re.outerStride()},
+               complex_load_);
 }
 
 double PoleSweep::backward_error(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Index first, Eigen::Index count,
-                                 const Eigen::Ref<const Eigen::ArrayXXd>& re, const Eigen::Ref<const Eigen::ArrayXXd>& im) const {
+                                 const Eigen::Ref<const Eigen::ArrayXXd>& re,
+                                 const Eigen::Ref<const Eigen::ArrayXXd>& im) const {
   const Eigen::VectorXd by_scale = scale_.cwiseInverse(), load_re = load_.real(), load_im = load_.imag();
-  const EquationAtFrequencies equation{static_cast<int>(matrices_.size()), matrices_.A.data(), matrices_.B.data(), matrices_.K.data(),
-                                       by_scale.data(), load_re.data(), load_im.data(),
-                                       omega.data() + first, re.data() + first, im.data() + first, count, re.outerStride()};
+  const EquationAtFrequencies equation{static_cast<int>(matrices_.size()),
+                                       matrices_.A.data(),
+                                       matrices_.B.data(),
+                                       matrices_.K.data(),
+                                       by_scale.data(),
+                                       load_re.data(),
+                                       load_im.data(),
+                                       omega.data() + first,
+                                       re.data() + first,
+                                       im.data() + first,
+                                       count,
+                                       re.outerStride()};
   return worst_backward_error(equation);
 }
 
-bool PoleSweep::response(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re, Eigen::Ref<Eigen::ArrayXXd> im) const {
+bool PoleSweep::response(const Eigen::Ref<const Eigen::ArrayXd>& omega, Eigen::Ref<Eigen::ArrayXXd> re,
+                         Eigen::Ref<Eigen::ArrayXXd> im) const {
   const Eigen::Index n = matrices_.size(), count = omega.size();
-  if (re.rows() != count || im.rows() != count || re.cols() != n || im.cols() != n || re.outerStride() != im.outerStride())
+  if (re.rows() != count || im.rows() != count || re.cols() != n || im.cols() != n ||
+      re.outerStride() != im.outerStride())
     throw foundation::InvalidInput("response of a pole sweep: re and im must be frequencies × coordinates");
   evaluate(omega, re, im);
   constexpr Eigen::Index checked = 8, period = 64 * checked;
   for (Eigen::Index first = 0; first < count; first += period)
-    if (!(backward_error(omega, first, std::min(checked, count - first), re, im) <= accepted_backward_error)) return false;
+    if (!(backward_error(omega, first, std::min(checked, count - first), re, im) <= accepted_backward_error))
+      return false;
   return true;
 }
 

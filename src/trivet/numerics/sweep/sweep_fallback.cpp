@@ -43,7 +43,8 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
       omega[static_cast<std::size_t>(k)] = omega_.data()[f];
       const Eigen::VectorXcd h = load_at(f);
       for (Eigen::Index i = 0; i < n; ++i) load.put(i * width + k, h(i));
-      for (Eigen::Index e = 0; e < n * n && part.re; ++e) part.put(e * width + k, {all_parts.re[e * chunk + f], all_parts.im[e * chunk + f]});
+      for (Eigen::Index e = 0; e < n * n && part.re; ++e)
+        part.put(e * width + k, {all_parts.re[e * chunk + f], all_parts.im[e * chunk + f]});
     }
     const sweep_kernels::Batch batch{omega.data(), width, load, part, plan_->scale_.data(), solution, error.data()};
     (void)sweep_kernels::solve_pivoted(plain(), batch);
@@ -53,7 +54,8 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
       settled[k] = singular[k] == 0 && error[k] <= accepted_backward_error;
       error_.data()[which[k]] = error[k];
       for (Eigen::Index i = 0; i < n; ++i)
-        q.put(i * q.stride + which[k], {solution.re[i * width + static_cast<long>(k)], solution.im[i * width + static_cast<long>(k)]});
+        q.put(i * q.stride + which[k],
+              {solution.re[i * width + static_cast<long>(k)], solution.im[i * width + static_cast<long>(k)]});
     }
   }
   for (std::size_t k = 0; k < settled.size(); ++k)
@@ -67,7 +69,8 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
 
 /// h of one frequency of the chunk in scaled coordinates.
 Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
-  if (plan_->solver() == SweepSolver::aimed || plan_->solver() == SweepSolver::blocks || plan_->solver() == SweepSolver::alone)
+  if (plan_->solver() == SweepSolver::aimed || plan_->solver() == SweepSolver::blocks ||
+      plan_->solver() == SweepSolver::alone)
     return plan_->load_.at(omega_.data()[f]);
   Eigen::VectorXcd h(plan_->size());
   const Planes load = planes_in(load_);
@@ -80,7 +83,8 @@ Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
 /// One frequency with partial pivoting and one step of refinement; not a number if Z is singular.
 void SweepWorkspace::redo_alone(long f, const Planes& q) {
   const auto n = static_cast<Eigen::Index>(plan_->size());
-  Eigen::MatrixXcd z = plan_->blocks_ ? plan_->blocks_->scaled_matrix(omega_.data()[f]) : plan_->matrices_.at(omega_.data()[f]);
+  Eigen::MatrixXcd z =
+      plan_->blocks_ ? plan_->blocks_->scaled_matrix(omega_.data()[f]) : plan_->matrices_.at(omega_.data()[f]);
   const Planes part = plan_->part_ && !plan_->evaluates_part_alone() ? planes_in(part_) : Planes{};
   for (Eigen::Index i = 0; i < n && part.re; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {

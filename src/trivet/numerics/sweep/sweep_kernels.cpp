@@ -15,12 +15,18 @@ using sweep_kernels::Coefficients;
 template <bool aimed>
 bool fixed(const Coefficients& z, const sweep_kernels::Aim* aim, const Batch& batch) {
   switch (z.n) {
-    case 1: return solve_all<1, aimed>(z, aim, batch);
-    case 2: return solve_all<2, aimed>(z, aim, batch);
-    case 3: return solve_all<3, aimed>(z, aim, batch);
-    case 4: return solve_all<4, aimed>(z, aim, batch);
-    case 5: return solve_all<5, aimed>(z, aim, batch);
-    default: return solve_all<6, aimed>(z, aim, batch);
+    case 1:
+      return solve_all<1, aimed>(z, aim, batch);
+    case 2:
+      return solve_all<2, aimed>(z, aim, batch);
+    case 3:
+      return solve_all<3, aimed>(z, aim, batch);
+    case 4:
+      return solve_all<4, aimed>(z, aim, batch);
+    case 5:
+      return solve_all<5, aimed>(z, aim, batch);
+    default:
+      return solve_all<6, aimed>(z, aim, batch);
   }
 }
 
@@ -41,7 +47,8 @@ bool solve_pivoted(const Coefficients& z, const Batch& batch) {
 
 void backward_errors(const Coefficients& z, const Batch& batch) {
   PackArray q(z.n);
-  for (long at = 0; at < batch.count; at += lane_count()) store_pack(backward_error(PackSystem(z, batch, at), q), batch.error + at);
+  for (long at = 0; at < batch.count; at += lane_count())
+    store_pack(backward_error(PackSystem(z, batch, at), q), batch.error + at);
 }
 
 void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {
@@ -75,7 +82,8 @@ namespace trivet::numerics::sweep_kernels {
 namespace {
 
 /// Σ |K − ω²A|² + |K_loss + ωB|² as a polynomial, moved by a share of its terms.
-void squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K, const Eigen::MatrixXd& loss, double share, double* polynomial) {
+void squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K, const Eigen::MatrixXd& loss,
+             double share, double* polynomial) {
   const double of_loss = loss.squaredNorm(), of_damping = B.squaredNorm();
   polynomial[0] = (1 + share) * (K.squaredNorm() + of_loss);
   polynomial[1] = 2 * B.cwiseProduct(loss).sum();
@@ -111,7 +119,9 @@ TRIVET_VARIANTS(backward_errors);
 TRIVET_VARIANTS(raise_maxima);
 
 namespace sweep_kernels {
-bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) { return TRIVET_DISPATCH(solve_fixed)(z, aim, batch); }
+bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) {
+  return TRIVET_DISPATCH(solve_fixed)(z, aim, batch);
+}
 bool solve_pivoted(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_pivoted)(z, batch); }
 void backward_errors(const Coefficients& z, const Batch& batch) { TRIVET_DISPATCH(backward_errors)(z, batch); }
 void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {

@@ -40,7 +40,8 @@ std::vector<FreeEntry> entries_of(const FrequencyPart& part, Eigen::Index n) {
 
 SweepPlan::SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part)
     : scale_(unit_scale(matrices)), load_(load.scaled(scale_)), part_(std::move(part)) {
-  // Measured with AVX-512 from 7 to 14 coordinates, all coupled: blocks take 0.5 … 0.9 of the time of loops over all, their check included.
+  // Measured with AVX-512 from 7 to 14 coordinates, all coupled: blocks take 0.5 … 0.9 of the time of loops over all,
+  // their check included.
   if (matrices.symmetric && (part_ || matrices.size() > sweep_kernels::most_fixed)) {
     use_blocks(matrices, load);
     return;
@@ -91,7 +92,8 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[static_cast<std::size_t>(j)] * x.col(n - 1);
     return x;
   };
-  solved_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K), carried(matrices_.K_loss), true});
+  solved_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K),
+                                  carried(matrices_.K_loss), true});
   solver_ = SweepSolver::aimed;
 }
 

@@ -15,7 +15,8 @@ enum class SweepSolver {
   fixed,    ///< n ≤ 6, any load: loops written out
   blocks,   ///< n > 6, or a part that depends on ω: by bodies, skipping what does not couple
   pivoted,  ///< unsymmetric
-  alone     ///< unsymmetric, many coordinates with a part that depends on ω: one frequency at a time, for the sake of memory
+  alone     ///< unsymmetric, many coordinates with a part that depends on ω: one frequency at a time, for the sake of
+            ///< memory
 };
 
 /// One system in coordinates of unit mass diagonal. Every solver for a sweep is chosen here.
@@ -25,22 +26,28 @@ class SweepPlan {
 
   [[nodiscard]] SweepSolver solver() const { return solver_; }
   [[nodiscard]] int size() const { return static_cast<int>(scale_.size()); }
-  /// One solution beside one of six coordinates in time, to an order of magnitude: a body of many takes five times as long as one alone, laws of elements longer.
-  [[nodiscard]] std::size_t weight() const { return (size() > 6 ? static_cast<std::size_t>(size()) : 1) * (part_ ? 20U : 1U); }
+  /// One solution beside one of six coordinates in time, to an order of magnitude: a body of many takes five times as
+  /// long as one alone, laws of elements longer.
+  [[nodiscard]] std::size_t weight() const {
+    return (size() > 6 ? static_cast<std::size_t>(size()) : 1) * (part_ ? 20U : 1U);
+  }
 
  private:
   friend class SweepWorkspace;
   void choose_solver();
   void aim(const LoadTerm& term, Eigen::Index last);
   void use_blocks(const DynamicMatrices& given, const Load& given_load);
-  [[nodiscard]] bool evaluates_part_alone() const { return part_ && (solver_ == SweepSolver::blocks || solver_ == SweepSolver::alone); }
+  [[nodiscard]] bool evaluates_part_alone() const {
+    return part_ && (solver_ == SweepSolver::blocks || solver_ == SweepSolver::alone);
+  }
 
   Eigen::VectorXd scale_;
   DynamicMatrices matrices_;  ///< empty where blocks hold them
   Load load_;
   FrequencyPart part_;
   SweepSolver solver_ = SweepSolver::pivoted;
-  std::optional<sweep_kernels::Coefficients> solved_;  ///< what `solver` reads, in the coordinates of `aim_` if it is aimed
+  std::optional<sweep_kernels::Coefficients>
+      solved_;  ///< what `solver` reads, in the coordinates of `aim_` if it is aimed
   sweep_kernels::Aim aim_;
   std::optional<BlockSweep> blocks_;
   std::vector<FreeEntry> free_;  ///< of the blocks: what the part may change

@@ -83,7 +83,8 @@ void SweepWorkspace::fill_parts(long count) {
     for (Eigen::Index i = 0; i < n; ++i) {
       load.re[i * chunk + f] += plan_->scale_(i) * h(i).real();
       load.im[i * chunk + f] += plan_->scale_(i) * h(i).imag();
-      for (Eigen::Index j = 0; j < n; ++j) part.put((i * n + j) * chunk + f, plan_->scale_(i) * z(i, j) * plan_->scale_(j));
+      for (Eigen::Index j = 0; j < n; ++j)
+        part.put((i * n + j) * chunk + f, plan_->scale_(i) * z(i, j) * plan_->scale_(j));
     }
   }
 }
@@ -134,7 +135,8 @@ void SweepWorkspace::solve_blocks(bool every_backward_error, const Planes& q) {
   }
   if (z_part_.isZero(0)) return;
   throw foundation::InvalidInput(
-    "part of the dynamic stiffness that depends on frequency: it adds to entries beside its coupled rows; it must name all rows that it couples");
+      "part of the dynamic stiffness that depends on frequency: it adds to entries beside its coupled rows; it must "
+      "name all rows that it couples");
 }
 
 Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
@@ -152,7 +154,8 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
     return q;
   }
   const int wanted = every_backward_error ? 2 : 1;
-  if (load_filled_ < wanted || !plan_->load_.is_constant() || plan_->part_) fill_load(plan_->load_.is_constant() ? chunk : padded, every_backward_error);
+  if (load_filled_ < wanted || !plan_->load_.is_constant() || plan_->part_)
+    fill_load(plan_->load_.is_constant() ? chunk : padded, every_backward_error);
   load_filled_ = wanted;
   if (plan_->part_) fill_parts(padded);
   const Planes part = plan_->part_ ? planes_in(part_) : Planes{};
@@ -166,10 +169,15 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
       good = sweep_kernels::solve_fixed(*plan_->solved_, &plan_->aim_, aimed);
       break;
     }
-    case SweepSolver::fixed: good = sweep_kernels::solve_fixed(*plan_->solved_, nullptr, batch); break;
-    case SweepSolver::pivoted: good = sweep_kernels::solve_pivoted(*plan_->solved_, batch); break;
+    case SweepSolver::fixed:
+      good = sweep_kernels::solve_fixed(*plan_->solved_, nullptr, batch);
+      break;
+    case SweepSolver::pivoted:
+      good = sweep_kernels::solve_pivoted(*plan_->solved_, batch);
+      break;
     case SweepSolver::blocks:
-    case SweepSolver::alone: break;  // above
+    case SweepSolver::alone:
+      break;  // above
   }
   std::vector<char> untrusted;
   if (!good) {

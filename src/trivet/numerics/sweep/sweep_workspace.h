@@ -18,20 +18,24 @@ class SweepWorkspace {
   /// Solves another system from now on, in the same memory where it has the same size. The counts go on.
   void take(const SweepPlan& plan);
 
-  /// Solutions at `count` ≤ `chunk` frequencies, into `target` or, if that is null or the chunk is not full, into planes of its own.
+  /// Solutions at `count` ≤ `chunk` frequencies, into `target` or, if that is null or the chunk is not full, into
+  /// planes of its own.
   /// @return where they are
   Planes solve(const double* omega, long count, bool every_backward_error, Planes target = {});
 
   /// Raises the largest |q_j|² by those of the last chunk and tells where they are.
   void raise_maxima(const Planes& q, double* square, double* angular_frequency) const {
-    sweep_kernels::raise_maxima(plan_->size(), {omega_.data(), padded_, {}, {}, nullptr, q, nullptr}, square, angular_frequency);
+    sweep_kernels::raise_maxima(plan_->size(), {omega_.data(), padded_, {}, {}, nullptr, q, nullptr}, square,
+                                angular_frequency);
   }
   [[nodiscard]] const double* backward_errors() const { return error_.data(); }
   [[nodiscard]] const SweepCounts& counts() const { return counts_; }
 
  private:
   /// Planes of a chunk: real parts first, then imaginary parts.
-  static Planes planes_in(const LineMemory& memory) { return {memory.data(), memory.data() + memory.size() / 2, chunk}; }
+  static Planes planes_in(const LineMemory& memory) {
+    return {memory.data(), memory.data() + memory.size() / 2, chunk};
+  }
 
   void fill_load(long count, bool all);
   void fill_parts(long count);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Z = LDLᵀ of complex symmetric Z without pivoting, one frequency per lane, loops written out for a fixed number of coordinates.
-// Include after hwy/foreach_target.h only.
+// Z = LDLᵀ of complex symmetric Z without pivoting, one frequency per lane, loops written out for a fixed number of
+// coordinates. Include after hwy/foreach_target.h only.
 #if defined(TRIVET_NUMERICS_SYMMETRIC_SOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_SYMMETRIC_SOLVE_INL_H_
 #undef TRIVET_NUMERICS_SYMMETRIC_SOLVE_INL_H_
@@ -16,13 +16,16 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 HWY_INLINE Pack load_pack(const double* from) { return hn::LoadU(Lanes(), from); }
 HWY_INLINE void store_pack(const Pack& pack, double* to) { hn::StoreU(pack, Lanes(), to); }
-HWY_INLINE ComplexPack load_pack(const Planes& planes, long at) { return {load_pack(planes.re + at), load_pack(planes.im + at)}; }
+HWY_INLINE ComplexPack load_pack(const Planes& planes, long at) {
+  return {load_pack(planes.re + at), load_pack(planes.im + at)};
+}
 HWY_INLINE void store_pack(const ComplexPack& z, const Planes& planes, long at) {
   store_pack(z.re, planes.re + at);
   store_pack(z.im, planes.im + at);
 }
 
-/// Σ (trace of |L||D||Lᵀ| by columns)² and Σ 1/|d|²: what tells whether a factorisation without pivoting may be trusted.
+/// Σ (trace of |L||D||Lᵀ| by columns)² and Σ 1/|d|²: what tells whether a factorisation without pivoting may be
+/// trusted.
 struct Growth {
   Pack squares, reciprocals;
 };
@@ -35,14 +38,17 @@ HWY_INLINE Pack polynomial(const double* c, const Pack& omega, const Pack& squar
 /// False, too, where anything is not a number.
 HWY_INLINE LaneMask trusted(const Growth& growth, const Pack& norm, int n) {
   const double negligible = negligible_pivot(n), most = sweep_kernels::growth_allowed;
-  return hn::And(hn::Le(growth.squares, hn::Mul(all(most * most), norm)), hn::Lt(hn::Mul(growth.reciprocals, norm), all(1 / (negligible * negligible))));
+  return hn::And(hn::Le(growth.squares, hn::Mul(all(most * most), norm)),
+                 hn::Lt(hn::Mul(growth.reciprocals, norm), all(1 / (negligible * negligible))));
 }
 
 /// `packs` packs of frequencies from `at` on, side by side: while one waits for a quotient the other works.
 template <int n, int packs, bool aimed>
-HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const sweep_kernels::Aim* aim, const sweep_kernels::Batch& batch, long at) {
+HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const sweep_kernels::Aim* aim,
+                                const sweep_kernels::Batch& batch, long at) {
   const long width = lane_count();
-  Pack omega[packs], square[packs], lr[n * n][packs], li[n * n][packs], ur[n * n][packs], ui[n * n][packs], er[n][packs], ei[n][packs];
+  Pack omega[packs], square[packs], lr[n * n][packs], li[n * n][packs], ur[n * n][packs], ui[n * n][packs],
+      er[n][packs], ei[n][packs];
   Growth growth[packs];
   TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
     omega[p] = load_pack(batch.omega + at + p * width);
@@ -78,25 +84,30 @@ HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const swee
         }
       }
     }
-    TRIVET_UNROLL for (int p = 0; p < packs; ++p) growth[p].squares = hn::MulAdd(hn::Mul(column[p], column[p]), reciprocal[p], growth[p].squares);
+    TRIVET_UNROLL for (int p = 0; p < packs; ++p) growth[p].squares =
+        hn::MulAdd(hn::Mul(column[p], column[p]), reciprocal[p], growth[p].squares);
   }
   ComplexPack q[n][packs];
   TRIVET_UNROLL for (int i = 0; i < n; ++i) TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
     if (aimed && i < n - 1) continue;
     q[i][p] = load_pack(batch.load, (aimed ? 0 : i) * batch.load.stride + at + p * width);
-    TRIVET_UNROLL for (int k = 0; k < i && !aimed; ++k) q[i][p] = subtract_product(q[i][p], ComplexPack{lr[i * n + k][p], li[i * n + k][p]}, q[k][p]);
+    TRIVET_UNROLL for (int k = 0; k < i && !aimed; ++k) q[i][p] =
+        subtract_product(q[i][p], ComplexPack{lr[i * n + k][p], li[i * n + k][p]}, q[k][p]);
   }
   TRIVET_UNROLL for (int i = n - 1; i >= 0; --i) {
     const int to = aimed ? aim->order[static_cast<std::size_t>(i)] : i;
     TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
       ComplexPack& x = q[i][p];
       if (!aimed || i == n - 1) {
-        x = ComplexPack{hn::MulAdd(x.re, er[i][p], hn::Mul(x.im, ei[i][p])), hn::NegMulAdd(x.re, ei[i][p], hn::Mul(x.im, er[i][p]))};
+        x = ComplexPack{hn::MulAdd(x.re, er[i][p], hn::Mul(x.im, ei[i][p])),
+                        hn::NegMulAdd(x.re, ei[i][p], hn::Mul(x.im, er[i][p]))};
       } else {
         const Pack &re = lr[(n - 1) * n + i][p], &im = li[(n - 1) * n + i][p];
-        x = {hn::NegMulAdd(re, q[n - 1][p].re, hn::Mul(im, q[n - 1][p].im)), hn::NegMulSub(re, q[n - 1][p].im, hn::Mul(im, q[n - 1][p].re))};
+        x = {hn::NegMulAdd(re, q[n - 1][p].re, hn::Mul(im, q[n - 1][p].im)),
+             hn::NegMulSub(re, q[n - 1][p].im, hn::Mul(im, q[n - 1][p].re))};
       }
-      TRIVET_UNROLL for (int k = aimed ? n - 2 : n - 1; k > i; --k) x = subtract_product(x, ComplexPack{lr[k * n + i][p], li[k * n + i][p]}, q[k][p]);
+      TRIVET_UNROLL for (int k = aimed ? n - 2 : n - 1; k > i; --k) x =
+          subtract_product(x, ComplexPack{lr[k * n + i][p], li[k * n + i][p]}, q[k][p]);
       if (!aimed || i < n - 1) store_pack(all(batch.scale[to]) * x, batch.q, to * batch.q.stride + at + p * width);
     }
   }
@@ -104,7 +115,8 @@ HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const swee
   TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
     if (aimed) {
       const int to = aim->order[n - 1];
-      TRIVET_UNROLL for (int i = n - 2; i >= 0; --i) q[n - 1][p] = subtract_product(q[n - 1][p], all(aim->ratio[static_cast<std::size_t>(i)]), q[i][p]);
+      TRIVET_UNROLL for (int i = n - 2; i >= 0; --i) q[n - 1][p] =
+          subtract_product(q[n - 1][p], all(aim->ratio[static_cast<std::size_t>(i)]), q[i][p]);
       store_pack(all(batch.scale[to]) * q[n - 1][p], batch.q, to * batch.q.stride + at + p * width);
     }
     const LaneMask good = trusted(growth[p], polynomial(z.norm, omega[p], square[p]), n);
@@ -118,7 +130,8 @@ template <int n, bool aimed>
 bool solve_all(const sweep_kernels::Coefficients& z, const sweep_kernels::Aim* aim, const sweep_kernels::Batch& batch) {
   constexpr int packs = aimed ? 2 : 1;
   LaneMask fine = hn::FirstN(Lanes(), 8);
-  for (long at = 0; at < batch.count; at += packs * lane_count()) fine = hn::And(fine, solve_packs<n, packs, aimed>(z, aim, batch, at));
+  for (long at = 0; at < batch.count; at += packs * lane_count())
+    fine = hn::And(fine, solve_packs<n, packs, aimed>(z, aim, batch, at));
   return hn::AllTrue(Lanes(), fine);
 }
 

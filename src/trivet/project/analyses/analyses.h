@@ -16,8 +16,8 @@ struct ResponseRequest {
   Wanted wanted;
   std::optional<response::Band> band;  ///< none: from 0 to 1.3 times the highest natural frequency
   response::Spacing spacing = response::Spacing::automatic;
-  int points = 1001;                   ///< of a linear or logarithmic grid
-  std::vector<double> at;              ///< single ω instead of a band [rad/s]
+  int points = 1001;       ///< of a linear or logarithmic grid
+  std::vector<double> at;  ///< single ω instead of a band [rad/s]
   bool continuous_phase = false;
 };
 
@@ -44,15 +44,15 @@ inline constexpr double most_designs = 1e7;
 
 /// One axis of a map: a number of the project file that a design may choose.
 struct MapAxis {
-  std::string parameter;      ///< dotted path, as in --set
-  std::string name;           ///< what tables and pictures call it; the path by default
-  double from = 0, to = 1;    ///< in `unit`
-  std::string unit;           ///< as written beside from and to; empty: the number as the file takes it, SI
+  std::string parameter;    ///< dotted path, as in --set
+  std::string name;         ///< what tables and pictures call it; the path by default
+  double from = 0, to = 1;  ///< in `unit`
+  std::string unit;         ///< as written beside from and to; empty: the number as the file takes it, SI
   bool logarithmic = false;
   int points = 101;
 
-  [[nodiscard]] double at(double share) const;          ///< the value at 0 … 1 of the axis, ends exact
-  [[nodiscard]] double share(double value) const;       ///< its inverse, also beyond
+  [[nodiscard]] double at(double share) const;     ///< the value at 0 … 1 of the axis, ends exact
+  [[nodiscard]] double share(double value) const;  ///< its inverse, also beyond
   bool operator==(const MapAxis&) const = default;
 };
 
@@ -67,13 +67,13 @@ struct MapLimit {
 /// Two numbers of the project and the rules that a design keeps or breaks.
 struct MapRequest {
   MapAxis x, y;
-  std::optional<response::Band> band;         ///< of the amplitudes; none: 0 ≤ ω < ∞
+  std::optional<response::Band> band;  ///< of the amplitudes; none: 0 ≤ ω < ∞
   std::vector<MapLimit> limits;
-  bool limits_of_file = true;                 ///< the map names none: those of the file
-  std::vector<std::string> no_peak;           ///< answers that shall have no resonance peak, wherever it lies
+  bool limits_of_file = true;        ///< the map names none: those of the file
+  std::vector<std::string> no_peak;  ///< answers that shall have no resonance peak, wherever it lies
   assembly::Quantity quantity = assembly::Quantity::displacement;  ///< of these
   double min_prominence = 1e-6, peak_tolerance = 0.01;             ///< as of `peaks`
-  std::vector<std::string> excitations;       ///< empty: all
+  std::vector<std::string> excitations;                            ///< empty: all
   std::optional<std::vector<std::string>> cases;  ///< marked on the map; none: all that have both numbers
   bool operator==(const MapRequest&) const = default;
 };

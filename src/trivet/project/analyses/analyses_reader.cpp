@@ -16,10 +16,12 @@ constexpr int most_points = 2'000'000;
 /// A steady response needs something that drives it.
 void check_driven(TableReader& analyses, const std::string& key, const Mentioned& mentioned) {
   if (mentioned.harmonic_excitations.empty())
-    analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it", "add [excitations.NAME] with type = \"harmonic\"");
+    analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it",
+                   "add [excitations.NAME] with type = \"harmonic\"");
 }
 
-ResponseRequest read_response(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
+ResponseRequest read_response(const Node& node, const ResultNames& names, const Mentioned& mentioned,
+                              foundation::Problems& problems) {
   TableReader reader(node, "analyses.response", problems);
   ResponseRequest request;
   read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
@@ -30,14 +32,19 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
   if (request.spacing == response::Spacing::logarithmic && request.band && !(request.band->from > 0))
     reader.error("band", "a band from 0", "a logarithmic grid starts above 0", "raise the lower end");
   if (const auto points = reader.number("points", Quantity::pure)) {
-    if (*points >= 2 && *points <= most_points && *points == static_cast<int>(*points)) request.points = static_cast<int>(*points);
-    else reader.error("points", fmt::format("{:.6g}", *points), fmt::format("a whole number from 2 to {} is wanted", most_points), "change it");
+    if (*points >= 2 && *points <= most_points && *points == static_cast<int>(*points))
+      request.points = static_cast<int>(*points);
+    else
+      reader.error("points", fmt::format("{:.6g}", *points),
+                   fmt::format("a whole number from 2 to {} is wanted", most_points), "change it");
     if (!reader.has("spacing") || spacing == "automatic")
-      reader.error("points", "points without spacing", "an automatic grid chooses its points itself", "add spacing = \"linear\" or \"logarithmic\"");
+      reader.error("points", "points without spacing", "an automatic grid chooses its points itself",
+                   "add spacing = \"linear\" or \"logarithmic\"");
   }
   if (const auto at = reader.numbers("at", Quantity::angular_frequency)) {
     for (const double omega : *at)
-      if (omega < 0) reader.error("at", fmt::format("{:.6g} rad/s", omega), "an angular frequency is ≥ 0", "remove the sign");
+      if (omega < 0)
+        reader.error("at", fmt::format("{:.6g} rad/s", omega), "an angular frequency is ≥ 0", "remove the sign");
     if (at->empty()) reader.error("at", "an empty list", "at least one frequency is wanted", "give one, or a band");
     if (reader.has("band")) reader.error("at", "at and band", "only one of them says where", "remove one");
     for (const char* key : {"spacing", "points"})
@@ -51,8 +58,8 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
   return request;
 }
 
-PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentioned& mentioned, const std::optional<ResponseRequest>& response,
-                        foundation::Problems& problems) {
+PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentioned& mentioned,
+                        const std::optional<ResponseRequest>& response, foundation::Problems& problems) {
   TableReader reader(node, "analyses.peaks", problems);
   PeaksRequest request;
   if (response) request.wanted = response->wanted;  // the peaks of the same curves, unless it says otherwise
@@ -62,32 +69,39 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentio
   return request;
 }
 
-std::vector<Limit> read_limits(TableReader& root, const ResultNames& names, const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool mapped) {
+std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
+                               const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool mapped) {
   std::vector<Limit> limits;
   const Node* table = root.table("limits");
   if (!table) return limits;
-  if (!response && !mapped) root.error("limits", "no response to compare with", "limits hold over the band of analyses.response", "add response = {…} to [analyses]");
+  if (!response && !mapped)
+    root.error("limits", "no response to compare with", "limits hold over the band of analyses.response",
+               "add response = {…} to [analyses]");
   TableReader reader(*table, "limits", root.problems());
   for (const std::string& name : table->keys) {
     if (name == "accept") continue;
-    const auto measured = names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
+    const auto measured =
+        names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
     if (!measured) {
       refuse_limit(reader, names, name);
       continue;
     }
     if (!quantity_is_clear) continue;  // its unit depends on what could not be read
     if (const Node* value = reader.node(name); value->kind == Node::Kind::array) {
-      reader.error(name, "a list", "[limits] holds one number for each answer", "several limits of one answer belong to [analyses.map.limits]");
+      reader.error(name, "a list", "[limits] holds one number for each answer",
+                   "several limits of one answer belong to [analyses.map.limits]");
       continue;
     }
     const auto amplitude = reader.number(name, *measured);
-    if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");
+    if (amplitude && !(*amplitude > 0))
+      reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");
     if (amplitude) limits.push_back({name, *amplitude});
   }
   return limits;
 }
 
-std::vector<std::string> read_static(const Node& node, const ResultNames& names, const Mentioned& mentioned, foundation::Problems& problems) {
+std::vector<std::string> read_static(const Node& node, const ResultNames& names, const Mentioned& mentioned,
+                                     foundation::Problems& problems) {
   TableReader reader(node, "analyses.static", problems);
   std::vector<std::string> of = {"coordinates"};
   of.insert(of.end(), mentioned.elements.begin(), mentioned.elements.end());
@@ -122,7 +136,8 @@ Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
     }
     if (const Node* node = reader.table("static")) {
       if (!root.has("gravity") && mentioned.constant_excitations.empty())
-        reader.error("static", "neither gravity nor a constant force", "a static answer needs a load", "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
+        reader.error("static", "neither gravity nor a constant force", "a static answer needs a load",
+                     "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
       analyses.static_of = read_static(*node, names, mentioned, root.problems());
       analyses.load_sharing = root.has("gravity");
     }

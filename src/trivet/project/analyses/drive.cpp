@@ -13,26 +13,37 @@ Drive drive_of(const std::string& question) {
 
 bool drives(const model::Excitation& excitation, Drive drive) {
   switch (drive) {
-    case Drive::harmonic: return std::holds_alternative<model::Harmonic>(excitation.course);
-    case Drive::random: return std::holds_alternative<model::Random>(excitation.course);
-    case Drive::time: return std::holds_alternative<model::History>(excitation.course);
+    case Drive::harmonic:
+      return std::holds_alternative<model::Harmonic>(excitation.course);
+    case Drive::random:
+      return std::holds_alternative<model::Random>(excitation.course);
+    case Drive::time:
+      return std::holds_alternative<model::History>(excitation.course);
     case Drive::orders: {  // an unbalance is order 1
       const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
-      return std::holds_alternative<model::Orders>(excitation.course) || (harmonic && harmonic->power_of_frequency == 2);
+      return std::holds_alternative<model::Orders>(excitation.course) ||
+          (harmonic && harmonic->power_of_frequency == 2);
     }
-    case Drive::none: break;
+    case Drive::none:
+      break;
   }
   return false;
 }
 
 MissingExcitation missing_excitation(Drive drive) {
   switch (drive) {
-    case Drive::random: return {"no random excitation in the model", "add [excitations.NAME] with type = \"random\""};
-    case Drive::time: return {"no time excitation in the model", "add [excitations.NAME] with type = \"time\""};
-    case Drive::orders: return {"no order excitation in the model", "add [excitations.NAME] with type = \"orders\" or \"unbalance\""};
-    case Drive::harmonic: case Drive::none: break;
+    case Drive::random:
+      return {"no random excitation in the model", "add [excitations.NAME] with type = \"random\""};
+    case Drive::time:
+      return {"no time excitation in the model", "add [excitations.NAME] with type = \"time\""};
+    case Drive::orders:
+      return {"no order excitation in the model", "add [excitations.NAME] with type = \"orders\" or \"unbalance\""};
+    case Drive::harmonic:
+    case Drive::none:
+      break;
   }
-  return {"no harmonic excitation in the model", "add [excitations.NAME] with type = \"harmonic\", \"unbalance\" or \"base\""};
+  return {"no harmonic excitation in the model",
+          "add [excitations.NAME] with type = \"harmonic\", \"unbalance\" or \"base\""};
 }
 
 }  // namespace trivet::project

@@ -19,17 +19,23 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
   if (quantity == "velocity") asked->wanted.quantity = assembly::Quantity::velocity;
   if (quantity == "acceleration") asked->wanted.quantity = assembly::Quantity::acceleration;
   for (const std::string& word : asked->wanted.of)
-    if (word == "base" || word.starts_with("base.")) reader.error("of", "\"" + word + "\"", "an earthquake's answers are those of bodies and elements, against the ground", "remove it");
+    if (word == "base" || word.starts_with("base."))
+      reader.error("of", "\"" + word + "\"",
+                   "an earthquake's answers are those of bodies and elements, against the ground", "remove it");
   if (!reader.has("direction")) reader.missing("direction", "say how the ground shakes: direction = \"x\"");
   asked->direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
   const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
   const bool over_period = reader.choice("over", {"period", "frequency"}).value_or("period") == "period";
-  const auto rows = reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, over_period ? "period" : "frequency_hz", "acceleration");
+  const auto rows = reader.has("rows")
+      ? read_pairs(reader, "rows")
+      : read_pairs_of_file(reader, over_period ? "period" : "frequency_hz", "acceleration");
   if (!rows) return asked;
   const std::string source = reader.has("rows") ? "rows" : "file";
-  std::vector<double> places(rows->col(0).begin(), rows->col(0).end()), accelerations(rows->col(1).begin(), rows->col(1).end());
+  std::vector<double> places(rows->col(0).begin(), rows->col(0).end()),
+      accelerations(rows->col(1).begin(), rows->col(1).end());
   if (std::any_of(places.begin(), places.end(), [](double x) { return !(x > 0); })) {
-    reader.error(source, "a period or frequency that is not > 0", "a spectrum over logarithmic axes begins above 0", "give a short period for the acceleration of the ground");
+    reader.error(source, "a period or frequency that is not > 0", "a spectrum over logarithmic axes begins above 0",
+                 "give a short period for the acceleration of the ground");
     return asked;
   }
   if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end()) {

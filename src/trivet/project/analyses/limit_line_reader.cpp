@@ -12,7 +12,9 @@ namespace trivet::project {
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result) {
   const Node* table = root.table("limit_lines");
   if (!table) return;
-  if (!result.response) root.error("limit_lines", "no response to compare with", "limit lines hold over the band of analyses.response", "add response = {…} to [analyses]");
+  if (!result.response)
+    root.error("limit_lines", "no response to compare with", "limit lines hold over the band of analyses.response",
+               "add response = {…} to [analyses]");
   TableReader all(*table, "limit_lines", root.problems());
   for (const std::string& name : table->keys) {
     const Node* node = all.table(name);
@@ -21,9 +23,14 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     LimitLineRequest request;
     request.of = reader.required_text("of");
     const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
-    const auto wanted = quantity == "velocity" ? assembly::Quantity::velocity : quantity == "acceleration" ? assembly::Quantity::acceleration : assembly::Quantity::displacement;
+    const auto wanted = quantity == "velocity" ? assembly::Quantity::velocity
+        : quantity == "acceleration"           ? assembly::Quantity::acceleration
+                                               : assembly::Quantity::displacement;
     const auto measured = names.component(request.of, wanted);
-    if (reader.has("of") && !measured) reader.error("of", foundation::quoted(request.of), "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"", "check the name");
+    if (reader.has("of") && !measured)
+      reader.error("of", foundation::quoted(request.of),
+                   "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
+                   "check the name");
     request.line.name = name;
     request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
@@ -33,9 +40,11 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     if (measured) {
       const bool force = *measured == Quantity::force || *measured == Quantity::moment;
       const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
-      request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m") : (turns ? turning : units)[static_cast<std::size_t>(wanted)];
+      request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
+                                : (turns ? turning : units)[static_cast<std::size_t>(wanted)];
     }
-    const auto rows = reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, "frequency_hz", "limit");
+    const auto rows =
+        reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, "frequency_hz", "limit");
     reader.finish();
     if (!rows || !measured) continue;
     for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
@@ -45,6 +54,5 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     if (!findings.has_errors()) result.limit_lines.push_back(std::move(request));
   }
 }
-
 
 }  // namespace trivet::project

@@ -10,13 +10,14 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/model_path.h"
 #include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
 namespace {
 
-constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity, assembly::Quantity::acceleration};
+constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity,
+                                              assembly::Quantity::acceleration};
 
 /// A blank that is no part of a quoted name.
 bool has_stray_blank(const std::string& path) {
@@ -31,7 +32,8 @@ bool has_stray_blank(const std::string& path) {
 
 /// Tables that a thing need not have to be adjusted.
 bool is_adjustment(const std::string& key) {
-  static constexpr std::array<const char*, 4> tables = {"stiffness_factor", "moved", "center_moved", "inertia_about_center"};
+  static constexpr std::array<const char*, 4> tables = {"stiffness_factor", "moved", "center_moved",
+                                                        "inertia_about_center"};
   return std::find(tables.begin(), tables.end(), key) != tables.end();
 }
 
@@ -40,32 +42,43 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
   if (path.find('[') != std::string::npos)
     return static_cast<void>(reader.error("parameter", shown, "parts are named, not counted",
-                                          "name a number: \"elements.mount.scale\", \"elements.mount.at.y\" of an array of three, \"bodies.machine.mass\""));
+                                          "name a number: \"elements.mount.scale\", \"elements.mount.at.y\" of an "
+                                          "array of three, \"bodies.machine.mass\""));
   if (has_stray_blank(path))
-    return static_cast<void>(reader.error("parameter", shown, "a path has blanks in quoted names alone", R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
+    return static_cast<void>(reader.error(
+        "parameter", shown, "a path has blanks in quoted names alone",
+        R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
   const std::vector<std::string> keys = path_keys(path);
-  const std::vector<std::string> parts = {"bodies", "elements", "element_types", "excitations", "damping", "foundations"};
+  const std::vector<std::string> parts = {"bodies",      "elements", "element_types",
+                                          "excitations", "damping",  "foundations"};
   if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
-    reader.error("parameter", shown, "a design changes one number of the model, named by its path as in --set", "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
+    reader.error("parameter", shown, "a design changes one number of the model, named by its path as in --set",
+                 "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
     return;
   }
   const Node* node = root.node(keys.front());
   for (std::size_t i = 1; i < keys.size(); ++i) {
     const bool is_table = node && node->kind == Node::Kind::table;
     const Node* next = node ? node_at(*node, {keys[i]}) : nullptr;
-    if (!next && is_table && i >= 2 && (i + 1 == keys.size() || is_adjustment(keys[i]) || is_zero_by_default(keys[i]))) return;
+    if (!next && is_table && i >= 2 && (i + 1 == keys.size() || is_adjustment(keys[i]) || is_zero_by_default(keys[i])))
+      return;
     if (!next) {
       const std::string guess = is_table ? foundation::nearest_name(keys[i], node->keys) : "";
       reader.error("parameter", shown, fmt::format("the file has no \"{}\" there", foundation::shortened(keys[i])),
-                   !guess.empty() ? "did you mean \"" + guess + "\"?"
-                   : node && component_of(*node, "x") ? "the components of an array of three numbers are x, y and z" : "check the path");
+                   !guess.empty()                         ? "did you mean \"" + guess + "\"?"
+                       : node && component_of(*node, "x") ? "the components of an array of three numbers are x, y and z"
+                                                          : "check the path");
       return;
     }
     node = next;
   }
-  const auto told = [&](const foundation::Problem& p) { return p.severity == foundation::Severity::error && p.subject == path; };
+  const auto told = [&](const foundation::Problem& p) {
+    return p.severity == foundation::Severity::error && p.subject == path;
+  };
   if (!written_number(*node) && std::none_of(root.problems().list().begin(), root.problems().list().end(), told))
-    reader.error("parameter", shown, fmt::format("{} stands there, not a number", node->kind == Node::Kind::text ? project::shown(*node) : words(node->kind)),
+    reader.error("parameter", shown,
+                 fmt::format("{} stands there, not a number",
+                             node->kind == Node::Kind::text ? project::shown(*node) : words(node->kind)),
                  "name one number; those of an array of three are .x, .y and .z");
 }
 
@@ -77,7 +90,10 @@ std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string
   }
   const auto number = written_number(*node);
   const bool good = number && std::isfinite(number->value) && !outside_range(number->value, Quantity::pure);
-  if (!good) reader.error(key, shown(*node), "an end of the range is a finite number up to 1e30, or a text of a number and a unit", "for instance from = 0.5, or from = \"5 mm\"");
+  if (!good)
+    reader.error(key, shown(*node),
+                 "an end of the range is a finite number up to 1e30, or a text of a number and a unit",
+                 "for instance from = 0.5, or from = \"5 mm\"");
   return good ? number : std::nullopt;
 }
 
@@ -96,25 +112,33 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
   axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
   if (from && to && from->unit != to->unit)
-    reader.error("to", fmt::format("from = {}, to = {}", shown(*table->find("from")), shown(*table->find("to"))), "both ends of a range have the same unit, or both none", "write them alike");
+    reader.error("to", fmt::format("from = {}, to = {}", shown(*table->find("from")), shown(*table->find("to"))),
+                 "both ends of a range have the same unit, or both none", "write them alike");
   else if (from && to) {
     axis.from = from->value;
     axis.to = to->value;
     axis.unit = from->unit;
-    if (!(axis.from < axis.to)) reader.error("to", fmt::format("from {:.6g} to {:.6g}", axis.from, axis.to), "a range goes from the smaller to the larger number", "exchange or change them");
+    if (!(axis.from < axis.to))
+      reader.error("to", fmt::format("from {:.6g} to {:.6g}", axis.from, axis.to),
+                   "a range goes from the smaller to the larger number", "exchange or change them");
     else if (axis.logarithmic && !(axis.from > 0))
-      reader.error("from", fmt::format("{:.6g}", axis.from), "a logarithmic range starts above 0", "raise it, or take spacing = \"linear\"");
+      reader.error("from", fmt::format("{:.6g}", axis.from), "a logarithmic range starts above 0",
+                   "raise it, or take spacing = \"linear\"");
   }
   if (const auto points = reader.number("points", Quantity::pure)) {
-    if (*points >= 2 && *points <= most_designs && *points == std::floor(*points)) axis.points = static_cast<int>(*points);
-    else reader.error("points", fmt::format("{:.6g}", *points), fmt::format("a whole number from 2 to {:.0f} is wanted", most_designs), "change it");
+    if (*points >= 2 && *points <= most_designs && *points == std::floor(*points))
+      axis.points = static_cast<int>(*points);
+    else
+      reader.error("points", fmt::format("{:.6g}", *points),
+                   fmt::format("a whole number from 2 to {:.0f} is wanted", most_designs), "change it");
   }
   reader.finish();
   return axis;
 }
 
 /// A number, or a text with a unit that tells displacement, velocity and acceleration apart.
-void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names, assembly::Quantity usual, std::vector<MapLimit>& limits) {
+void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names,
+                assembly::Quantity usual, std::vector<MapLimit>& limits) {
   if (value.kind == Node::Kind::text)
     for (const assembly::Quantity quantity : derivatives) {
       const auto si = to_si(value.text, *names.component(name, quantity));
@@ -129,20 +153,26 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
       const std::string unit = si_unit(*names.component(name, quantity));
       if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : ", ") + unit;
     }
-    reader.error(name, shown(value), "its unit does not measure this answer", "a unit that converts to one of " + units);
+    reader.error(name, shown(value), "its unit does not measure this answer",
+                 "a unit that converts to one of " + units);
     return;
   }
   const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
-  if (amplitude && !(*amplitude > 0)) reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0", "change it");
+  if (amplitude && !(*amplitude > 0))
+    reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
+                 "change it");
   if (amplitude) limits.push_back({name, usual, *amplitude});
 }
 
 /// Of two limits of one quantity the looser never governs.
-void check_limits_differ(TableReader& reader, const std::string& name, const Node& list, const std::vector<MapLimit>& limits) {
+void check_limits_differ(TableReader& reader, const std::string& name, const Node& list,
+                         const std::vector<MapLimit>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i)
     for (std::size_t j = i + 1; j < limits.size(); ++j)
       if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
-        return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()), "of two limits of one quantity the looser never governs", "keep the smaller"));
+        return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
+                                              "of two limits of one quantity the looser never governs",
+                                              "keep the smaller"));
 }
 
 std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& names, assembly::Quantity usual) {
@@ -174,10 +204,14 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, request.quantity)) continue;
     if (names.is_guided(word)) {
-      map.error("no_peak", foundation::quoted(word), "the `free` of its body leaves this coordinate out, so that it does not move", "name a free coordinate, or remove it");
+      map.error("no_peak", foundation::quoted(word),
+                "the `free` of its body leaves this coordinate out, so that it does not move",
+                "name a free coordinate, or remove it");
       continue;
     }
-    map.error("no_peak", foundation::quoted(word), "it names no result: coordinates, a body, BODY.POINT, an element or one component of these", names.remedy(word));
+    map.error("no_peak", foundation::quoted(word),
+              "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
+              names.remedy(word));
   }
   request.no_peak = *words;
 }
@@ -190,14 +224,20 @@ double MapAxis::at(double share) const {
   return logarithmic ? from * std::exp(share * std::log(to / from)) : from + share * (to - from);
 }
 
-double MapAxis::share(double value) const { return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from); }
+double MapAxis::share(double value) const {
+  return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
+}
 
-void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result) {
+void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const Mentioned& mentioned,
+              Analyses& result) {
   const Node* table = analyses.table("map");
   if (!table) return;
   if (mentioned.harmonic_excitations.empty())
-    analyses.error("map", "no harmonic excitation in the model" + (other_excitations(mentioned).empty() ? "" : ": " + other_excitations(mentioned)),
-                   "a map judges amplitudes under harmonic forces (types harmonic, base, unbalance)", "add [excitations.NAME] with type = \"harmonic\"");
+    analyses.error("map",
+                   "no harmonic excitation in the model" +
+                       (other_excitations(mentioned).empty() ? "" : ": " + other_excitations(mentioned)),
+                   "a map judges amplitudes under harmonic forces (types harmonic, base, unbalance)",
+                   "add [excitations.NAME] with type = \"harmonic\"");
   TableReader reader(*table, "analyses.map", root.problems());
   MapRequest request;
   if (result.response) {
@@ -212,9 +252,11 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   request.x = read_axis(root, reader, "x");
   request.y = read_axis(root, reader, "y");
   if (!request.x.parameter.empty() && path_keys(request.x.parameter) == path_keys(request.y.parameter))
-    reader.error("y", "\"" + request.y.parameter + "\" on both axes", "a map has two different parameters", "name another number");
+    reader.error("y", "\"" + request.y.parameter + "\" on both axes", "a map has two different parameters",
+                 "name another number");
   if (static_cast<double>(request.x.points) * request.y.points > most_designs)
-    reader.error("x", fmt::format("{} × {} designs", request.x.points, request.y.points), fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
+    reader.error("x", fmt::format("{} × {} designs", request.x.points, request.y.points),
+                 fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
   if (reader.node("band")) request.band = read_band(reader, "band");
   if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, mentioned);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
@@ -227,15 +269,18 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     for (const std::string& name : *cases)
       if (!known || !known->find(name)) {
         const std::string guess = known ? foundation::nearest_name(name, known->keys) : "";
-        reader.error("cases", foundation::quoted(name), "no case has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+        reader.error("cases", foundation::quoted(name), "no case has this name",
+                     guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
       }
     request.cases = *cases;
   }
   const Node* limits = reader.table("limits");
   const Node* no_peak = reader.node("no_peak");
-  const bool asks_for_peaks = no_peak && !(no_peak->kind == Node::Kind::array && no_peak->items.empty());  // readable or not
+  const bool asks_for_peaks =
+      no_peak && !(no_peak->kind == Node::Kind::array && no_peak->items.empty());  // readable or not
   if (!asks_for_peaks && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
-    reader.error("", "neither limits nor no_peak", "a map shows where designs keep rules", "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
+    reader.error("", "neither limits nor no_peak", "a map shows where designs keep rules",
+                 "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
   request.limits_of_file = !reader.has("limits");
   const bool has_limits = reader.has("limits") ? limits && !limits->keys.empty() : root.has("limits");
   if (!has_limits && reader.has("band"))
@@ -252,7 +297,8 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
 
 void take_limits_of_file(Analyses& analyses) {
   if (!analyses.map || !analyses.map->limits_of_file) return;
-  const assembly::Quantity quantity = analyses.response ? analyses.response->wanted.quantity : assembly::Quantity::displacement;
+  const assembly::Quantity quantity =
+      analyses.response ? analyses.response->wanted.quantity : assembly::Quantity::displacement;
   for (const Limit& limit : analyses.limits) analyses.map->limits.push_back({limit.name, quantity, limit.amplitude});
 }
 

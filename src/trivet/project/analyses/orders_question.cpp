@@ -7,17 +7,20 @@
 namespace trivet::project {
 namespace {
 
-std::unique_ptr<Question> read_orders_question(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_orders_question(TableReader& reader, const ResultNames& names,
+                                               const Mentioned& mentioned) {
   auto asked = std::make_unique<OrdersQuestion>();
   read_wanted(reader, names, mentioned.order_excitations, "order", asked->wanted);
-  if (!reader.has("speed")) reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
+  if (!reader.has("speed"))
+    reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
   asked->speed = read_band(reader, "speed").value_or(response::Band{0, 1});
   return asked;
 }
 
 }  // namespace
 
-const QuestionReader orders_question = {.drive = Drive::orders, .read = read_orders_question, .searches_peaks = true, .keys = R"json({"properties": {
+const QuestionReader orders_question = {
+    .drive = Drive::orders, .read = read_orders_question, .searches_peaks = true, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},

@@ -15,7 +15,8 @@ std::unique_ptr<Question> read_power(TableReader& reader, const ResultNames&, co
 
 }  // namespace
 
-const QuestionReader power_question = {.drive = Drive::harmonic, .read = read_power, .searches_peaks = true, .keys = R"json({"properties": {
+const QuestionReader power_question = {
+    .drive = Drive::harmonic, .read = read_power, .searches_peaks = true, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "band": {"$ref": "#/$defs/band"}}})json"};
 

@@ -8,10 +8,15 @@ namespace {
 
 const std::vector<std::string>& mentioned_for(Drive drive, const Mentioned& mentioned) {
   switch (drive) {
-    case Drive::random: return mentioned.random_excitations;
-    case Drive::time: return mentioned.time_excitations;
-    case Drive::orders: return mentioned.order_excitations;
-    case Drive::harmonic: case Drive::none: break;
+    case Drive::random:
+      return mentioned.random_excitations;
+    case Drive::time:
+      return mentioned.time_excitations;
+    case Drive::orders:
+      return mentioned.order_excitations;
+    case Drive::harmonic:
+    case Drive::none:
+      break;
   }
   return mentioned.harmonic_excitations;
 }
@@ -31,7 +36,8 @@ void read_questions(TableReader& analyses, const ResultNames& names, const Menti
     if (!table) continue;
     const bool driven = question.drive == Drive::none || (question.moves_by_itself && question.moves_by_itself(*table));
     if (!driven && mentioned_for(question.drive, mentioned).empty())
-      analyses.error(question.name, missing_excitation(question.drive).finding, "this answer needs one", missing_excitation(question.drive).remedy);
+      analyses.error(question.name, missing_excitation(question.drive).finding, "this answer needs one",
+                     missing_excitation(question.drive).remedy);
     TableReader reader(*table, std::string("analyses.") + question.name, analyses.problems());
     result.questions[question.name] = question.read(reader, names, mentioned);
     reader.finish();
@@ -40,7 +46,8 @@ void read_questions(TableReader& analyses, const ResultNames& names, const Menti
 
 void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   for (const QuestionReader& reader : question_readers())
-    if (const Question* question = asked.find<Question>(reader.name); question && reader.check) reader.check(*question, system, problems);
+    if (const Question* question = asked.find<Question>(reader.name); question && reader.check)
+      reader.check(*question, system, problems);
 }
 
 }  // namespace trivet::project

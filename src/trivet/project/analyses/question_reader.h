@@ -16,12 +16,14 @@ namespace trivet::project {
 struct QuestionReader {
   const char* name = nullptr;  ///< of its table in [analyses]; given by question_readers()
   Drive drive = Drive::none;   ///< the model must have an excitation of this kind
-  std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) = nullptr;
-  bool searches_peaks = false; ///< its cost is that of a search for peaks
-  double (*curves)(const Question& asked) = nullptr;   ///< how many curves it computes, where `wanted.of` does not say
+  std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names,
+                                    const Mentioned& mentioned) = nullptr;
+  bool searches_peaks = false;                        ///< its cost is that of a search for peaks
+  double (*curves)(const Question& asked) = nullptr;  ///< how many curves it computes, where `wanted.of` does not say
   bool (*moves_by_itself)(const Node& table) = nullptr;  ///< needs no excitation after all
-  void (*check)(const Question& asked, const model::System& system, foundation::Problems& problems) = nullptr;  ///< against a model that is right in itself
-  const char* keys = nullptr;  ///< JSON Schema of its keys: `properties`, `required` …
+  void (*check)(const Question& asked, const model::System& system,
+                foundation::Problems& problems) = nullptr;  ///< against a model that is right in itself
+  const char* keys = nullptr;                               ///< JSON Schema of its keys: `properties`, `required` …
 };
 
 #define TRIVET_READER(name) extern const QuestionReader name##_question;

@@ -26,7 +26,7 @@ bool is_component(const std::string& word) {
   if (dot == std::string::npos) return false;
   const std::string last = word.substr(dot + 1);
   return std::find(model::coordinate_names.begin(), model::coordinate_names.end(), last) !=
-         model::coordinate_names.end();
+      model::coordinate_names.end();
 }
 
 class Sizes {
@@ -51,7 +51,8 @@ class Sizes {
 
   void check_search(const std::string& question, double count) {
     check_curves(question, count);
-    if (const double seconds = seconds_of_search(count, all_); count <= static_cast<double>(most_curves) && seconds > longest_search)
+    if (const double seconds = seconds_of_search(count, all_);
+        count <= static_cast<double>(most_curves) && seconds > longest_search)
       problems.error(
           question,
           fmt::format("resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: some {:.2g} hours of search",
@@ -77,12 +78,9 @@ class Sizes {
 void check_response(Sizes& sizes, const ResponseRequest& asked) {
   const double count = sizes.curves(asked.wanted.of);
   const bool searched = asked.continuous_phase || (asked.at.empty() && asked.spacing == response::Spacing::automatic);
-  if (searched)
-    sizes.check_search("analyses.response", count);
-  else
-    sizes.check_curves("analyses.response", count);
-  if (!asked.at.empty())
-    sizes.check_values("analyses.response.at", static_cast<double>(asked.at.size()), count);
+  if (searched) sizes.check_search("analyses.response", count);
+  else sizes.check_curves("analyses.response", count);
+  if (!asked.at.empty()) sizes.check_values("analyses.response.at", static_cast<double>(asked.at.size()), count);
   else if (asked.spacing != response::Spacing::automatic)
     sizes.check_values("analyses.response.points", asked.points, count);
 }
@@ -106,7 +104,8 @@ std::size_t coordinates(const model::Description& description, bool with_laws) {
     count += static_cast<std::size_t>(std::count(body.free.begin(), body.free.end(), true));
   for (const model::Element& element : description.elements)
     if (with_laws || !elements::is_frequency_dependent(element.law))
-      count += static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
+      count +=
+          static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
   for (const model::Foundation& foundation : description.foundations)
     count += static_cast<std::size_t>(foundation.mass.rows());
   return count;
@@ -122,9 +121,10 @@ foundation::Problems too_large(const model::Description& description, const Anal
     return sizes.problems;
   }
   if (const std::size_t count = coordinates(description, true); count > most_with_laws) {
-    sizes.problems.error("elements", fmt::format("{} coordinates with those of their laws", count),
-                         fmt::format("at most {} are computed; a fractional law takes 21 for each direction", most_with_laws),
-                         "take kelvin_voigt, zener or maxwell laws for some elements, or split the model");
+    sizes.problems.error(
+        "elements", fmt::format("{} coordinates with those of their laws", count),
+        fmt::format("at most {} are computed; a fractional law takes 21 for each direction", most_with_laws),
+        "take kelvin_voigt, zener or maxwell laws for some elements, or split the model");
     return sizes.problems;
   }
   check_inputs(sizes, description);
@@ -135,10 +135,8 @@ foundation::Problems too_large(const model::Description& description, const Anal
     if (const Question* question = asked.find<Question>(reader.name)) {
       const double count = reader.curves ? reader.curves(*question) : sizes.curves(question->wanted.of);
       const std::string subject = std::string("analyses.") + reader.name;
-      if (reader.searches_peaks)
-        sizes.check_search(subject, count);
-      else
-        sizes.check_curves(subject, count);
+      if (reader.searches_peaks) sizes.check_search(subject, count);
+      else sizes.check_curves(subject, count);
     }
   if (!asked.limits.empty()) sizes.check_search("limits", static_cast<double>(asked.limits.size()));
   if (!asked.limit_lines.empty()) sizes.check_search("limit_lines", static_cast<double>(asked.limit_lines.size()));

@@ -11,7 +11,8 @@ namespace trivet::project {
 /// have as many.
 inline constexpr std::size_t most_coordinates = 600;
 
-/// The same with those that stand for laws of their own in modes and roots: 21 per direction of a fractional law, so 126 of such a mount.
+/// The same with those that stand for laws of their own in modes and roots: 21 per direction of a fractional law, so
+/// 126 of such a mount.
 inline constexpr std::size_t most_with_laws = 2000;
 
 /// Curves of one question: tables, figures and a page of more are read by nobody.

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The questions of [analyses] that stand by themselves, in the order of their answers: each is a command, a table of [analyses] and a
-/// part of the results. What belongs to one of them bears its name:
+/// The questions of [analyses] that stand by themselves, in the order of their answers: each is a command, a table of
+/// [analyses] and a part of the results. What belongs to one of them bears its name:
 ///
 ///   project/analyses/NAME_question.cpp   NAME_question   how its keys are read, and what it needs of the model
 ///   study/NAME_answer.cpp                NAME_answer     how it is answered
 ///   results/NAME_results.cpp             NAME_results    its JSON, CSV and text
 ///
-/// A name without one of these does not link. Questions about the same curves of harmonic response (response, peaks, limits, limit lines,
-/// map), and those that every model answers (modes, roots, static), are fields of `Analyses`.
-#define TRIVET_QUESTIONS(row) \
-  row(random) \
-  row(transient) \
-  row(orders) \
-  row(transmissibility) \
-  row(power) \
-  row(shapes) \
-  row(shock_spectrum) \
-  row(earthquake)
+/// A name without one of these does not link. Questions about the same curves of harmonic response (response, peaks,
+/// limits, limit lines, map), and those that every model answers (modes, roots, static), are fields of `Analyses`.
+#define TRIVET_QUESTIONS(row)                                                                             \
+  row(random) row(transient) row(orders) row(transmissibility) row(power) row(shapes) row(shock_spectrum) \
+      row(earthquake)
 
 namespace trivet::project {
 

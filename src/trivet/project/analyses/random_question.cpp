@@ -14,13 +14,21 @@ std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& na
   auto asked = std::make_unique<RandomQuestion>();
   read_wanted(reader, names, mentioned.random_excitations, "random", asked->wanted);
   using excitation::Weighting;
-  static const std::array<std::pair<const char*, Weighting>, 8> weightings = {{{"Wb", Weighting::Wb}, {"Wc", Weighting::Wc}, {"Wd", Weighting::Wd}, {"We", Weighting::We},
-                                                                              {"Wf", Weighting::Wf}, {"Wj", Weighting::Wj}, {"Wk", Weighting::Wk}, {"Wm", Weighting::Wm}}};
+  static const std::array<std::pair<const char*, Weighting>, 8> weightings = {{{"Wb", Weighting::Wb},
+                                                                               {"Wc", Weighting::Wc},
+                                                                               {"Wd", Weighting::Wd},
+                                                                               {"We", Weighting::We},
+                                                                               {"Wf", Weighting::Wf},
+                                                                               {"Wj", Weighting::Wj},
+                                                                               {"Wk", Weighting::Wk},
+                                                                               {"Wm", Weighting::Wm}}};
   std::vector<std::string> words;
   for (const auto& weighting : weightings) words.emplace_back(weighting.first);
   using excitation::ContactPoint;
-  static const std::array<std::pair<const char*, ContactPoint>, 4> contacts = {
-      {{"seat", ContactPoint::seat_surface}, {"backrest", ContactPoint::backrest}, {"feet", ContactPoint::feet}, {"standing", ContactPoint::standing}}};
+  static const std::array<std::pair<const char*, ContactPoint>, 4> contacts = {{{"seat", ContactPoint::seat_surface},
+                                                                                {"backrest", ContactPoint::backrest},
+                                                                                {"feet", ContactPoint::feet},
+                                                                                {"standing", ContactPoint::standing}}};
   for (const auto& contact : contacts) words.emplace_back(contact.first);
   const auto word = reader.choice("weighting", words);
   for (const auto& [name, contact] : contacts)

@@ -9,7 +9,8 @@ namespace trivet::project {
 /// Root mean squares and spectral densities under the random excitations.
 struct RandomQuestion : Question {
   std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all motions that are asked for
-  std::optional<excitation::ContactPoint> contact; ///< instead: each axis as people feel it there, with the vibration total value
+  std::optional<excitation::ContactPoint>
+      contact;  ///< instead: each axis as people feel it there, with the vibration total value
 };
 
 }  // namespace trivet::project

@@ -7,7 +7,7 @@ namespace trivet::project {
 
 /// Operating deflection shapes at single frequencies.
 struct ShapesQuestion : Question {
-  std::vector<double> at;   ///< [rad/s]
+  std::vector<double> at;  ///< [rad/s]
 };
 
 }  // namespace trivet::project

@@ -13,7 +13,9 @@ std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultN
   auto asked = std::make_unique<ShockSpectrumQuestion>();
   asked->wanted.excitations = read_selected(reader, mentioned.time_excitations, "time");
   asked->damping_ratio = reader.number("damping", Quantity::pure).value_or(0.05);
-  if (!(asked->damping_ratio >= 0 && asked->damping_ratio < 1)) reader.error("damping", fmt::format("{:.6g}", asked->damping_ratio), "a damping ratio is 0 … 1 (Q = 1/(2ζ); Q = 10 is 0.05)", "mend it");
+  if (!(asked->damping_ratio >= 0 && asked->damping_ratio < 1))
+    reader.error("damping", fmt::format("{:.6g}", asked->damping_ratio),
+                 "a damping ratio is 0 … 1 (Q = 1/(2ζ); Q = 10 is 0.05)", "mend it");
   const auto band = read_band(reader, "band");
   if (!reader.has("band")) reader.missing("band", "give the natural frequencies: band = [\"5 Hz\", \"2000 Hz\"]");
   if (band && !(band->from > 0)) reader.error("band", "from 0", "natural frequencies are > 0", "raise the lower end");
@@ -23,7 +25,8 @@ std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultN
 
 }  // namespace
 
-const QuestionReader shock_spectrum_question = {.drive = Drive::time, .read = read_shock_spectrum, .keys = R"json({"properties": {
+const QuestionReader shock_spectrum_question = {
+    .drive = Drive::time, .read = read_shock_spectrum, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "damping": {"$ref": "#/$defs/number"},
    "band": {"$ref": "#/$defs/band"}},

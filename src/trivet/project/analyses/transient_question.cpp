@@ -13,16 +13,19 @@ namespace {
 
 constexpr double most_time_points = 20'000'000;
 
-std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, const std::string& key, const ResultNames& names, assembly::Quantity quantity) {
+std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, const std::string& key,
+                                                         const ResultNames& names, assembly::Quantity quantity) {
   std::vector<std::pair<std::string, double>> values;
   const Node* table = reader.table(key);
   if (!table) return values;
   TableReader inside(*table, reader.path() + "." + key, reader.problems());
   for (const std::string& name : table->keys) {
     const auto measured = names.component(name, quantity);
-    const bool coordinate = measured && *measured != Quantity::force && *measured != Quantity::moment && std::count(name.begin(), name.end(), '.') == 1;
+    const bool coordinate = measured && *measured != Quantity::force && *measured != Quantity::moment &&
+        std::count(name.begin(), name.end(), '.') == 1;
     if (!coordinate) {
-      inside.error(name, "no such coordinate", "initial values belong to free coordinates of bodies, in quotes: \"BODY.z\"", "check the name");
+      inside.error(name, "no such coordinate",
+                   "initial values belong to free coordinates of bodies, in quotes: \"BODY.z\"", "check the name");
       continue;
     }
     if (const auto value = inside.number(name, *measured)) values.emplace_back(name, *value);
@@ -36,30 +39,41 @@ std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames&
   asked->from = reader.number("from", Quantity::time).value_or(0);
   asked->to = reader.number("to", Quantity::time);
   asked->step = reader.number("step", Quantity::time);
-  if (asked->to && !(*asked->to > asked->from)) reader.error("to", fmt::format("{:.6g} s", *asked->to), "it ends after it begins", "give to above from");
-  if (asked->step && !(*asked->step > 0)) reader.error("step", fmt::format("{:.6g} s", *asked->step), "a step is > 0", "mend it");
+  if (asked->to && !(*asked->to > asked->from))
+    reader.error("to", fmt::format("{:.6g} s", *asked->to), "it ends after it begins", "give to above from");
+  if (asked->step && !(*asked->step > 0))
+    reader.error("step", fmt::format("{:.6g} s", *asked->step), "a step is > 0", "mend it");
   if (asked->step && asked->to && *asked->step > *asked->to - asked->from && *asked->to > asked->from)
-    reader.error("step", fmt::format("{:.6g} s", *asked->step), "it is no longer than the time from from to to", "take a shorter step");
+    reader.error("step", fmt::format("{:.6g} s", *asked->step), "it is no longer than the time from from to to",
+                 "take a shorter step");
   if (asked->step && asked->to && *asked->step > 0 && (*asked->to - asked->from) / *asked->step > most_time_points)
-    reader.error("step", fmt::format("{:.3g} points", (*asked->to - asked->from) / *asked->step), fmt::format("at most {:.0f} points are computed at once", most_time_points), "take a longer step");
+    reader.error("step", fmt::format("{:.3g} points", (*asked->to - asked->from) / *asked->step),
+                 fmt::format("at most {:.0f} points are computed at once", most_time_points), "take a longer step");
   asked->nearest_linear_system = reader.boolean("nearest_linear_system").value_or(false);
   asked->displacements = read_initial(reader, "initial_displacement", names, assembly::Quantity::displacement);
   asked->velocities = read_initial(reader, "initial_velocity", names, assembly::Quantity::velocity);
   return asked;
 }
 
-bool starts_from_initial_values(const Node& table) { return table.find("initial_displacement") || table.find("initial_velocity"); }
+bool starts_from_initial_values(const Node& table) {
+  return table.find("initial_displacement") || table.find("initial_velocity");
+}
 
 void check_transient(const Question& asked, const model::System& system, foundation::Problems& problems) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto problem = response::without_motion_in_time(system, assembled, response::time_inputs(system, assembled, asked.wanted.excitations),
-                                                        static_cast<const TransientQuestion&>(asked).nearest_linear_system);
+  const auto problem = response::without_motion_in_time(
+      system, assembled, response::time_inputs(system, assembled, asked.wanted.excitations),
+      static_cast<const TransientQuestion&>(asked).nearest_linear_system);
   if (problem) problems.error("analyses.transient", problem->finding, problem->rule, problem->remedy);
 }
 
 }  // namespace
 
-const QuestionReader transient_question = {.drive = Drive::time, .read = read_transient, .moves_by_itself = starts_from_initial_values, .check = check_transient, .keys = R"json({"properties": {
+const QuestionReader transient_question = {.drive = Drive::time,
+                                           .read = read_transient,
+                                           .moves_by_itself = starts_from_initial_values,
+                                           .check = check_transient,
+                                           .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},

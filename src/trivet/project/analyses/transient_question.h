@@ -13,7 +13,8 @@ struct TransientQuestion : Question {
   std::optional<double> to;    ///< [s]
   std::optional<double> step;  ///< [s]
   bool nearest_linear_system = false;
-  std::vector<std::pair<std::string, double>> displacements, velocities;  ///< initial, by coordinate: "frame.z" [m, rad, m/s, rad/s]
+  std::vector<std::pair<std::string, double>> displacements,
+      velocities;  ///< initial, by coordinate: "frame.z" [m, rad, m/s, rad/s]
 };
 
 }  // namespace trivet::project

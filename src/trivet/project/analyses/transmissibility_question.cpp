@@ -17,15 +17,22 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   asked->force = force.value_or("");
   const auto base = reader.direction("base");
   if (reader.has("force") == reader.has("base"))
-    reader.error(reader.has("force") ? "base" : "force", reader.has("force") ? "force and base" : "neither force nor base", "a transmissibility is that of a force excitation or of a motion of the ground",
+    reader.error(reader.has("force") ? "base" : "force",
+                 reader.has("force") ? "force and base" : "neither force nor base",
+                 "a transmissibility is that of a force excitation or of a motion of the ground",
                  reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
-  if (force && std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), asked->force) == mentioned.harmonic_excitations.end()) {
+  if (force &&
+      std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), asked->force) ==
+          mentioned.harmonic_excitations.end()) {
     const std::string guess = foundation::nearest_name(asked->force, mentioned.harmonic_excitations);
-    reader.error("force", foundation::quoted(asked->force), "no harmonic excitation has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    reader.error("force", foundation::quoted(asked->force), "no harmonic excitation has this name",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
   if (base) asked->direction.axis = *base;
   for (const char* key : {"rotation", "of"})
-    if (reader.has("force") && reader.has(key)) reader.error(key, std::string(key) + " beside a force", "a force is compared with the force on the ground in its own direction", "remove it");
+    if (reader.has("force") && reader.has(key))
+      reader.error(key, std::string(key) + " beside a force",
+                   "a force is compared with the force on the ground in its own direction", "remove it");
   asked->direction.rotation = reader.boolean("rotation").value_or(false);
   std::vector<std::string> places = mentioned.bodies;
   places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
@@ -33,7 +40,8 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   for (const std::string& name : asked->wanted.of)
     if (!mentioned.bodies_unknown && std::find(places.begin(), places.end(), name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);
-      reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+      reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT",
+                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
   asked->band = read_band(reader, "band");
   if (!asked->force.empty()) asked->wanted = {.of = {"ground"}, .excitations = {asked->force}};
@@ -47,7 +55,8 @@ void check_force(const Question& asked, const model::System& system, foundation:
   try {
     static_cast<void>(response::applied_force(system, force));
   } catch (const foundation::InvalidInput& reason) {
-    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(), "name a harmonic force along one direction");
+    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(),
+                   "name a harmonic force along one direction");
   }
 }
 
@@ -58,8 +67,11 @@ double curves_of_transmissibility(const Question& asked) {
 
 }  // namespace
 
-const QuestionReader transmissibility_question = {
-    .read = read_transmissibility, .searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"properties": {
+const QuestionReader transmissibility_question = {.read = read_transmissibility,
+                                                  .searches_peaks = true,
+                                                  .curves = curves_of_transmissibility,
+                                                  .check = check_force,
+                                                  .keys = R"json({"properties": {
    "force": {"type": "string", "description": "a harmonic force excitation"},
    "base": {"$ref": "#/$defs/direction"},
    "rotation": {"type": "boolean"},

@@ -13,10 +13,7 @@
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
   forces_.push_back("ground");
@@ -32,16 +29,22 @@ ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.element
   groups_.insert(groups_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(places), motions_.end());
 }
 
-bool ResultNames::is_group(const std::string& name) const { return std::find(groups_.begin(), groups_.end(), name) != groups_.end(); }
+bool ResultNames::is_group(const std::string& name) const {
+  return std::find(groups_.begin(), groups_.end(), name) != groups_.end();
+}
 
-bool ResultNames::is_guided(const std::string& name) const { return std::find(guided_.begin(), guided_.end(), name) != guided_.end(); }
+bool ResultNames::is_guided(const std::string& name) const {
+  return std::find(guided_.begin(), guided_.end(), name) != guided_.end();
+}
 
 std::optional<Quantity> ResultNames::component(const std::string& name, assembly::Quantity wanted) const {
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
   static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
   if (is_guided(name)) return std::nullopt;
   const auto after = [&](const std::string& group) -> std::string_view {
-    return name.size() > group.size() && name[group.size()] == '.' && name.starts_with(group) ? std::string_view(name).substr(group.size() + 1) : std::string_view();
+    return name.size() > group.size() && name[group.size()] == '.' && name.starts_with(group)
+        ? std::string_view(name).substr(group.size() + 1)
+        : std::string_view();
   };
   for (const std::string& group : motions_)
     for (std::size_t j = 0; j < 6; ++j)
@@ -57,7 +60,7 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
 bool ResultNames::is_force(const std::string& name) const {
   const auto measured = component(name, assembly::Quantity::displacement);
   return std::find(forces_.begin(), forces_.end(), name) != forces_.end() || measured == Quantity::force ||
-         measured == Quantity::moment;
+      measured == Quantity::moment;
 }
 
 std::vector<std::string> ResultNames::components() const {
@@ -65,7 +68,8 @@ std::vector<std::string> ResultNames::components() const {
   for (const std::string& group : motions_)
     for (const char* coordinate : model::coordinate_names) names.push_back(group + "." + coordinate);
   for (const std::string& group : forces_)
-    for (const char* component : {".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z"}) names.push_back(group + component);
+    for (const char* component : {".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z"})
+      names.push_back(group + component);
   std::erase_if(names, [&](const std::string& name) { return is_guided(name); });
   return names;
 }
@@ -83,23 +87,27 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
   const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
   if (words->size() > most_curves) {
-    reader.error("of", fmt::format("{} answers", words->size()), fmt::format("at most {} are named for one question", most_curves), "name fewer");
+    reader.error("of", fmt::format("{} answers", words->size()),
+                 fmt::format("at most {} are named for one question", most_curves), "name fewer");
     return;
   }
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
     reader.error("of", foundation::quoted(word),
-                 "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection or .foot, or one component (x … rz of a motion "
+                 "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with "
+                 ".relative, .deflection or .foot, or one component (x … rz of a motion "
                  "that is free, force.x … moment.z of an element or the ground)",
                  names.remedy(word));
   }
-  if (words->empty()) reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
+  if (words->empty())
+    reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
   of = *words;
 }
 
 namespace {
 
-void refuse_excitation(TableReader& reader, const std::string& name, const std::vector<std::string>& known, const std::string& kind) {
+void refuse_excitation(TableReader& reader, const std::string& name, const std::vector<std::string>& known,
+                       const std::string& kind) {
   const std::string guess = foundation::nearest_name(name, known);
   reader.error("excitations", foundation::quoted(name), "no " + kind + " excitation has this name",
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
@@ -107,12 +115,14 @@ void refuse_excitation(TableReader& reader, const std::string& name, const std::
 
 /// Nobody asks for no excitation; without the key all are taken.
 void refuse_none(TableReader& reader, const std::vector<std::string>& names) {
-  if (names.empty()) reader.error("excitations", "an empty list", "at least one excitation is wanted", "remove `excitations` for all");
+  if (names.empty())
+    reader.error("excitations", "an empty list", "at least one excitation is wanted", "remove `excitations` for all");
 }
 
 }  // namespace
 
-std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind) {
+std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known,
+                                       const std::string& kind) {
   const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
   if (!names) return {};
   refuse_none(reader, *names);
@@ -124,19 +134,26 @@ std::vector<std::string> read_selected(TableReader& reader, const std::vector<st
 void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name) {
   const std::string guess = foundation::nearest_name(name, names.components());
   if (names.is_guided(name))
-    reader.error(name, "guided", "the `free` of its body leaves this coordinate out, so that it does not move", "limit a free coordinate or the force of an element, or add it to `free`");
+    reader.error(name, "guided", "the `free` of its body leaves this coordinate out, so that it does not move",
+                 "limit a free coordinate or the force of an element, or add it to `free`");
   else
-    reader.error(name, "no such result", "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"",
+    reader.error(name, "no such result",
+                 "a limit belongs to one component, in quotes: \"BODY.x\", \"BODY.POINT.rz\", \"ELEMENT.force.z\"",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
 namespace {
 
 std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const Mentioned& mentioned) {
-  return {{"orders", &mentioned.order_excitations}, {"random", &mentioned.random_excitations}, {"time", &mentioned.time_excitations}, {"constant", &mentioned.constant_excitations}};
+  return {{"orders", &mentioned.order_excitations},
+          {"random", &mentioned.random_excitations},
+          {"time", &mentioned.time_excitations},
+          {"constant", &mentioned.constant_excitations}};
 }
 
-bool holds(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 }  // namespace
 
@@ -144,7 +161,8 @@ std::string other_excitations(const Mentioned& mentioned) {
   std::string text;
   for (const auto& [type, names] : by_other_types(mentioned))
     for (const std::string& name : *names)
-      if (!holds(mentioned.harmonic_excitations, name)) text += (text.empty() ? "" : ", ") + foundation::quoted(name) + " is of type " + type;
+      if (!holds(mentioned.harmonic_excitations, name))
+        text += (text.empty() ? "" : ", ") + foundation::quoted(name) + " is of type " + type;
   return text;
 }
 
@@ -159,13 +177,15 @@ std::vector<std::string> read_selected_harmonic(TableReader& reader, const Menti
   };
   for (const std::string& name : *names)
     if (const std::string type = type_of(name); !type.empty())
-      reader.error("excitations", foundation::quoted(name) + ", of type " + type, "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
+      reader.error("excitations", foundation::quoted(name) + ", of type " + type,
+                   "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
     else if (!holds(mentioned.harmonic_excitations, name))
       refuse_excitation(reader, name, mentioned.harmonic_excitations, "harmonic");
   return *names;
 }
 
-void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known, const std::string& kind, Wanted& wanted) {
+void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
+                 const std::string& kind, Wanted& wanted) {
   read_of(reader, result_names, wanted.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
@@ -180,11 +200,16 @@ void read_wanted(TableReader& reader, const ResultNames& result_names, const std
 
 void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance) {
   if (const auto share = reader.number("min_prominence", Quantity::pure)) {
-    if (!(*share >= 0 && *share < 1)) reader.error("min_prominence", fmt::format("{:.6g}", *share), "it is a share of the curve's largest amplitude: 0 or more, less than 1", "give a fraction");
+    if (!(*share >= 0 && *share < 1))
+      reader.error("min_prominence", fmt::format("{:.6g}", *share),
+                   "it is a share of the curve's largest amplitude: 0 or more, less than 1", "give a fraction");
     min_prominence = *share;
   }
   if (const auto share = reader.number("peak_tolerance", Quantity::pure)) {
-    if (!(*share >= 0)) reader.error("peak_tolerance", fmt::format("{:.6g}", *share), "it is a share of the minimum beside a peak: 0 or more; 1 lets it rise to twice the minimum", "give 0.01 for 1 %");
+    if (!(*share >= 0))
+      reader.error("peak_tolerance", fmt::format("{:.6g}", *share),
+                   "it is a share of the minimum beside a peak: 0 or more; 1 lets it rise to twice the minimum",
+                   "give 0.01 for 1 %");
     peak_tolerance = *share;
   }
 }

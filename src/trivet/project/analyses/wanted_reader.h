@@ -42,16 +42,19 @@ class ResultNames {
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of);
 
 /// `of`, `quantity` and `excitations`, the latter out of the known names; `kind` says what they are.
-void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known, const std::string& kind, Wanted& wanted);
+void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
+                 const std::string& kind, Wanted& wanted);
 
-/// `min_prominence`, a share of the whole curve's height, and `peak_tolerance`, a share of the minimum beside a peak, which may be more than 1.
+/// `min_prominence`, a share of the whole curve's height, and `peak_tolerance`, a share of the minimum beside a peak,
+/// which may be more than 1.
 void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance);
 
 /// A limit on what is no answer with components.
 void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name);
 
 /// `excitations` alone.
-[[nodiscard]] std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known, const std::string& kind);
+[[nodiscard]] std::vector<std::string> read_selected(TableReader& reader, const std::vector<std::string>& known,
+                                                     const std::string& kind);
 
 /// Harmonic ones alone; those of other types are refused as such.
 [[nodiscard]] std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned);

@@ -16,7 +16,8 @@ double read_factor(TableReader& reader, const std::string& key) {
   const auto factor = reader.number(key, Quantity::pure);
   if (!factor) return 1;
   if (*factor > 0) return *factor;
-  reader.error(key, fmt::format("{:.6g}", *factor), "a factor is > 0; 1 leaves the model as it is", "give a positive number");
+  reader.error(key, fmt::format("{:.6g}", *factor), "a factor is > 0; 1 leaves the model as it is",
+               "give a positive number");
   return 1;
 }
 
@@ -36,7 +37,8 @@ template <typename Change>
 void change_element(Mentioned& mentioned, const std::string& name, const Change& change) {
   mentioned.adjustments.push_back([name, change](model::Description& description) {
     const auto& elements = description.elements;
-    const auto found = std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
+    const auto found =
+        std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
     if (found != elements.end()) change(description, static_cast<std::size_t>(found - elements.begin()));
   });
 }
@@ -45,18 +47,26 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
   const Node* table = reader.table("stiffness_factor");
   if (!table) return;
   TableReader inside(*table, reader.path() + ".stiffness_factor", reader.problems());
-  if (complete && element.law.nominal_stiffness.isZero(0)) inside.error("", "an element without stiffness", "there is nothing to scale", "remove it");
+  if (complete && element.law.nominal_stiffness.isZero(0))
+    inside.error("", "an element without stiffness", "there is nothing to scale", "remove it");
   const double all = read_factor(inside, "all");
   spatial::Vector6 factors;
   for (std::size_t j = 0; j < 6; ++j) {
     const std::string key = model::coordinate_names[j];
     factors(static_cast<Eigen::Index>(j)) = read_factor(inside, key);
     if (inside.has(key) && !response::has_plain_stiffness(element))
-      inside.error(key, "a stiffness by direction of an element with inertia or a frequency dependence of its own", "these go with its stiffness as a whole", "use `all`, or `scale` of the element");
+      inside.error(key, "a stiffness by direction of an element with inertia or a frequency dependence of its own",
+                   "these go with its stiffness as a whole", "use `all`, or `scale` of the element");
   }
   inside.finish();
-  if (all != 1) change_element(mentioned, element.name, [gain = all - 1](model::Description& d, std::size_t e) { response::add_deformation_stiffness(d, e, gain); });
-  if (!factors.isOnes(0)) change_element(mentioned, element.name, [factors](model::Description& d, std::size_t e) { response::scale_stiffness_by_direction(d, e, factors); });
+  if (all != 1)
+    change_element(mentioned, element.name, [gain = all - 1](model::Description& d, std::size_t e) {
+      response::add_deformation_stiffness(d, e, gain);
+    });
+  if (!factors.isOnes(0))
+    change_element(mentioned, element.name, [factors](model::Description& d, std::size_t e) {
+      response::scale_stiffness_by_direction(d, e, factors);
+    });
 }
 
 }  // namespace
@@ -65,26 +75,37 @@ void read_element_adjustments(TableReader& reader, const model::Element& element
   read_stiffness_factor(reader, element, complete, mentioned);
   const double damping = read_factor(reader, "damping_factor");
   if (complete && reader.has("damping_factor") && !response::has_damping(element))
-    reader.error("damping_factor", "an element without damping", "there is nothing to scale", "give it a damping, or remove the factor");
-  if (damping != 1) change_element(mentioned, element.name, [damping](model::Description& d, std::size_t e) { response::scale_damping(d, e, damping); });
+    reader.error("damping_factor", "an element without damping", "there is nothing to scale",
+                 "give it a damping, or remove the factor");
+  if (damping != 1)
+    change_element(mentioned, element.name,
+                   [damping](model::Description& d, std::size_t e) { response::scale_damping(d, e, damping); });
   const Eigen::Vector3d by = read_shift(reader, "moved");
-  if (!by.isZero(0)) change_element(mentioned, element.name, [by](model::Description& d, std::size_t e) { response::move_element(d, e, by); });
+  if (!by.isZero(0))
+    change_element(mentioned, element.name,
+                   [by](model::Description& d, std::size_t e) { response::move_element(d, e, by); });
 }
 
 void read_body_adjustments(TableReader& reader, const model::Body& body, std::size_t index, Mentioned& mentioned) {
   const double mass = read_factor(reader, "mass_about_center");
-  if (mass != 1) mentioned.adjustments.push_back([index, mass](model::Description& d) { response::scale_mass(d, index, mass); });
+  if (mass != 1)
+    mentioned.adjustments.push_back([index, mass](model::Description& d) { response::scale_mass(d, index, mass); });
   const Eigen::Vector3d by = read_shift(reader, "center_moved");
-  if (!by.isZero(0)) mentioned.adjustments.push_back([index, by](model::Description& d) { response::move_center_of_mass(d, index, by); });
+  if (!by.isZero(0))
+    mentioned.adjustments.push_back(
+        [index, by](model::Description& d) { response::move_center_of_mass(d, index, by); });
   const Node* table = reader.table("inertia_about_center");
   if (!table) return;
   TableReader inside(*table, reader.path() + ".inertia_about_center", reader.problems());
-  if (!body.has_inertia) inside.error("", "a body without inertia", "there is nothing to change", "give it an inertia, or remove this");
+  if (!body.has_inertia)
+    inside.error("", "a body without inertia", "there is nothing to change", "give it an inertia, or remove this");
   // Products first: their unit is that of the moments as described.
   for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}, {0, 0}, {1, 1}, {2, 2}}) {
     const std::string key = {"xyz"[i], "xyz"[j]};
     const double share = i == j ? read_factor(inside, key) - 1 : inside.number(key, Quantity::pure).value_or(0);
-    if (share != 0) mentioned.adjustments.push_back([index, i = i, j = j, share](model::Description& d) { response::change_inertia(d, index, i, j, share); });
+    if (share != 0)
+      mentioned.adjustments.push_back(
+          [index, i = i, j = j, share](model::Description& d) { response::change_inertia(d, index, i, j, share); });
   }
   inside.finish();
 }
@@ -92,8 +113,10 @@ void read_body_adjustments(TableReader& reader, const model::Body& body, std::si
 void read_damping_adjustment(TableReader& reader, Mentioned& mentioned) {
   const double factor = read_factor(reader, "modal_factor");
   if (reader.has("modal_factor") && !reader.has("modal"))
-    reader.error("modal_factor", "a factor without modal damping", "there is nothing to scale", "give modal = …, or remove the factor");
-  if (factor != 1) mentioned.adjustments.push_back([factor](model::Description& d) { response::scale_modal_damping(d, factor); });
+    reader.error("modal_factor", "a factor without modal damping", "there is nothing to scale",
+                 "give modal = …, or remove the factor");
+  if (factor != 1)
+    mentioned.adjustments.push_back([factor](model::Description& d) { response::scale_modal_damping(d, factor); });
 }
 
 }  // namespace trivet::project

@@ -10,7 +10,8 @@ namespace trivet::project {
 /// @param complete  it was read without an error, so that what it lacks is not there
 void read_element_adjustments(TableReader& reader, const model::Element& element, bool complete, Mentioned& mentioned);
 
-/// `mass_about_center`, `center_moved` and `inertia_about_center` of a body. @param index  of the body in the description
+/// `mass_about_center`, `center_moved` and `inertia_about_center` of a body. @param index  of the body in the
+/// description
 void read_body_adjustments(TableReader& reader, const model::Body& body, std::size_t index, Mentioned& mentioned);
 
 /// `modal_factor` of the damping of the system.

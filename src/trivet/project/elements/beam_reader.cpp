@@ -15,11 +15,13 @@ namespace {
 
 using elements::Section;
 
-/// section = {round = d}, {tube = [outer, inner]}, {rectangle = [x, y]} or {area, moment_x, moment_y, torsion, shear_factor_x, shear_factor_y}.
+/// section = {round = d}, {tube = [outer, inner]}, {rectangle = [x, y]} or {area, moment_x, moment_y, torsion,
+/// shear_factor_x, shear_factor_y}.
 std::optional<Section> read_section(TableReader& reader, const elements::Metal& metal) {
   const Node* node = reader.table("section");
   if (!node) {
-    if (!reader.has("section")) reader.missing("section", "give section = {round = \"20 mm\"}, {tube = [outer, inner]} or {rectangle = [x, y]}");
+    if (!reader.has("section"))
+      reader.missing("section", "give section = {round = \"20 mm\"}, {tube = [outer, inner]} or {rectangle = [x, y]}");
     return std::nullopt;
   }
   const std::size_t before = reader.errors();
@@ -28,35 +30,47 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   const auto sides = [&](const char* key) -> std::optional<std::vector<double>> {
     auto numbers = section.numbers(key, Quantity::length);
     if (numbers && numbers->size() != 2) {
-      section.error(key, fmt::format("{} numbers", numbers->size()), "two lengths are wanted", "tube = [outer, inner], rectangle = [x, y]");
+      section.error(key, fmt::format("{} numbers", numbers->size()), "two lengths are wanted",
+                    "tube = [outer, inner], rectangle = [x, y]");
       return std::nullopt;
     }
     return numbers;
   };
   const auto positive = [&](const char* key, double value) {
-    if (!(value > 0)) section.error(key, fmt::format("{:.6g} m", value), "a length of the section must be > 0", "mend the value or its unit");
-    else if (!foundation::is_part_size(value)) section.error(key, fmt::format("{:.6g} m", value), foundation::part_size_rule, "check the unit and the power of ten");
+    if (!(value > 0))
+      section.error(key, fmt::format("{:.6g} m", value), "a length of the section must be > 0",
+                    "mend the value or its unit");
+    else if (!foundation::is_part_size(value))
+      section.error(key, fmt::format("{:.6g} m", value), foundation::part_size_rule,
+                    "check the unit and the power of ten");
     return foundation::is_part_size(value);
   };
   std::string shapes;
   for (const char* key : {"round", "tube", "rectangle", "area"})
     if (section.has(key)) shapes += (shapes.empty() ? "" : " and ") + std::string(key);
   if (shapes.empty() || shapes.find(' ') != std::string::npos) {
-    section.also_known({"round", "tube", "rectangle", "area", "moment_x", "moment_y", "torsion", "shear_factor_x", "shear_factor_y"});
+    section.also_known(
+        {"round", "tube", "rectangle", "area", "moment_x", "moment_y", "torsion", "shear_factor_x", "shear_factor_y"});
     section.finish();
     if (reader.errors() == before)
-      reader.error("section", shapes.empty() ? "no shape" : shapes, "a section is one of {round}, {tube}, {rectangle}, {area, moment_x, moment_y, torsion}", "give one of them");
+      reader.error("section", shapes.empty() ? "no shape" : shapes,
+                   "a section is one of {round}, {tube}, {rectangle}, {area, moment_x, moment_y, torsion}",
+                   "give one of them");
     return std::nullopt;
   }
   if (section.has("round")) {
-    if (const auto diameter = section.number("round", Quantity::length); diameter && positive("round", *diameter)) result = elements::round_section(*diameter, metal);
+    if (const auto diameter = section.number("round", Quantity::length); diameter && positive("round", *diameter))
+      result = elements::round_section(*diameter, metal);
   } else if (section.has("tube")) {
     if (const auto d = sides("tube"); d && positive("tube", (*d)[0]) && positive("tube", (*d)[1])) {
       if ((*d)[0] > (*d)[1]) result = elements::tube_section((*d)[0], (*d)[1], metal);
-      else section.error("tube", fmt::format("outer {:.6g} m, inner {:.6g} m", (*d)[0], (*d)[1]), "the outer diameter exceeds the inner", "order: [outer, inner]");
+      else
+        section.error("tube", fmt::format("outer {:.6g} m, inner {:.6g} m", (*d)[0], (*d)[1]),
+                      "the outer diameter exceeds the inner", "order: [outer, inner]");
     }
   } else if (section.has("rectangle")) {
-    if (const auto w = sides("rectangle"); w && positive("rectangle", (*w)[0]) && positive("rectangle", (*w)[1])) result = elements::rectangular_section((*w)[0], (*w)[1], metal);
+    if (const auto w = sides("rectangle"); w && positive("rectangle", (*w)[0]) && positive("rectangle", (*w)[1]))
+      result = elements::rectangular_section((*w)[0], (*w)[1], metal);
   } else {
     // Areas and second moments have no unit words here: SI numbers.
     result.area = section.required_number("area", Quantity::pure);
@@ -77,14 +91,22 @@ LengthOf read_beam(TableReader& reader, model::Element& element) {
   auto metal = read_metal(reader);
   const auto section = read_section(reader, metal.value_or(elements::metals().front()));
   if (metal && std::isnan(metal->density)) {
-    if (level == "with_mass") reader.error("material", "no density", "a beam with mass needs one", "add density, or level = \"quasi_static\"");
+    if (level == "with_mass")
+      reader.error("material", "no density", "a beam with mass needs one", "add density, or level = \"quasi_static\"");
     metal->density = 0;  // massless
   }
   foundation::Problems findings;
   if (metal && section) findings = elements::check(elements::Beam{*metal, *section, length});
   else static_cast<void>(elements::check_length(findings, "length", length));
-  reader.add(findings, {{"area", "section.area"}, {"moment_1", "section.moment_x"}, {"moment_2", "section.moment_y"}, {"torsion_constant", "section.torsion"},
-                        {"shear_factor", "section"}, {"young_modulus", "material"}, {"shear_modulus", "material"}, {"density", "material"}});
+  reader.add(findings,
+             {{"area", "section.area"},
+              {"moment_1", "section.moment_x"},
+              {"moment_2", "section.moment_y"},
+              {"torsion_constant", "section.torsion"},
+              {"shear_factor", "section"},
+              {"young_modulus", "material"},
+              {"shear_modulus", "material"},
+              {"density", "material"}});
   if (reader.errors() > before) return std::nullopt;
   const elements::Beam beam{*metal, *section, length};
   element.law.nominal_stiffness = elements::beam_stiffness(beam);
@@ -92,7 +114,8 @@ LengthOf read_beam(TableReader& reader, model::Element& element) {
     element.law.inertia = elements::Inertia{elements::beam_mass(beam), Eigen::MatrixXd(12, 0), Eigen::VectorXd(0)};
     element.facts.push_back({"own mass", fmt::format("{:.6g} kg", metal->density * section->area * length)});
   }
-  element.facts.push_back({"axial stiffness EA/L", fmt::format("{:.6g} N/m", metal->young_modulus * section->area / length)});
+  element.facts.push_back(
+      {"axial stiffness EA/L", fmt::format("{:.6g} N/m", metal->young_modulus * section->area / length)});
   element.facts.push_back({"found by", "Timoshenko's beam, clamped to both bodies"});
   return length;
 }

@@ -24,13 +24,15 @@ constexpr double data_sheet_rounding = 0.05;
 Eigen::Vector3d stiffness(TableReader& reader, const std::string& key, Quantity quantity) {
   const auto values = reader.vector(key, quantity);
   if (values && values->minCoeff() < 0)
-    reader.error(key, fmt::format("{:.6g} {}", values->minCoeff(), si_unit(quantity)), "a stiffness is ≥ 0", "remove the sign");
+    reader.error(key, fmt::format("{:.6g} {}", values->minCoeff(), si_unit(quantity)), "a stiffness is ≥ 0",
+                 "remove the sign");
   return values.value_or(Eigen::Vector3d::Zero());
 }
 
 std::optional<double> at_least_zero(TableReader& reader, const std::string& key, Quantity quantity) {
   const auto value = reader.number(key, quantity);
-  if (value && *value < 0) reader.error(key, fmt::format("{:.6g} {}", *value, si_unit(quantity)), "it must be ≥ 0", "remove the sign");
+  if (value && *value < 0)
+    reader.error(key, fmt::format("{:.6g} {}", *value, si_unit(quantity)), "it must be ≥ 0", "remove the sign");
   return value;
 }
 
@@ -38,16 +40,19 @@ std::optional<Eigen::Vector2d> load_range(TableReader& reader) {
   const auto range = reader.numbers("static_load", Quantity::force);
   if (!range) return std::nullopt;
   if (range->size() == 2 && (*range)[0] < (*range)[1]) return Eigen::Vector2d((*range)[0], (*range)[1]);
-  reader.error("static_load", fmt::format("{} numbers{}", range->size(), range->size() == 2 ? ", the first one not below the second" : ""),
-               "it is the lowest and the highest compression along the axis", "for instance static_load = [\"0 N\", \"800 N\"]");
+  reader.error(
+      "static_load",
+      fmt::format("{} numbers{}", range->size(), range->size() == 2 ? ", the first one not below the second" : ""),
+      "it is the lowest and the highest compression along the axis", "for instance static_load = [\"0 N\", \"800 N\"]");
   return std::nullopt;
 }
 
 /// What is possible, but does not fit together.
 void warn_of_slips(const Mount& mount, TableReader& reader) {
   const auto warn = [&](const std::string& key, std::string finding, std::string rule, std::string remedy) {
-    reader.problems().warning(reader.path() + "." + key, std::move(finding), std::move(rule), std::move(remedy)).origin =
-        reader.node(key)->origin;
+    reader.problems()
+        .warning(reader.path() + "." + key, std::move(finding), std::move(rule), std::move(remedy))
+        .origin = reader.node(key)->origin;
   };
   if (mount.loss_factor.value_or(0) > 1)
     warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal lie below 1",
@@ -60,14 +65,16 @@ void warn_of_slips(const Mount& mount, TableReader& reader) {
          "check the units; a mount that stiffens is stiffer at this load than given here");
 }
 
-Mount read_mount(const Node& table, const std::string& name, const std::string& source, foundation::Problems& problems) {
+Mount read_mount(const Node& table, const std::string& name, const std::string& source,
+                 foundation::Problems& problems) {
   TableReader reader(table, "mounts." + name, problems);
   Mount mount;
   mount.name = name;
   mount.origin = table.origin;
   mount.maker = reader.required_text("maker");
   if (!reader.has("translation"))
-    reader.missing("translation", "give three constants along x, y, z: translation = [\"60 N/mm\", \"60 N/mm\", \"350 N/mm\"]");
+    reader.missing("translation",
+                   "give three constants along x, y, z: translation = [\"60 N/mm\", \"60 N/mm\", \"350 N/mm\"]");
   mount.translation = stiffness(reader, "translation", Quantity::force_per_length);
   mount.rotation = stiffness(reader, "rotation", Quantity::moment_per_angle);
   mount.loss_factor = at_least_zero(reader, "loss_factor", Quantity::pure);
@@ -88,14 +95,15 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
   if (!root.has("mounts")) root.missing("mounts", "write [mounts.\"NAME\"] and its data below");
   const Node* table = root.table("mounts");
   if (!table) return;
-  if (table->keys.empty()) root.error("mounts", "no mount", "a catalogue has at least one", "write [mounts.\"NAME\"] and its data below");
+  if (table->keys.empty())
+    root.error("mounts", "no mount", "a catalogue has at least one", "write [mounts.\"NAME\"] and its data below");
   if (table->keys.size() > most_mounts)
-    root.error("mounts", fmt::format("{} mounts", table->keys.size()), fmt::format("a catalogue holds at most {}", most_mounts),
-               "split it");
+    root.error("mounts", fmt::format("{} mounts", table->keys.size()),
+               fmt::format("a catalogue holds at most {}", most_mounts), "split it");
   for (std::size_t i = 0; i < table->keys.size() && i < most_mounts; ++i) {
     const std::string& name = table->keys[i];
     const bool good_name = !name.empty() && name.size() <= longest_mount_name &&
-                           std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+        std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (!good_name || table->items[i].kind != Node::Kind::table)
       root.problems()
           .error("mounts." + foundation::shortened(name), good_name ? words(table->items[i].kind) : "not a name",
@@ -155,7 +163,8 @@ foundation::Expected<Mount> mount_named(const std::string& name, const std::vect
   }
   const std::string near = foundation::nearest_name(name, names);
   foundation::Problems problems;
-  problems.error("catalogue", foundation::quoted(name), fmt::format("none of the {} mounts has this name", names.size()),
+  problems.error("catalogue", foundation::quoted(name),
+                 fmt::format("none of the {} mounts has this name", names.size()),
                  near.empty() ? "look into the catalogue for its names" : "did you mean \"" + near + "\"?");
   return tl::make_unexpected(std::move(problems));
 }

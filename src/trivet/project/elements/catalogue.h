@@ -43,6 +43,7 @@ struct Catalogue {
 [[nodiscard]] const Catalogue& generic_catalogue();
 
 /// The mount of that name, from the first catalogue that has it; otherwise a problem that proposes the nearest name.
-[[nodiscard]] foundation::Expected<Mount> mount_named(const std::string& name, const std::vector<Catalogue>& catalogues);
+[[nodiscard]] foundation::Expected<Mount> mount_named(const std::string& name,
+                                                      const std::vector<Catalogue>& catalogues);
 
 }  // namespace trivet::project

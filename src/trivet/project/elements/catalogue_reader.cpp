@@ -36,12 +36,17 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
   }
   elements::Vector6 constants;
   constants << mount->translation, mount->rotation;
-  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(constants, ends.span.arm, 0.5), ends.span.n_from_k);
+  element.law.nominal_stiffness =
+      elements::in_end_axes(elements::constants_at_point(constants, ends.span.arm, 0.5), ends.span.n_from_k);
   if (mount->loss_factor && !reader.has("damping")) element.law.damping = elements::LossFactor{*mount->loss_factor};
   element.facts.push_back({"mount", mount->name + (mount->maker.empty() ? "" : ", " + mount->maker)});
-  if (mount->static_load) element.facts.push_back({"static load", fmt::format("{:.6g} … {:.6g} N along e3", (*mount->static_load)(0), (*mount->static_load)(1))});
-  if (mount->static_deflection_limit) element.facts.push_back({"static deflection limit", fmt::format("{:.6g} m", *mount->static_deflection_limit)});
-  if (mount->loss_factor) element.facts.push_back({"loss factor of the catalogue", fmt::format("{:.4g}", *mount->loss_factor)});
+  if (mount->static_load)
+    element.facts.push_back(
+        {"static load", fmt::format("{:.6g} … {:.6g} N along e3", (*mount->static_load)(0), (*mount->static_load)(1))});
+  if (mount->static_deflection_limit)
+    element.facts.push_back({"static deflection limit", fmt::format("{:.6g} m", *mount->static_deflection_limit)});
+  if (mount->loss_factor)
+    element.facts.push_back({"loss factor of the catalogue", fmt::format("{:.4g}", *mount->loss_factor)});
   if (mount->mass) element.facts.push_back({"mass", fmt::format("{:.6g} kg, not in the model", *mount->mass)});
   if (!mount->price.empty()) element.facts.push_back({"price", mount->price});
   element.facts.push_back({"source", mount->source});
@@ -49,7 +54,8 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
 
 }  // namespace
 
-const ElementLaw catalogue_law = {.type = "catalogue:NAME", .placed = read_catalogue_mount, .keys = R"json({"properties": {
+const ElementLaw catalogue_law = {
+    .type = "catalogue:NAME", .placed = read_catalogue_mount, .keys = R"json({"properties": {
    "catalogue": {"type": "string", "description": "catalogue of your own, relative to the project file"}}})json"};
 
 }  // namespace trivet::project

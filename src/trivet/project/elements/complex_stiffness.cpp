@@ -23,7 +23,8 @@ std::optional<double> common_factor(const Matrix12& stiffness, const Matrix12& l
   const elements::Vector12 size = stiffness.diagonal().cwiseAbs().cwiseSqrt();
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j)
-      if (!(std::abs(loss(i, j) - eta * stiffness(i, j)) <= one_factor * std::abs(eta) * size(i) * size(j))) return std::nullopt;
+      if (!(std::abs(loss(i, j) - eta * stiffness(i, j)) <= one_factor * std::abs(eta) * size(i) * size(j)))
+        return std::nullopt;
   return eta;
 }
 
@@ -31,20 +32,25 @@ void check_loss(TableReader& reader, const Matrix12& loss, const model::Span& sp
   const elements::MatrixVerdict verdict = elements::examine(loss, elements::rigid_motions(span.arm, span.n_from_k));
   foundation::Problems found;
   if (element.symmetric && verdict.asymmetry > elements::rounding_of_data)
-    found.error("file", fmt::format("its imaginary part is unsymmetric by {:.3g} (scaled)", verdict.asymmetry), "the loss of an element is symmetric", "mend the file, or set symmetric = false if it is meant");
+    found.error("file", fmt::format("its imaginary part is unsymmetric by {:.3g} (scaled)", verdict.asymmetry),
+                "the loss of an element is symmetric", "mend the file, or set symmetric = false if it is meant");
   if (verdict.rigid_residual > elements::silent_residual) {
-    const std::string finding = fmt::format("its imaginary part resists a rigid motion by {:.3g} % of the scaled loss", 100 * verdict.rigid_residual);
+    const std::string finding = fmt::format("its imaginary part resists a rigid motion by {:.3g} % of the scaled loss",
+                                            100 * verdict.rigid_residual);
     const char* rule = "an element loses no energy in a rigid motion";
     if (verdict.rigid_residual > elements::refused_residual && !element.allow_residual)
-      found.error("file", finding, rule, "mend the matrix, its order (N, then K) or its end points; take a dashpot to the ground out of the exported part");
-    else
-      found.warning("file", finding, rule, "it may be rounding of the data or a wrong end point");
+      found.error("file", finding, rule,
+                  "mend the matrix, its order (N, then K) or its end points; take a dashpot to the ground out of the "
+                  "exported part");
+    else found.warning("file", finding, rule, "it may be rounding of the data or a wrong end point");
   }
   const double lowest = verdict.lowest_eigenvalue / std::max(1.0, verdict.highest_eigenvalue);
   const std::string finding = fmt::format("its imaginary part has the scaled eigenvalue {:.4g}", lowest);
   const char* rule = "a passive element takes energy in every motion (e^{+iωt}: K'' ≥ 0)";
-  if (lowest < -noisy_loss) found.error("file", finding, rule, "check the sign of the imaginary part: with e^{-iωt} it is the other one");
-  else if (lowest < -rounded_loss) found.warning("file", finding, rule, "it can feed energy into some motion; ask for more digits");
+  if (lowest < -noisy_loss)
+    found.error("file", finding, rule, "check the sign of the imaginary part: with e^{-iωt} it is the other one");
+  else if (lowest < -rounded_loss)
+    found.warning("file", finding, rule, "it can feed energy into some motion; ask for more digits");
   reader.add(found);
 }
 
@@ -52,7 +58,8 @@ void check_loss(TableReader& reader, const Matrix12& loss, const model::Span& sp
 
 void take_loss(TableReader& reader, const Matrix12& loss, const model::Span& span, model::Element& element) {
   if (reader.has("damping")) {
-    reader.error("damping", "damping and a complex matrix", "the imaginary part of the file holds the loss", "remove damping, or export the real part alone");
+    reader.error("damping", "damping and a complex matrix", "the imaginary part of the file holds the loss",
+                 "remove damping, or export the real part alone");
     return;
   }
   const std::size_t before = reader.errors();
@@ -60,10 +67,12 @@ void take_loss(TableReader& reader, const Matrix12& loss, const model::Span& spa
   if (reader.errors() > before || loss.isZero(0)) return;
   if (const auto eta = common_factor(element.law.nominal_stiffness, loss)) {
     element.law.damping = elements::LossFactor{*eta};
-    element.facts.push_back({"loss factor", fmt::format("{:.6g}: its imaginary part is that multiple of the real one", *eta)});
+    element.facts.push_back(
+        {"loss factor", fmt::format("{:.6g}: its imaginary part is that multiple of the real one", *eta)});
     return;
   }
-  const elements::Matrix12c both = element.law.nominal_stiffness.cast<std::complex<double>>() + std::complex<double>(0, 1) * loss.cast<std::complex<double>>();
+  const elements::Matrix12c both = element.law.nominal_stiffness.cast<std::complex<double>>() +
+      std::complex<double>(0, 1) * loss.cast<std::complex<double>>();
   elements::FrequencyDependence constant;
   constant.elastic = false;
   constant.stiffness = [both](std::complex<double>, double) { return both; };

@@ -50,17 +50,21 @@ std::vector<double> remembered(const std::string& key, std::size_t count, const 
 }
 
 void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
-  element.facts.push_back({"found by", fmt::format("finite elements: {} elements, {} unknowns", s.elements, s.unknowns)});
+  element.facts.push_back(
+      {"found by", fmt::format("finite elements: {} elements, {} unknowns", s.elements, s.unknowns)});
   if (s.relative_error.isZero(0)) {
     element.facts.push_back({"estimated error of the mesh", "not estimated: level 1 has no coarser mesh beside it"});
     return;
   }
   std::string errors;
   static constexpr std::array<const char*, 6> words = {"shear x", "shear y", "axial", "tilt x", "tilt y", "torsion"};
-  for (int j = 0; j < 6; ++j) errors += fmt::format("{}{} {:.2g} %", j ? ", " : "", words[static_cast<std::size_t>(j)], 100 * s.relative_error(6 + j, 6 + j));
+  for (int j = 0; j < 6; ++j)
+    errors += fmt::format("{}{} {:.2g} %", j ? ", " : "", words[static_cast<std::size_t>(j)],
+                          100 * s.relative_error(6 + j, 6 + j));
   element.facts.push_back({"estimated error of the mesh", errors});
   const elements::Vector12 scale = s.stiffness.diagonal().cwiseSqrt();
-  element.evidence = model::Evidence{s.relative_error.cwiseProduct(scale * scale.transpose()), "estimated error of the mesh", {}};
+  element.evidence =
+      model::Evidence{s.relative_error.cwiseProduct(scale * scale.transpose()), "estimated error of the mesh", {}};
 }
 
 }  // namespace
@@ -71,7 +75,8 @@ std::optional<Compression> read_compression(TableReader& reader) {
   TableReader preload(*table, reader.path() + ".preload", reader.problems());
   const auto by = preload.number("compression", Quantity::length), with = preload.number("force", Quantity::force);
   if (preload.has("compression") == preload.has("force"))
-    preload.error("force", preload.has("force") ? "compression and force" : "neither compression nor force", "the preload is one of them, positive in compression", "give one");
+    preload.error("force", preload.has("force") ? "compression and force" : "neither compression nor force",
+                  "the preload is one of them, positive in compression", "give one");
   preload.finish();
   if (with) return Compression{*with, true};
   if (by) return Compression{*by, false};
@@ -79,24 +84,37 @@ std::optional<Compression> read_compression(TableReader& reader) {
 }
 
 void read_large_strain(TableReader& reader, fem::Material& material) {
-  const auto mooney = reader.numbers("mooney_rivlin", Quantity::pressure), yeoh = reader.numbers("yeoh", Quantity::pressure);
+  const auto mooney = reader.numbers("mooney_rivlin", Quantity::pressure),
+             yeoh = reader.numbers("yeoh", Quantity::pressure);
   const double bulk = material.bulk_modulus;
   if (mooney && mooney->size() == 2) material = {.c10 = (*mooney)[0], .c01 = (*mooney)[1], .bulk_modulus = bulk};
-  else if (mooney) reader.error("mooney_rivlin", fmt::format("{} numbers", mooney->size()), "it has two constants: [c10, c01]", "give two");
-  if (yeoh && yeoh->size() == 3) material = {.c10 = (*yeoh)[0], .c20 = (*yeoh)[1], .c30 = (*yeoh)[2], .bulk_modulus = bulk};
-  else if (yeoh) reader.error("yeoh", fmt::format("{} numbers", yeoh->size()), "it has three constants: [c10, c20, c30]", "give three");
+  else if (mooney)
+    reader.error("mooney_rivlin", fmt::format("{} numbers", mooney->size()), "it has two constants: [c10, c01]",
+                 "give two");
+  if (yeoh && yeoh->size() == 3)
+    material = {.c10 = (*yeoh)[0], .c20 = (*yeoh)[1], .c30 = (*yeoh)[2], .bulk_modulus = bulk};
+  else if (yeoh)
+    reader.error("yeoh", fmt::format("{} numbers", yeoh->size()), "it has three constants: [c10, c20, c30]",
+                 "give three");
   if (mooney && yeoh) reader.error("yeoh", "mooney_rivlin and yeoh", "a rubber has one law", "keep one of them");
-  reader.add(fem::check(material), {{"shear_modulus", mooney ? "mooney_rivlin" : yeoh ? "yeoh" : "material"}, {"bulk_modulus", "material"}});
+  reader.add(fem::check(material),
+             {{"shear_modulus",
+               mooney     ? "mooney_rivlin"
+                   : yeoh ? "yeoh"
+                          : "material"},
+              {"bulk_modulus", "material"}});
 }
 
-std::string words(const fem::Material& m) { return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g}", m.c10, m.c01, m.c20, m.c30, m.bulk_modulus); }
+std::string words(const fem::Material& m) {
+  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g}", m.c10, m.c01, m.c20, m.c30, m.bulk_modulus);
+}
 
 std::string solid_key(const std::string& description, const std::vector<std::string>& files) {
   return content_key(std::string(method) + " " + description, files);
 }
 
-LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make, const std::optional<Compression>& compression,
-                   model::Element& element) {
+LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
+                   const std::optional<Compression>& compression, model::Element& element) {
   const std::size_t before = reader.errors();
   try {
     std::optional<Solid> solid;  // meshed once, and only if something is not remembered
@@ -105,37 +123,48 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
       return *solid;
     };
     if (!compression) {
-      const fem::SolidStiffness s = solid_stiffness(remembered(key + "-free", 291, [&] {
-        const Solid& it = meshed();
-        return it.coarse ? fem::condense(it.mesh, *it.coarse, it.refinement, it.materials, it.frame) : fem::condense(it.mesh, it.materials, it.frame);
-      }, [](const fem::SolidStiffness& found) { return numbers_of(found); }));
+      const fem::SolidStiffness s = solid_stiffness(remembered(
+          key + "-free", 291,
+          [&] {
+            const Solid& it = meshed();
+            return it.coarse ? fem::condense(it.mesh, *it.coarse, it.refinement, it.materials, it.frame)
+                             : fem::condense(it.mesh, it.materials, it.frame);
+          },
+          [](const fem::SolidStiffness& found) { return numbers_of(found); }));
       element.law.nominal_stiffness = s.stiffness;
       add_error_facts(s, element);
       return std::nullopt;
     }
-    const std::string preload_key = content_key(fmt::format("{} preload {:.17g} {}", key, compression->value, compression->is_force));
-    const std::vector<double> p = remembered(preload_key, 161, [&] {
-      const Solid& it = meshed();
-      fem::Preload load;
-      load.value(2) = -compression->value;
-      load.is_load[2] = compression->is_force;
-      fem::PreloadedStiffness found = fem::preloaded_stiffness(it.mesh, it.materials, it.frame, load);
-      if (!found.converged) throw foundation::NotComputable(found.why_not);
-      return found;
-    }, [](const fem::PreloadedStiffness& found) { return numbers_of(found); });
+    const std::string preload_key =
+        content_key(fmt::format("{} preload {:.17g} {}", key, compression->value, compression->is_force));
+    const std::vector<double> p = remembered(
+        preload_key, 161,
+        [&] {
+          const Solid& it = meshed();
+          fem::Preload load;
+          load.value(2) = -compression->value;
+          load.is_load[2] = compression->is_force;
+          fem::PreloadedStiffness found = fem::preloaded_stiffness(it.mesh, it.materials, it.frame, load);
+          if (!found.converged) throw foundation::NotComputable(found.why_not);
+          return found;
+        },
+        [](const fem::PreloadedStiffness& found) { return numbers_of(found); });
     element.law.nominal_stiffness = Eigen::Map<const elements::Matrix12>(p.data());
     element.law.preload = elements::Vector12(Eigen::Map<const elements::Vector12>(p.data() + 144));
     element.facts.push_back({"found by", "finite elements, linearised about its preload"});
     element.facts.push_back({"compressed by", fmt::format("{:.6g} m", -p[159])});
     element.facts.push_back({"preload", fmt::format("{:.6g} N of compression", -(*element.law.preload)(8))});
     if (p[160] > 0)
-      reader.error("preload", fmt::format("{} negative pivots", p[160]), "a mount that has buckled between its plates carries nothing", "lower the preload");
+      reader.error("preload", fmt::format("{} negative pivots", p[160]),
+                   "a mount that has buckled between its plates carries nothing", "lower the preload");
     return p[158];
   } catch (const foundation::InvalidInput& reason) {
     if (reader.errors() == before)  // the mesher tells more
-      reader.error(reader.has("step") ? "step" : "type", reason.what(), "the solid cannot be condensed", "mend the solid, its plates or its mesh");
+      reader.error(reader.has("step") ? "step" : "type", reason.what(), "the solid cannot be condensed",
+                   "mend the solid, its plates or its mesh");
   } catch (const foundation::NotComputable& reason) {
-    reader.error(compression ? "preload" : "type", reason.what(), "the static state must exist", "lower the preload, or look at the solid and its plates");
+    reader.error(compression ? "preload" : "type", reason.what(), "the static state must exist",
+                 "lower the preload, or look at the solid and its plates");
   }
   return std::nullopt;
 }

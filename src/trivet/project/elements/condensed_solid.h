@@ -16,8 +16,8 @@ namespace trivet::project {
 /// A solid between its plates, whatever it was made from.
 struct Solid {
   fem::Mesh mesh;
-  std::optional<fem::Mesh> coarse;   ///< for the error estimate of hexahedra
-  double refinement = 1.5;           ///< element sizes of the coarse mesh over those of the fine one
+  std::optional<fem::Mesh> coarse;  ///< for the error estimate of hexahedra
+  double refinement = 1.5;          ///< element sizes of the coarse mesh over those of the fine one
   std::vector<fem::Material> materials;
   fem::ElementFrame frame;
 };
@@ -40,9 +40,9 @@ void read_large_strain(TableReader& reader, fem::Material& material);
 /// Key of a solid among what is remembered: its description in words, and the files it comes from.
 [[nodiscard]] std::string solid_key(const std::string& description, const std::vector<std::string>& files = {});
 
-/// Stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the plates in the preloaded state; nothing without
-/// preload, or after reporting why there is none.
-[[nodiscard]] LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make, const std::optional<Compression>& compression,
-                                 model::Element& element);
+/// Stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the plates in the preloaded
+/// state; nothing without preload, or after reporting why there is none.
+[[nodiscard]] LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
+                                 const std::optional<Compression>& compression, model::Element& element);
 
 }  // namespace trivet::project

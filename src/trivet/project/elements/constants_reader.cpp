@@ -10,9 +10,11 @@ namespace trivet::project {
 namespace {
 
 void read_matrix(TableReader& reader, Placement& ends, model::Element& element) {
-  if (!reader.has("stiffness")) reader.missing("stiffness", "give the 6×6 of the moved end K, or the full 12×12 (N, K)");
+  if (!reader.has("stiffness"))
+    reader.missing("stiffness", "give the 6×6 of the moved end K, or the full 12×12 (N, K)");
   ends.damping_at = 1;
-  if (const auto matrix = reader.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12}))
+  if (const auto matrix =
+          reader.matrix("stiffness", [](int, int i, int j) { return matrix_entry(false, i, j); }, {6, 12}))
     element.law.nominal_stiffness = full_matrix(*matrix, ends.span);
 }
 
@@ -20,37 +22,53 @@ void read_matrix(TableReader& reader, Placement& ends, model::Element& element) 
 double read_center(TableReader& reader, Placement& ends) {
   const double center = reader.number("center", Quantity::pure).value_or(0.5);
   if (reader.has("center") && ends.known && ends.span.arm.isZero(0))
-    warn_of_idle_key(reader, "center", "center of an element without length", "it is a fraction of the way from end N to end K, and both are at one place", "give from_at, or remove it");
+    warn_of_idle_key(reader, "center", "center of an element without length",
+                     "it is a fraction of the way from end N to end K, and both are at one place",
+                     "give from_at, or remove it");
   if (!(center >= 0 && center <= 1))
-    reader.error("center", fmt::format("{:.6g}", center), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
+    reader.error("center", fmt::format("{:.6g}", center), "the elastic point lies between the ends: 0 (N) … 1 (K)",
+                 "give a fraction of the length");
   ends.damping_at = center;
   return center;
 }
 
 void read_springs_at_center(TableReader& reader, Placement& ends, bool with_rotation, model::Element& element) {
   const double center = read_center(reader, ends);
-  const elements::Vector6 k = read_constants(reader, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
-  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(k, ends.span.arm, center), ends.span.n_from_k);
+  const elements::Vector6 k =
+      read_constants(reader, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
+  element.law.nominal_stiffness =
+      elements::in_end_axes(elements::constants_at_point(k, ends.span.arm, center), ends.span.n_from_k);
 }
 
-void read_bushing(TableReader& reader, Placement& ends, model::Element& element) { read_springs_at_center(reader, ends, true, element); }
-void read_three_springs(TableReader& reader, Placement& ends, model::Element& element) { read_springs_at_center(reader, ends, false, element); }
+void read_bushing(TableReader& reader, Placement& ends, model::Element& element) {
+  read_springs_at_center(reader, ends, true, element);
+}
+void read_three_springs(TableReader& reader, Placement& ends, model::Element& element) {
+  read_springs_at_center(reader, ends, false, element);
+}
 
 void read_damper(TableReader& reader, Placement& ends, model::Element& element) {
   const double center = read_center(reader, ends);
   const double c = reader.required_number("coefficient", Quantity::damping_force_per_length);
-  if (c < 0) reader.error("coefficient", fmt::format("{:.6g} N s/m", c), "it must be ≥ 0", "a negative one would feed energy into the motion");
+  if (c < 0)
+    reader.error("coefficient", fmt::format("{:.6g} N s/m", c), "it must be ≥ 0",
+                 "a negative one would feed energy into the motion");
   for (const char* key : {"damping", "scale"}) {
-    if (reader.has(key)) reader.error(key, std::string(key) + " of a damper", "its coefficient says it all", "remove it, and change the coefficient");
+    if (reader.has(key))
+      reader.error(key, std::string(key) + " of a damper", "its coefficient says it all",
+                   "remove it, and change the coefficient");
     static_cast<void>(reader.node(key));
   }
   Eigen::Vector3d line = ends.span.arm;
   if (reader.has("axis")) line = Eigen::Vector3d::UnitZ();  // the local e3 that `axis` laid
   else if (!(line.norm() > 0)) {
-    if (ends.known) reader.error("axis", "both ends are at the same point", "a damper works along a line", "give axis = \"z\" or another from_at");
+    if (ends.known)
+      reader.error("axis", "both ends are at the same point", "a damper works along a line",
+                   "give axis = \"z\" or another from_at");
     return;
   }
-  element.law.damping = elements::DampingMatrix{elements::in_end_axes(elements::constant_along_line(c, line.normalized(), ends.span.arm, center), ends.span.n_from_k)};
+  element.law.damping = elements::DampingMatrix{elements::in_end_axes(
+      elements::constant_along_line(c, line.normalized(), ends.span.arm, center), ends.span.n_from_k)};
 }
 
 }  // namespace
@@ -65,12 +83,14 @@ const ElementLaw bushing_law = {.type = "bushing", .placed = read_bushing, .keys
    "rotation": {"$ref": "#/$defs/vector", "description": "N m/rad"}},
   "required": ["translation"]})json"};
 
-const ElementLaw three_springs_law = {.type = "three_springs", .placed = read_three_springs, .keys = R"json({"properties": {
+const ElementLaw three_springs_law = {
+    .type = "three_springs", .placed = read_three_springs, .keys = R"json({"properties": {
    "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1"},
    "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes"}},
   "required": ["translation"]})json"};
 
-const ElementLaw damper_law = {.type = "damper", .placed = read_damper, .takes_damping = false, .keys = R"json({"properties": {
+const ElementLaw damper_law = {
+    .type = "damper", .placed = read_damper, .takes_damping = false, .keys = R"json({"properties": {
    "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1"},
    "coefficient": {"$ref": "#/$defs/number", "description": "N s/m along the line from N to K, or along `axis`"},
    "damping": false},

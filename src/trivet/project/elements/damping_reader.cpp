@@ -11,14 +11,17 @@ namespace {
 using elements::Viscoelastic;
 
 constexpr const char* rule =
-    "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}, {kelvin_voigt}, {zener}, {maxwell}, {fractional_zener}, {loops}";
+    "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}, {kelvin_voigt}, {zener}, "
+    "{maxwell}, {fractional_zener}, {loops}";
 
 /// The laws that the table names, each once; `translation` and `rotation` are one.
 std::vector<std::string> laws_given(TableReader& damping) {
   std::vector<std::string> laws;
-  for (const char* key : {"proportional", "loss_factor", "matrix", "kelvin_voigt", "zener", "maxwell", "fractional_zener", "loops"})
+  for (const char* key :
+       {"proportional", "loss_factor", "matrix", "kelvin_voigt", "zener", "maxwell", "fractional_zener", "loops"})
     if (damping.has(key)) laws.push_back(key);
-  if (damping.has("translation") || damping.has("rotation")) laws.push_back(damping.has("translation") ? "translation" : "rotation");
+  if (damping.has("translation") || damping.has("rotation"))
+    laws.push_back(damping.has("translation") ? "translation" : "rotation");
   return laws;
 }
 
@@ -42,13 +45,17 @@ std::optional<Viscoelastic> read_viscoelastic(TableReader& damping) {
     const std::size_t before = damping.errors();
     TableReader reader(*table, damping.path() + "." + name, damping.problems());
     if (name == "kelvin_voigt") law = elements::KelvinVoigt{reader.required_number("time", Quantity::time)};
-    if (name == "zener") law = elements::Zener{reader.required_number("ratio", Quantity::pure), reader.required_number("time", Quantity::time)};
+    if (name == "zener")
+      law = elements::Zener{reader.required_number("ratio", Quantity::pure),
+                            reader.required_number("time", Quantity::time)};
     if (name == "fractional_zener")
-      law = elements::FractionalZener{reader.required_number("ratio", Quantity::pure), reader.required_number("time", Quantity::time),
+      law = elements::FractionalZener{reader.required_number("ratio", Quantity::pure),
+                                      reader.required_number("time", Quantity::time),
                                       reader.required_number("order", Quantity::pure)};
     if (name == "maxwell") {
       for (const char* list : {"ratios", "times"})
-        if (!reader.has(list)) reader.missing(list, "give one number per branch: ratios = [0.4, 0.2], times = [0.001, 0.01]");
+        if (!reader.has(list))
+          reader.missing(list, "give one number per branch: ratios = [0.4, 0.2], times = [0.001, 0.01]");
       law = elements::GeneralizedMaxwell{reader.numbers("ratios", Quantity::pure).value_or(std::vector<double>{}),
                                          reader.numbers("times", Quantity::time).value_or(std::vector<double>{})};
     }
@@ -75,13 +82,16 @@ Quantity matrix_entry(bool damping, int i, int j) {
 elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation) {
   elements::Vector6 k = elements::Vector6::Zero();
   if (!reader.has("translation"))
-    reader.missing("translation", fmt::format("give three constants in {} along the local axes: translation = [x, y, z]", si_unit(translation)));
+    reader.missing(
+        "translation",
+        fmt::format("give three constants in {} along the local axes: translation = [x, y, z]", si_unit(translation)));
   if (const auto t = reader.vector("translation", translation)) k.head<3>() = *t;
   if (with_rotation)
     if (const auto r = reader.vector("rotation", rotation)) k.tail<3>() = *r;
   for (int i = 0; i < 6; ++i)
     if (k(i) < 0)
-      reader.error(i < 3 ? "translation" : "rotation", fmt::format("{:.6g}", k(i)), "each constant must be ≥ 0", "a negative one would give energy away");
+      reader.error(i < 3 ? "translation" : "rotation", fmt::format("{:.6g}", k(i)), "each constant must be ≥ 0",
+                   "a negative one would give energy away");
   return k;
 }
 
@@ -101,18 +111,23 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
     const auto of = damping.choice("of", {"scaled", "nominal"});
     element.law.damping = elements::ProportionalDamping{*factor, of == "nominal"};
   }
-  if (const auto loss = damping.number("loss_factor", Quantity::pure)) element.law.damping = elements::LossFactor{*loss};
+  if (const auto loss = damping.number("loss_factor", Quantity::pure))
+    element.law.damping = elements::LossFactor{*loss};
   if (const auto matrix = damping.matrix("matrix", [](int, int i, int j) { return matrix_entry(true, i, j); }, {6, 12}))
     element.law.damping = elements::DampingMatrix{full_matrix(*matrix, span)};
   if (damping.has("translation") || damping.has("rotation")) {
-    const elements::Vector6 c = read_constants(damping, Quantity::damping_force_per_length, Quantity::damping_moment_per_angle, true);
-    element.law.damping = elements::DampingMatrix{elements::in_end_axes(elements::constants_at_point(c, span.arm, centre), span.n_from_k)};
+    const elements::Vector6 c =
+        read_constants(damping, Quantity::damping_force_per_length, Quantity::damping_moment_per_angle, true);
+    element.law.damping = elements::DampingMatrix{
+        elements::in_end_axes(elements::constants_at_point(c, span.arm, centre), span.n_from_k)};
   }
   if (const auto law = read_viscoelastic(damping)) element.law.damping = *law;
   if (damping.has("loops")) read_loops(damping, element);
   for (const char* key : {"of", "translation", "rotation"}) {
     const bool misplaced = std::string(key) == "of" && damping.has("of") && !damping.has("proportional");
-    if (misplaced) damping.error("of", "of without proportional", "it says of which stiffness a proportional damping is taken", "remove it");
+    if (misplaced)
+      damping.error("of", "of without proportional", "it says of which stiffness a proportional damping is taken",
+                    "remove it");
     static_cast<void>(damping.node(key));
   }
   damping.finish();

@@ -11,48 +11,33 @@ namespace trivet::project {
 /// Where an element is put.
 struct Placement {
   model::Span span;
-  bool known = false;        ///< its ends could be read; else the span is 0 and the law is read for its own problems alone
-  double damping_at = 0.5;   ///< fraction of the way from N to K where constants of `damping` act; a law that acts elsewhere says so
+  bool known = false;  ///< its ends could be read; else the span is 0 and the law is read for its own problems alone
+  double damping_at =
+      0.5;  ///< fraction of the way from N to K where constants of `damping` act; a law that acts elsewhere says so
 };
 
 /// One type of element in the project file. Each is defined beside its reader in this room, as TYPE_law.
 struct ElementLaw {
-  const char* type;   ///< "beam"; "catalogue:NAME" for every word that begins with "catalogue:"
+  const char* type;  ///< "beam"; "catalogue:NAME" for every word that begins with "catalogue:"
 
   /// A law that knows its own size: it fills law and facts, in local axes with e3 from N to K.
   LengthOf (*sized)(TableReader& reader, model::Element& element) = nullptr;
   /// Instead: a law between ends that the project file places.
   void (*placed)(TableReader& reader, Placement& ends, model::Element& element) = nullptr;
 
-  bool takes_damping = true; ///< has the table `damping` of all elements
-  /// JSON Schema of its own keys: `properties`, `required`, `with` for groups of keys that several laws share (`shared_keys` in
-  /// project.schema.json) …; or a list of variants.
+  bool takes_damping = true;  ///< has the table `damping` of all elements
+  /// JSON Schema of its own keys: `properties`, `required`, `with` for groups of keys that several laws share
+  /// (`shared_keys` in project.schema.json) …; or a list of variants.
   const char* keys;
 
   [[nodiscard]] bool is(const std::string& word) const;
 };
 
 /// All types of elements, in the order of lists in messages. A new one is a line here and its TYPE_law.
-#define TRIVET_ELEMENT_LAWS(row) \
-  row(matrix) \
-  row(bushing) \
-  row(three_springs) \
-  row(damper) \
-  row(imported) \
-  row(measured) \
-  row(table) \
-  row(air_spring) \
-  row(wire_rope) \
-  row(coil_spring) \
-  row(rubber_disc) \
-  row(rubber_block) \
-  row(rubber_bush) \
-  row(sandwich) \
-  row(solid_mount) \
-  row(beam) \
-  row(link) \
-  row(stay) \
-  row(catalogue)
+#define TRIVET_ELEMENT_LAWS(row)                                                                                 \
+  row(matrix) row(bushing) row(three_springs) row(damper) row(imported) row(measured) row(table) row(air_spring) \
+      row(wire_rope) row(coil_spring) row(rubber_disc) row(rubber_block) row(rubber_bush) row(sandwich)          \
+          row(solid_mount) row(beam) row(link) row(stay) row(catalogue)
 
 #define TRIVET_LAW(name) extern const ElementLaw name##_law;
 TRIVET_ELEMENT_LAWS(TRIVET_LAW)

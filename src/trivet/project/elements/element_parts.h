@@ -17,7 +17,8 @@ namespace trivet::project {
 [[nodiscard]] elements::Matrix12 full_matrix(const Eigen::MatrixXd& given, const model::Span& span);
 
 /// `translation` and, if wanted, `rotation`: six constants along and about the local axes, each ≥ 0.
-[[nodiscard]] elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation);
+[[nodiscard]] elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quantity rotation,
+                                               bool with_rotation);
 
 /// The table `damping` of an element into its law; constants act at the fraction `centre` of the span.
 void read_damping(TableReader& reader, const model::Span& span, double centre, model::Element& element);
@@ -27,10 +28,11 @@ void read_loops(TableReader& damping, model::Element& element);
 
 /// The distance from N to K [m], or nothing after reporting what is wrong.
 using LengthOf = std::optional<double>;
-[[nodiscard]] LengthOf read_step_mount(TableReader& reader, model::Element& element);   ///< a solid_mount out of a STEP file
+[[nodiscard]] LengthOf read_step_mount(TableReader& reader,
+                                       model::Element& element);  ///< a solid_mount out of a STEP file
 
-/// Rubber is stiffer in vibration than at rest: found with the static moduli, the element then moves with `material.stiffening` times the
-/// stiffness of its deformations; what a preload does in a rigid motion stays.
+/// Rubber is stiffer in vibration than at rest: found with the static moduli, the element then moves with
+/// `material.stiffening` times the stiffness of its deformations; what a preload does in a rigid motion stays.
 [[nodiscard]] LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element);
 
 }  // namespace trivet::project

@@ -29,7 +29,8 @@ std::vector<std::string> all_types(const Mentioned& mentioned) {
 /// Builds one element: where its ends are, then its law in their axes.
 class ElementReader {
  public:
-  ElementReader(const Node& node, const std::string& name, const model::Description& description, Mentioned& mentioned, foundation::Problems& problems)
+  ElementReader(const Node& node, const std::string& name, const model::Description& description, Mentioned& mentioned,
+                foundation::Problems& problems)
       : node_(node), reader_(node, "elements." + name, problems), bodies_(description), mentioned_(mentioned) {
     element_.name = name;
   }
@@ -38,13 +39,15 @@ class ElementReader {
     const std::size_t before = reader_.errors();
     element_.type = reader_.required_text("type");
     law_ = element_law(element_.type);
-    if (law_ && law_->sized) length_ = stiffened(reader_, law_->sized(reader_, element_), element_);  // its length places end N
+    if (law_ && law_->sized)
+      length_ = stiffened(reader_, law_->sized(reader_, element_), element_);  // its length places end N
     ends_.known = read_ends();  // if not, the law is still read for its own problems
     element_.symmetric = reader_.boolean("symmetric").value_or(true);
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
     if (element_.law.scale > 0) element_.massless_up_to *= std::sqrt(element_.law.scale);
-    if (const auto foundation = reader_.text("foundation")) mentioned_.stands_on.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
+    if (const auto foundation = reader_.text("foundation"))
+      mentioned_.stands_on.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
     if (law_ && law_->placed) law_->placed(reader_, ends_, element_);
     if (!law_) refuse_type();
     if (!law_ || law_->takes_damping) read_damping(reader_, ends_.span, ends_.damping_at, element_);
@@ -58,9 +61,11 @@ class ElementReader {
   /// A table that no law has is most likely the rest of a name with a dot: [elements.front.left].
   void report_tables_inside(const Node& node) {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
-      const bool ours = node.keys[i] == "damping" || node.keys[i] == "stiffness_factor" || node.keys[i] == "moved" || node.keys[i].ends_with("orientation");
+      const bool ours = node.keys[i] == "damping" || node.keys[i] == "stiffness_factor" || node.keys[i] == "moved" ||
+          node.keys[i].ends_with("orientation");
       if (node.items[i].kind == Node::Kind::table && !ours && !outside_feature(reader_.path(), node.keys[i]))
-        reader_.error(node.keys[i], "unknown key", "no element has a table of this name", "a name with a dot stands in quotes, and names here have none: write [elements.\"front left\"]");
+        reader_.error(node.keys[i], "unknown key", "no element has a table of this name",
+                      "a name with a dot stands in quotes, and names here have none: write [elements.\"front left\"]");
     }
   }
 
@@ -78,7 +83,8 @@ class ElementReader {
     const auto orientation = reader_.orientation("orientation");
     const auto from_orientation = reader_.orientation("from_orientation");
     if (law_ && law_->sized && reader_.has("from_orientation"))
-      reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends of it share its own axes", "remove it, and turn the element by axis or orientation");
+      reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends of it share its own axes",
+                    "remove it, and turn the element by axis or orientation");
     if (reader_.has("axis") && reader_.has("orientation"))
       reader_.error("axis", "axis and orientation", "only one of them turns the local axes", "remove one");
     if (!on || !at || from_is_wrong || (reader_.has("from_at") && !from_at)) return false;
@@ -87,13 +93,18 @@ class ElementReader {
     const spatial::Pose other = from ? bodies_.bodies[*from].pose : spatial::Pose{};
     element_.k.body = *on;
     element_.k.at = *at;
-    element_.k.axes = orientation ? *orientation : axis ? spatial::axes_along(*axis) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    element_.k.axes = orientation ? *orientation
+        : axis                    ? spatial::axes_along(*axis)
+                                  : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     const Eigen::Vector3d k_in_ground = body.position + body.rotation * *at;
-    if (length_ && from_at && !axis && !orientation) align_with(body.rotation.transpose() * (k_in_ground - other.position - other.rotation * *from_at));
+    if (length_ && from_at && !axis && !orientation)
+      align_with(body.rotation.transpose() * (k_in_ground - other.position - other.rotation * *from_at));
     const Eigen::Vector3d n_to_k = length_.value_or(0) * (body.rotation * element_.k.axes.col(2));
     element_.n.body = from;
-    element_.n.at = from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (k_in_ground - n_to_k - other.position));
-    element_.n.axes = from_orientation ? *from_orientation : Eigen::Matrix3d(other.rotation.transpose() * body.rotation * element_.k.axes);
+    element_.n.at =
+        from_at ? *from_at : Eigen::Vector3d(other.rotation.transpose() * (k_in_ground - n_to_k - other.position));
+    element_.n.axes = from_orientation ? *from_orientation
+                                       : Eigen::Matrix3d(other.rotation.transpose() * body.rotation * element_.k.axes);
     ends_.span = model::span(bodies_.bodies, element_.n, element_.k);
     if (length_ && from_at) check_length();
     return true;
@@ -108,16 +119,18 @@ class ElementReader {
     constexpr double rounding = 1e-6, smallest = 1e-3;  // ends of a bush are at one place
     const Eigen::Vector3d expected = *length_ * Eigen::Vector3d::UnitZ();
     if ((ends_.span.arm - expected).norm() <= rounding * std::max(*length_, smallest)) return;
-    reader_.error("from_at", fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", ends_.span.arm.x(), ends_.span.arm.y(), ends_.span.arm.z()),
-                  fmt::format("this element is {:.9g} m long along its local e3", *length_), "leave from_at away, or mend the ends, the axis or the element");
+    reader_.error("from_at",
+                  fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", ends_.span.arm.x(),
+                              ends_.span.arm.y(), ends_.span.arm.z()),
+                  fmt::format("this element is {:.9g} m long along its local e3", *length_),
+                  "leave from_at away, or mend the ends, the axis or the element");
   }
 
   /// A type that is no law: a slip, or a feature of other programs.
   void refuse_type() {
     if (const auto outside = outside_type(element_.type))
       reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
-    else if (reader_.has("type"))
-      static_cast<void>(reader_.choice("type", all_types(mentioned_)));
+    else if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types(mentioned_)));
   }
 
   const Node& node_;
@@ -125,22 +138,25 @@ class ElementReader {
   const model::Description& bodies_;
   Mentioned& mentioned_;
   model::Element element_;
-  const ElementLaw* law_ = nullptr;   ///< none if the type is not known
+  const ElementLaw* law_ = nullptr;  ///< none if the type is not known
   Placement ends_{{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}};
-  LengthOf length_;   ///< of a law that knows it
+  LengthOf length_;  ///< of a law that knows it
 };
 
 /// An element of an earlier description, unless a foundation stands under it: these are counted anew.
-const model::Element* known_element(const KnownModel& known, const std::string& name, const Node& now, const model::Description& description) {
+const model::Element* known_element(const KnownModel& known, const std::string& name, const Node& now,
+                                    const model::Description& description) {
   if (now.find("foundation") || !known.unchanged("elements", name, now)) return nullptr;
   const auto& elements = known.description.elements;
-  const auto found = std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
+  const auto found =
+      std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
   if (found == elements.end()) return nullptr;
   const auto same_place = [&](const model::End& end) {
     if (!end.body) return true;
     if (*end.body >= description.bodies.size()) return false;
     const model::Body &before = known.description.bodies[*end.body], &body = description.bodies[*end.body];
-    return before.name == body.name && before.pose.position == body.pose.position && before.pose.rotation == body.pose.rotation;
+    return before.name == body.name && before.pose.position == body.pose.position &&
+        before.pose.rotation == body.pose.rotation;
   };
   return same_place(found->n) && same_place(found->k) ? &*found : nullptr;
 }
@@ -152,14 +168,19 @@ void read_elements(TableReader& root, model::Description& description, Mentioned
   if (!table) return;
   mentioned.elements = table->keys;
   if (table->keys.size() > most_elements)
-    root.error("elements", fmt::format("{} elements", table->keys.size()), fmt::format("this version takes at most {}", most_elements), "split the model");
+    root.error("elements", fmt::format("{} elements", table->keys.size()),
+               fmt::format("this version takes at most {}", most_elements), "split the model");
   for (std::size_t i = 0; i < table->keys.size() && i < most_elements; ++i) {
-    if (const model::Element* earlier = known ? known_element(*known, table->keys[i], table->items[i], description) : nullptr) {
+    if (const model::Element* earlier =
+            known ? known_element(*known, table->keys[i], table->items[i], description) : nullptr) {
       description.elements.push_back(*earlier);
     } else if (table->items[i].kind != Node::Kind::table) {
-      root.problems().error("elements." + table->keys[i], words(table->items[i].kind), "an element is a table", "write [elements.NAME] and its type below").origin =
-          table->items[i].origin;
-    } else if (auto element = ElementReader(table->items[i], table->keys[i], description, mentioned, root.problems()).read()) {
+      root.problems()
+          .error("elements." + table->keys[i], words(table->items[i].kind), "an element is a table",
+                 "write [elements.NAME] and its type below")
+          .origin = table->items[i].origin;
+    } else if (auto element =
+                   ElementReader(table->items[i], table->keys[i], description, mentioned, root.problems()).read()) {
       description.elements.push_back(std::move(*element));
     }
   }
@@ -176,16 +197,19 @@ void read_system_damping(TableReader& root, model::Description& description, Men
   if (!table) return;
   TableReader reader(*table, "damping", root.problems());
   if (reader.has("rayleigh") == reader.has("modal"))
-    root.error("damping", reader.has("modal") ? "rayleigh and modal" : "neither rayleigh nor modal", "the damping of the system is one of them",
+    root.error("damping", reader.has("modal") ? "rayleigh and modal" : "neither rayleigh nor modal",
+               "the damping of the system is one of them",
                reader.has("modal") ? "keep one" : "give one, or remove the table");
   if (const Node* inside = reader.table("rayleigh")) {
     TableReader rayleigh(*inside, "damping.rayleigh", root.problems());
-    description.damping = model::RayleighDamping{rayleigh.number("mass", Quantity::per_time).value_or(0), rayleigh.number("stiffness", Quantity::time).value_or(0)};
+    description.damping = model::RayleighDamping{rayleigh.number("mass", Quantity::per_time).value_or(0),
+                                                 rayleigh.number("stiffness", Quantity::time).value_or(0)};
     rayleigh.finish();
   }
   if (const Node* modal = reader.node("modal")) {
     if (modal->kind == Node::Kind::array) {
-      if (const auto ratios = reader.numbers("modal", Quantity::pure)) description.damping = model::ModalDamping{*ratios};
+      if (const auto ratios = reader.numbers("modal", Quantity::pure))
+        description.damping = model::ModalDamping{*ratios};
     } else if (const auto ratio = reader.number("modal", Quantity::pure)) {
       description.damping = model::ModalDamping{{*ratio}};
     }

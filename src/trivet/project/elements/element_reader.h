@@ -7,7 +7,8 @@ namespace trivet::project {
 
 /// `elements` of the file; adds to the description and reports its problems.
 /// @param known  read earlier; elements that are the same there, between the same bodies, are taken from it
-void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known = nullptr);
+void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned,
+                   const KnownModel* known = nullptr);
 
 /// Built-in types of elements; "catalogue:NAME" stands for all mounts of catalogues.
 [[nodiscard]] std::vector<std::string> element_law_names();

@@ -23,10 +23,12 @@ std::optional<std::vector<int>> whole_numbers(TableReader& reader, const char* k
     if (number >= 0 && number < 2e9 && number == std::floor(number)) whole.push_back(static_cast<int>(number));
   if (whole.size() == count && numbers->size() == count) return whole;
   if (numbers->size() == count) {
-    reader.error(key, "a number that is not whole or negative", fmt::format("{} whole numbers are wanted", count), "count nodes as the file does, rows from 1");
+    reader.error(key, "a number that is not whole or negative", fmt::format("{} whole numbers are wanted", count),
+                 "count nodes as the file does, rows from 1");
     return std::nullopt;
   }
-  reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are wanted", count), "count nodes as the file does, rows from 1");
+  reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are wanted", count),
+               "count nodes as the file does, rows from 1");
   return std::nullopt;
 }
 
@@ -35,9 +37,11 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
   const std::size_t before = reader.errors();
   const auto nodes = whole_numbers(reader, "nodes", 2), turning = whole_numbers(reader, "rotation_nodes", 2);
   const auto given = whole_numbers(reader, "rows", 12);
-  if (reader.has("nodes") && reader.has("rows")) reader.error("rows", "nodes and rows", "the ends are named in one way", "keep one of them");
+  if (reader.has("nodes") && reader.has("rows"))
+    reader.error("rows", "nodes and rows", "the ends are named in one way", "keep one of them");
   if (reader.has("rotation_nodes") && !reader.has("nodes"))
-    reader.error("rotation_nodes", "rotation_nodes without nodes", "they hold the rotations of the ends that nodes names", "add nodes = [N, K], or remove it");
+    reader.error("rotation_nodes", "rotation_nodes without nodes",
+                 "they hold the rotations of the ends that nodes names", "add nodes = [N, K], or remove it");
   if (reader.errors() > before) return tl::make_unexpected(foundation::Problems());
   if (nodes) {
     const exchange::NodeEnd n{(*nodes)[0], turning ? (*turning)[0] : 0}, k{(*nodes)[1], turning ? (*turning)[1] : 0};
@@ -48,7 +52,8 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
     std::copy(given->begin(), given->end(), rows.begin());
   } else if (matrix.values.rows() != 12) {
     foundation::Problems problems;
-    problems.error("file", fmt::format("{} × {}", matrix.values.rows(), matrix.values.cols()), "a larger matrix is condensed onto the two ends of the element",
+    problems.error("file", fmt::format("{} × {}", matrix.values.rows(), matrix.values.cols()),
+                   "a larger matrix is condensed onto the two ends of the element",
                    "name them: nodes = [N, K], or rows = [six of N, six of K]");
     return tl::make_unexpected(std::move(problems));
   }
@@ -85,8 +90,13 @@ void read_imported(TableReader& reader, Placement& placement, model::Element& el
   reader.add(ends->warnings, names);
   const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
   element.law.nominal_stiffness = elements::in_end_axes(stiffness, placement.span.n_from_k);
-  if (ends->imaginary) take_loss(reader, elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), placement.span.n_from_k), placement.span, element);
-  element.facts.push_back({"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
+  if (ends->imaginary)
+    take_loss(
+        reader,
+        elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), placement.span.n_from_k),
+        placement.span, element);
+  element.facts.push_back(
+      {"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
 }
 
 }  // namespace

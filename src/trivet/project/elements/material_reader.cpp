@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/material_reader.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,8 @@ namespace trivet::project {
 namespace {
 
 void require_positive(TableReader& reader, const char* key, double value, const char* unit) {
-  if (!(value > 0)) reader.error(key, fmt::format("{:.6g} {}", value, unit), "it must be > 0", "mend the value or its unit");
+  if (!(value > 0))
+    reader.error(key, fmt::format("{:.6g} {}", value, unit), "it must be > 0", "mend the value or its unit");
 }
 
 std::optional<elements::Metal> named_metal(TableReader& reader) {
@@ -42,7 +43,8 @@ bool one_of(TableReader& reader, const std::vector<const char*>& keys, const cha
     if (reader.has(key)) last = key;
     static_cast<void>(reader.node(key));
   }
-  reader.error(last, given == 0 ? "missing" : fmt::format("{} of {}", given, list), "exactly one of " + list + " is wanted", remedy);
+  reader.error(last, given == 0 ? "missing" : fmt::format("{} of {}", given, list),
+               "exactly one of " + list + " is wanted", remedy);
   return false;
 }
 
@@ -51,7 +53,9 @@ bool one_of(TableReader& reader, const std::vector<const char*>& keys, const cha
 std::optional<elements::Metal> read_metal(TableReader& reader) {
   const Node* node = reader.node("material");
   if (!node) {
-    reader.missing("material", "name one, material = \"spring_steel\", or give material = {E = \"206 GPa\", G = \"78.5 GPa\", density = 7850}");
+    reader.missing("material",
+                   "name one, material = \"spring_steel\", or give material = {E = \"206 GPa\", G = \"78.5 GPa\", "
+                   "density = 7850}");
     return std::nullopt;
   }
   if (node->kind != Node::Kind::table) return named_metal(reader);
@@ -72,9 +76,12 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
       metal.shear_modulus = metal.young_modulus / (2 * (1 + poisson));
     }
     if (!(poisson > -1 && poisson < 0.5))
-      table.error(table.has("G") ? "G" : "nu", table.has("G") ? fmt::format("E = {:.6g} Pa, G = {:.6g} Pa: Poisson's ratio {:.4g}", metal.young_modulus, metal.shear_modulus, poisson)
-                                                              : fmt::format("{:.6g}", poisson),
-                  "Poisson's ratio of an isotropic material lies between −1 and 0.5", "mend E or G; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
+      table.error(table.has("G") ? "G" : "nu",
+                  table.has("G") ? fmt::format("E = {:.6g} Pa, G = {:.6g} Pa: Poisson's ratio {:.4g}",
+                                               metal.young_modulus, metal.shear_modulus, poisson)
+                                 : fmt::format("{:.6g}", poisson),
+                  "Poisson's ratio of an isotropic material lies between −1 and 0.5",
+                  "mend E or G; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
   }
   if (const auto density = table.number("density", Quantity::density)) {
     metal.density = *density;
@@ -86,7 +93,8 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
   if (metal.density > 0 && (metal.density < lightest || metal.density > heaviest))
     warn_unlikely(table, "density", fmt::format("{:.4g} kg/m³", metal.density), "solids have 500 to 20000 kg/m³");
   if (poisson > -1 && poisson < 0)
-    warn_unlikely(table, table.has("G") ? "G" : "nu", fmt::format("Poisson's ratio {:.3g}", poisson), "that of metals lies near 0.3");
+    warn_unlikely(table, table.has("G") ? "G" : "nu", fmt::format("Poisson's ratio {:.3g}", poisson),
+                  "that of metals lies near 0.3");
   table.finish();
   return reader.errors() == before ? std::optional(metal) : std::nullopt;
 }
@@ -98,12 +106,17 @@ void read_poisson(TableReader& table, elements::Rubber& rubber) {
   const auto nu = table.number("nu", Quantity::pure);
   if (!nu) return;
   constexpr double least_of_rubber = 0.45;
-  if (table.has("bulk_modulus")) table.error("nu", "nu and bulk_modulus", "one of them says how the rubber resists compression", "remove one");
+  if (table.has("bulk_modulus"))
+    table.error("nu", "nu and bulk_modulus", "one of them says how the rubber resists compression", "remove one");
   if (!(*nu >= 0 && *nu < 0.5)) {
-    table.error("nu", fmt::format("{:.6g}", *nu), "Poisson's ratio of a compressible rubber lies between 0 and 0.5, 0.5 excluded", "rubber has 0.4990 to 0.4999; or give bulk_modulus");
+    table.error("nu", fmt::format("{:.6g}", *nu),
+                "Poisson's ratio of a compressible rubber lies between 0 and 0.5, 0.5 excluded",
+                "rubber has 0.4990 to 0.4999; or give bulk_modulus");
     return;
   }
-  if (*nu < least_of_rubber) warn_unlikely(table, "nu", fmt::format("Poisson's ratio {:.4g}", *nu), "that of solid rubber lies above 0.499; formulas of bonded rubber hold for little compression");
+  if (*nu < least_of_rubber)
+    warn_unlikely(table, "nu", fmt::format("Poisson's ratio {:.4g}", *nu),
+                  "that of solid rubber lies above 0.499; formulas of bonded rubber hold for little compression");
   if (table.has("E")) rubber.shear_modulus *= 3 / (2 * (1 + *nu));
   rubber.bulk_modulus = 2 * rubber.shear_modulus * (1 + *nu) / (3 * (1 - 2 * *nu));
 }
@@ -113,7 +126,8 @@ void read_poisson(TableReader& table, elements::Rubber& rubber) {
 std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   constexpr const char* remedy = "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}";
   if (const Node* given = reader.node("material"); given && given->kind == Node::Kind::text) {
-    reader.error("material", foundation::quoted(given->text), "compounds of one name differ, so a rubber has a modulus or a hardness", remedy);
+    reader.error("material", foundation::quoted(given->text),
+                 "compounds of one name differ, so a rubber has a modulus or a hardness", remedy);
     return std::nullopt;
   }
   const Node* node = reader.table("material");
@@ -124,7 +138,8 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   const std::size_t before = reader.errors();
   TableReader table(*node, reader.path() + ".material", reader.problems());
   elements::Rubber rubber;
-  if (one_of(table, {"G", "E", "hardness"}, "give the shear modulus, Young's modulus, or the hardness (Shore A or IRHD)")) {
+  if (one_of(table, {"G", "E", "hardness"},
+             "give the shear modulus, Young's modulus, or the hardness (Shore A or IRHD)")) {
     if (const auto shear = table.number("G", Quantity::pressure)) {
       rubber.shear_modulus = *shear;
       require_positive(table, "G", *shear, "Pa");
@@ -141,14 +156,20 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   }
   constexpr double softest = 0.05e6, hardest = 50e6;
   if (rubber.shear_modulus > 0 && (rubber.shear_modulus < softest || rubber.shear_modulus > hardest))
-    warn_unlikely(table, table.has("G") ? "G" : table.has("E") ? "E" : "hardness", fmt::format("a shear modulus of {:.4g} Pa", rubber.shear_modulus), "rubber has 0.2 to 5 MPa");
+    warn_unlikely(table,
+                  table.has("G")       ? "G"
+                      : table.has("E") ? "E"
+                                       : "hardness",
+                  fmt::format("a shear modulus of {:.4g} Pa", rubber.shear_modulus), "rubber has 0.2 to 5 MPa");
   if (const auto bulk = table.number("bulk_modulus", Quantity::pressure)) {
     rubber.bulk_modulus = *bulk;
     require_positive(table, "bulk_modulus", *bulk, "Pa");
   }
   read_poisson(table, rubber);
   if (const auto stiffening = table.number("stiffening", Quantity::pure)) {
-    if (!(*stiffening >= 1)) table.error("stiffening", fmt::format("{:.6g}", *stiffening), "dynamic over static modulus is ≥ 1", "rubber is 1.1 to 3 times stiffer in vibration");
+    if (!(*stiffening >= 1))
+      table.error("stiffening", fmt::format("{:.6g}", *stiffening), "dynamic over static modulus is ≥ 1",
+                  "rubber is 1.1 to 3 times stiffer in vibration");
   }
   table.finish();
   return reader.errors() == before ? std::optional(rubber) : std::nullopt;

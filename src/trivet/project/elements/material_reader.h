@@ -8,10 +8,12 @@
 
 namespace trivet::project {
 
-/// `material = "spring_steel"` or `{E, G or nu, density}`. The density may be NaN; all else is there, or nothing after reporting.
+/// `material = "spring_steel"` or `{E, G or nu, density}`. The density may be NaN; all else is there, or nothing after
+/// reporting.
 [[nodiscard]] std::optional<elements::Metal> read_metal(TableReader& reader);
 
-/// `material = {G, E or hardness, bulk_modulus or nu, stiffening}`: rubber at the frequency that `stiffening` (dynamic over static modulus) stands for.
+/// `material = {G, E or hardness, bulk_modulus or nu, stiffening}`: rubber at the frequency that `stiffening` (dynamic
+/// over static modulus) stands for.
 [[nodiscard]] std::optional<elements::Rubber> read_rubber(TableReader& reader);
 
 }  // namespace trivet::project

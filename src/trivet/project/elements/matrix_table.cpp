@@ -19,7 +19,9 @@ namespace trivet::project {
 namespace {
 
 constexpr std::string_view loss_ending = "_loss";
-constexpr const char* column_rule = "columns are frequency_hz and, per entry of a matrix, k_I_J and k_I_J_loss with I, J from 1 to 6 (of the moved end) or 12 (N, then K)";
+constexpr const char* column_rule =
+    "columns are frequency_hz and, per entry of a matrix, k_I_J and k_I_J_loss with I, J from 1 to 6 (of the moved "
+    "end) or 12 (N, then K)";
 
 /// (I, J) of "k_I_J" or "k_I_J_loss", from 1.
 std::optional<std::pair<int, int>> entry_of(std::string_view column) {
@@ -79,16 +81,21 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
   for (const std::string& column : csv.columns) {
     if (column == "frequency_hz") continue;
     const auto entry = entry_of(column);
-    const std::string name = entry ? fmt::format("k_{}_{}", entry->first, entry->second) : column, loss = name + std::string(loss_ending);
-    if (column == loss && std::find(csv.columns.begin(), csv.columns.end(), name) != csv.columns.end()) continue;  // comes with its storage
-    const bool in_range = entry && std::min(entry->first, entry->second) >= 1 && std::max(entry->first, entry->second) <= 12;
+    const std::string name = entry ? fmt::format("k_{}_{}", entry->first, entry->second) : column,
+                      loss = name + std::string(loss_ending);
+    if (column == loss && std::find(csv.columns.begin(), csv.columns.end(), name) != csv.columns.end())
+      continue;  // comes with its storage
+    const bool in_range =
+        entry && std::min(entry->first, entry->second) >= 1 && std::max(entry->first, entry->second) <= 12;
     if (!in_range) {
       reader.error("file", "column " + foundation::quoted(column), column_rule, "rename or remove it");
       continue;
     }
     const auto [i, j] = *entry;
     if (i > j && element.symmetric) {
-      reader.error("file", "column \"" + column + "\" below the diagonal", "of a symmetric element the upper triangle is given", fmt::format("give k_{}_{}, or set symmetric = false if it is meant", j, i));
+      reader.error("file", "column \"" + column + "\" below the diagonal",
+                   "of a symmetric element the upper triangle is given",
+                   fmt::format("give k_{}_{}, or set symmetric = false if it is meant", j, i));
       continue;
     }
     table.size = std::max(i, j) > 6 ? 12 : table.size;
@@ -120,15 +127,19 @@ void check_passive(TableReader& reader, const MatrixTable& table, const model::S
   const std::string finding = fmt::format("at {:.6g} Hz the scaled loss matrix has the eigenvalue {:.4g}", at, worst);
   const char* rule = "a passive element takes energy in every motion";
   foundation::Problems found;
-  if (worst < -noisy_loss) found.error("file", finding, rule, "check signs and phases of the loss columns, couplings above all");
-  else found.warning("file", finding, rule, "noise of the measurement may explain it; it can feed energy into some motion");
+  if (worst < -noisy_loss)
+    found.error("file", finding, rule, "check signs and phases of the loss columns, couplings above all");
+  else
+    found.warning("file", finding, rule,
+                  "noise of the measurement may explain it; it can feed energy into some motion");
   reader.add(found);
 }
 
 }  // namespace
 
 bool is_matrix_table(const CsvTable& csv) {
-  return std::any_of(csv.columns.begin(), csv.columns.end(), [](const std::string& column) { return entry_of(column).has_value(); });
+  return std::any_of(csv.columns.begin(), csv.columns.end(),
+                     [](const std::string& column) { return entry_of(column).has_value(); });
 }
 
 void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Span& span, model::Element& element) {
@@ -141,7 +152,9 @@ void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Sp
   dependence.from = table->knots.front();
   dependence.to = table->knots.back();
   dependence.knots = table->knots;
-  dependence.stiffness = [table = *table, span](std::complex<double> omega, double near) { return in_full(table.at(omega, near), span); };
+  dependence.stiffness = [table = *table, span](std::complex<double> omega, double near) {
+    return in_full(table.at(omega, near), span);
+  };
   element.facts.push_back(defined_range(dependence.from, dependence.to));
   element.law.frequency_dependence = std::move(dependence);
 }

@@ -11,8 +11,9 @@ namespace trivet::project {
 /// Has it a column that looks like an entry of a matrix?
 [[nodiscard]] bool is_matrix_table(const CsvTable& csv);
 
-/// Indices 1 … 6 are those of the moved end K with N held, 1 … 12 those of N, then K; an entry without columns is 0. Of a symmetric element
-/// the upper triangle is given. Each row must be passive: the loss matrix has no negative eigenvalue; linear interpolation keeps it so.
+/// Indices 1 … 6 are those of the moved end K with N held, 1 … 12 those of N, then K; an entry without columns is 0. Of
+/// a symmetric element the upper triangle is given. Each row must be passive: the loss matrix has no negative
+/// eigenvalue; linear interpolation keeps it so.
 void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Span& span, model::Element& element);
 
 }  // namespace trivet::project

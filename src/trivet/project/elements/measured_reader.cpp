@@ -18,7 +18,8 @@ namespace {
 using identification::LoadCase;
 using identification::StiffnessFit;
 
-constexpr std::array<const char*, 6> motions = {"x", "y", "z", "rx", "ry", "rz"}, loads = {"fx", "fy", "fz", "mx", "my", "mz"};
+constexpr std::array<const char*, 6> motions = {"x", "y", "z", "rx", "ry", "rz"},
+                                     loads = {"fx", "fy", "fz", "mx", "my", "mz"};
 
 /// Units of the columns: length [m], angle [rad], force [N]; moments in force × length.
 struct RigUnits {
@@ -28,12 +29,14 @@ struct RigUnits {
 void add_problems(TableReader& reader, const foundation::Problems& problems, const char* key) {
   for (foundation::Problem problem : problems.list()) {
     if (problem.origin.line == 0) problem.origin = reader.node(key)->origin;
-    problem.subject = reader.path() + "." + key + (problem.subject.empty() || problem.subject == key ? "" : " (" + problem.subject + ")");
+    problem.subject = reader.path() + "." + key +
+        (problem.subject.empty() || problem.subject == key ? "" : " (" + problem.subject + ")");
     reader.problems().add(std::move(problem));
   }
 }
 
-/// Columns x … rz and fx … mz of the moved end K; with the prefix "n_" those of end N, which is fixed and unmeasured without them.
+/// Columns x … rz and fx … mz of the moved end K; with the prefix "n_" those of end N, which is fixed and unmeasured
+/// without them.
 std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTable& table, const RigUnits& units) {
   const auto column = [&](const std::string& name) -> Eigen::Index {
     const auto found = std::find(table.columns.begin(), table.columns.end(), name);
@@ -58,40 +61,54 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
       if (load >= 0) one.wrench(j) = table.values(row, load) * units.force * (k < 3 ? 1 : units.length);
       if (row == 0) known.insert(known.end(), {end + motions[k], end + loads[k]});
     }
-    const double turn = std::max(one.displacement.segment<3>(3).cwiseAbs().maxCoeff(), one.displacement.tail<3>().cwiseAbs().maxCoeff());
-    const double shift = std::max(one.displacement.head<3>().cwiseAbs().maxCoeff(), one.displacement.segment<3>(6).cwiseAbs().maxCoeff());
+    const double turn = std::max(one.displacement.segment<3>(3).cwiseAbs().maxCoeff(),
+                                 one.displacement.tail<3>().cwiseAbs().maxCoeff());
+    const double shift = std::max(one.displacement.head<3>().cwiseAbs().maxCoeff(),
+                                  one.displacement.segment<3>(6).cwiseAbs().maxCoeff());
     largest_turn = std::isfinite(turn) ? std::max(largest_turn, turn) : largest_turn;
     largest_shift = std::isfinite(shift) ? std::max(largest_shift, shift) : largest_shift;
     cases.push_back(std::move(one));
   }
   for (const std::string& name : table.columns)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      reader.error("load_cases", "column " + foundation::quoted(name), "columns are name, x … rz, fx … mz of end K, and the same with n_ of end N", "rename or remove it");
+      reader.error("load_cases", "column " + foundation::quoted(name),
+                   "columns are name, x … rz, fx … mz of end K, and the same with n_ of end N", "rename or remove it");
   constexpr double largest_sane_turn = 0.2, largest_sane_shift = 0.1;
   foundation::Problems doubts;
   if (largest_turn > largest_sane_turn)
-    doubts.warning("load_cases", fmt::format("rotations up to {:.4g} rad", largest_turn), "a linear stiffness is measured at small rotations", "give angle_unit = \"1 deg\" if the columns are in degrees");
+    doubts.warning("load_cases", fmt::format("rotations up to {:.4g} rad", largest_turn),
+                   "a linear stiffness is measured at small rotations",
+                   "give angle_unit = \"1 deg\" if the columns are in degrees");
   if (largest_shift > largest_sane_shift)
-    doubts.warning("load_cases", fmt::format("displacements up to {:.4g} m", largest_shift), "a mount moves by millimetres on a rig", "give length_unit = \"1 mm\" if the columns are in millimetres");
+    doubts.warning("load_cases", fmt::format("displacements up to {:.4g} m", largest_shift),
+                   "a mount moves by millimetres on a rig",
+                   "give length_unit = \"1 mm\" if the columns are in millimetres");
   reader.add(doubts);
   return cases;
 }
 
 void add_facts(const StiffnessFit& fit, std::size_t cases, double confidence, model::Element& element) {
-  element.facts.push_back({"found from", fmt::format("{} load cases, {} readings, {:.4g} degrees of freedom", cases, fit.readings.size(), fit.degrees_of_freedom)});
+  element.facts.push_back({"found from",
+                           fmt::format("{} load cases, {} readings, {:.4g} degrees of freedom", cases,
+                                       fit.readings.size(), fit.degrees_of_freedom)});
   std::string noise;
   for (int j = 0; j < 12; ++j)
-    if (std::isfinite(fit.noise(j))) noise += fmt::format("{}{} {:.3g} {}", noise.empty() ? "" : ", ", identification::channel_words(j), fit.noise(j), j % 6 < 3 ? "N" : "N m");
+    if (std::isfinite(fit.noise(j)))
+      noise += fmt::format("{}{} {:.3g} {}", noise.empty() ? "" : ", ", identification::channel_words(j), fit.noise(j),
+                           j % 6 < 3 ? "N" : "N m");
   element.facts.push_back({"noise (standard deviation)", noise});
   element.facts.push_back({"outliers", fit.outliers.empty() ? "none" : fmt::format("{}", fit.outliers.size())});
-  if (fit.semidefinite) element.facts.push_back({"nearest semidefinite matrix", fmt::format("taken as asked, {:.3g} % away", 100 * fit.semidefinite->distance)});
+  if (fit.semidefinite)
+    element.facts.push_back({"nearest semidefinite matrix",
+                             fmt::format("taken as asked, {:.3g} % away", 100 * fit.semidefinite->distance)});
   element.evidence = model::Evidence{fit.half_width, fmt::format("{:.4g} % confidence", 100 * confidence), {}};
 }
 
 void read_measured(TableReader& reader, Placement& ends, model::Element& element) {
   const auto file = read_file_name(reader, "load_cases");
   identification::StiffnessFitOptions options;
-  if (reader.choice("unknowns", {"self_balanced", "full_symmetric"}) == "full_symmetric") options.unknowns = identification::Unknowns::full_symmetric;
+  if (reader.choice("unknowns", {"self_balanced", "full_symmetric"}) == "full_symmetric")
+    options.unknowns = identification::Unknowns::full_symmetric;
   options.confidence = reader.number("confidence", Quantity::pure).value_or(options.confidence);
   options.zero_offsets = reader.boolean("zero_offsets").value_or(false);
   options.nearest_semidefinite = reader.boolean("nearest_semidefinite").value_or(false);
@@ -99,8 +116,10 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
   units.length = reader.number("length_unit", Quantity::length).value_or(1);
   units.angle = reader.number("angle_unit", Quantity::angle).value_or(1);
   units.force = reader.number("force_unit", Quantity::force).value_or(1);
-  for (const auto& [key, unit] : {std::pair{"length_unit", units.length}, std::pair{"angle_unit", units.angle}, std::pair{"force_unit", units.force}})
-    if (!(unit > 0)) reader.error(key, fmt::format("{:.6g}", unit), "a unit is > 0", "write \"1 mm\", \"1 deg\", \"1 kN\"");
+  for (const auto& [key, unit] : {std::pair{"length_unit", units.length}, std::pair{"angle_unit", units.angle},
+                                  std::pair{"force_unit", units.force}})
+    if (!(unit > 0))
+      reader.error(key, fmt::format("{:.6g}", unit), "a unit is > 0", "write \"1 mm\", \"1 deg\", \"1 kN\"");
   if (!(options.confidence > 0 && options.confidence < 1)) {
     reader.error("confidence", fmt::format("{:.6g}", options.confidence), "it lies between 0 and 1", "0.95 is usual");
     return;
@@ -119,11 +138,16 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
     return;
   }
   add_problems(reader, fit->warnings, "load_cases");
-  element.law.nominal_stiffness = elements::in_end_axes(options.nearest_semidefinite && fit->semidefinite ? fit->semidefinite->stiffness : fit->stiffness, ends.span.n_from_k);
+  element.law.nominal_stiffness = elements::in_end_axes(
+      options.nearest_semidefinite && fit->semidefinite ? fit->semidefinite->stiffness : fit->stiffness,
+      ends.span.n_from_k);
   add_facts(*fit, cases->size(), options.confidence, element);
   for (const identification::Reading& reading : fit->readings) {
-    const bool outlier = std::any_of(fit->outliers.begin(), fit->outliers.end(), [&](const identification::Outlier& o) { return o.load_case == reading.load_case && o.channel == reading.channel; });
-    element.evidence->residuals.push_back({(*cases)[static_cast<std::size_t>(reading.load_case)].name + ", " + identification::channel_words(reading.channel),
+    const bool outlier = std::any_of(fit->outliers.begin(), fit->outliers.end(), [&](const identification::Outlier& o) {
+      return o.load_case == reading.load_case && o.channel == reading.channel;
+    });
+    element.evidence->residuals.push_back({(*cases)[static_cast<std::size_t>(reading.load_case)].name + ", " +
+                                               identification::channel_words(reading.channel),
                                            reading.measured, reading.fitted, reading.standardised, outlier});
   }
 }

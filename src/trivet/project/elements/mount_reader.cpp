@@ -14,7 +14,8 @@ int read_mesh_level(TableReader& reader) {
   constexpr int finest = 8;
   const auto level = reader.number("mesh_level", Quantity::pure);
   if (level && !(*level >= 1 && *level <= finest && *level == std::floor(*level))) {
-    reader.error("mesh_level", fmt::format("{:.6g}", *level), fmt::format("a whole number from 1 to {}; the elements grow as its cube", finest), "3 is the default");
+    reader.error("mesh_level", fmt::format("{:.6g}", *level),
+                 fmt::format("a whole number from 1 to {}; the elements grow as its cube", finest), "3 is the default");
     return fem::default_level;
   }
   return level ? static_cast<int>(*level) : fem::default_level;
@@ -23,11 +24,14 @@ int read_mesh_level(TableReader& reader) {
 std::string description(const fem::Shape& shape) {
   const auto layers = [](const std::vector<fem::Layer>& list) {
     std::string text;
-    for (const fem::Layer& layer : list) text += fmt::format(" {:.17g}/{}/{}", layer.thickness, layer.material, layer.metal);
+    for (const fem::Layer& layer : list)
+      text += fmt::format(" {:.17g}/{}/{}", layer.thickness, layer.material, layer.metal);
     return text;
   };
-  if (const auto* disc = std::get_if<fem::Disc>(&shape)) return fmt::format("disc {:.17g}{}", disc->diameter, layers(disc->layers));
-  if (const auto* block = std::get_if<fem::Block>(&shape)) return fmt::format("block {:.17g} {:.17g}{}", block->width, block->depth, layers(block->layers));
+  if (const auto* disc = std::get_if<fem::Disc>(&shape))
+    return fmt::format("disc {:.17g}{}", disc->diameter, layers(disc->layers));
+  if (const auto* block = std::get_if<fem::Block>(&shape))
+    return fmt::format("block {:.17g} {:.17g}{}", block->width, block->depth, layers(block->layers));
   const auto& bush = std::get<fem::Bush>(shape);
   return fmt::format("bush {:.17g} {:.17g} {:.17g}", bush.inner_diameter, bush.outer_diameter, bush.length);
 }
@@ -36,19 +40,26 @@ LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Eleme
   const std::size_t before = reader.errors();
   const int level = read_mesh_level(reader);
   if (const auto* disc = std::get_if<elements::RubberDisc>(&shape.formulas); disc && disc->hole_radius > 0)
-    reader.error("hole_diameter", "a disc with a hole", "the parametric mesh has none", "use closed formulas, or a STEP file");
+    reader.error("hole_diameter", "a disc with a hole", "the parametric mesh has none",
+                 "use closed formulas, or a STEP file");
   if (const auto* sandwich = std::get_if<elements::Sandwich>(&shape.formulas))
     if (const auto* disc = std::get_if<elements::RubberDisc>(&sandwich->layer); disc && disc->hole_radius > 0)
-      reader.error("hole_diameter", "a sandwich with a hole", "the parametric mesh has none", "use closed formulas, or a STEP file");
+      reader.error("hole_diameter", "a sandwich with a hole", "the parametric mesh has none",
+                   "use closed formulas, or a STEP file");
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
   if (reader.errors() > before) return std::nullopt;
-  const std::string key = solid_key(fmt::format("{} level {} {} {}", description(shape.solid), level, words(shape.materials[0]), words(shape.materials[1])));
-  const LengthOf moved = condensed(reader, key, [&] {
-    Solid solid{fem::mesh(shape.solid, level), std::nullopt, static_cast<double>(level) / (level - 1.0), shape.materials, fem::frame(shape.solid)};
-    if (level > 1) solid.coarse = fem::mesh(shape.solid, level - 1);
-    return solid;
-  }, compression, element);
+  const std::string key = solid_key(fmt::format("{} level {} {} {}", description(shape.solid), level,
+                                                words(shape.materials[0]), words(shape.materials[1])));
+  const LengthOf moved = condensed(
+      reader, key,
+      [&] {
+        Solid solid{fem::mesh(shape.solid, level), std::nullopt, static_cast<double>(level) / (level - 1.0),
+                    shape.materials, fem::frame(shape.solid)};
+        if (level > 1) solid.coarse = fem::mesh(shape.solid, level - 1);
+        return solid;
+      },
+      compression, element);
   return moved ? moved : LengthOf(shape.length);
 }
 
@@ -58,7 +69,8 @@ foundation::Problems findings_of(const RubberShape& shape, bool by_elements) {
   const foundation::Problems all = check(shape);
   const auto* bush = std::get_if<elements::RubberBush>(&shape.formulas);
   for (const foundation::Problem& problem : all.list()) {
-    const bool of_formulas = problem.severity == foundation::Severity::warning || (bush && bush->length > 0 && problem.subject == "length");
+    const bool of_formulas =
+        problem.severity == foundation::Severity::warning || (bush && bush->length > 0 && problem.subject == "length");
     if (!by_elements || !of_formulas) result.add(problem);
   }
   return result;
@@ -70,7 +82,9 @@ LengthOf read_rubber_mount(TableReader& reader, const std::string& kind, model::
   auto shape = read_rubber_shape(reader, kind);
   if (!by_elements)
     for (const char* key : {"mesh_level", "mooney_rivlin", "yeoh", "preload"}) {
-      if (reader.has(key)) reader.error(key, std::string(key) + " with closed formulas", "it belongs to finite elements", "add method = \"finite_elements\", or remove it");
+      if (reader.has(key))
+        reader.error(key, std::string(key) + " with closed formulas", "it belongs to finite elements",
+                     "add method = \"finite_elements\", or remove it");
     }
   if (!shape) return std::nullopt;
   const foundation::Problems findings = findings_of(*shape, by_elements);
@@ -79,27 +93,44 @@ LengthOf read_rubber_mount(TableReader& reader, const std::string& kind, model::
   if (by_elements) return shape_by_elements(reader, *shape, element);
   element.law.nominal_stiffness = stiffness_by_formulas(*shape);
   const bool textbook = reader.has("formulas") && reader.text("formulas") == "textbook";
-  element.facts.push_back({"found by", textbook ? "textbook formulas of bonded rubber; 3 to 40 % from finite elements, see docs/elements/rubber.md"
-                                                : "closed formulas of bonded rubber, mostly within 5 % of finite elements"});
-  element.facts.push_back({"shear modulus", fmt::format("{:.6g} Pa at rest; compounds of one hardness scatter by 20 %", 2 * shape->materials[0].c10)});
+  element.facts.push_back(
+      {"found by",
+       textbook ? "textbook formulas of bonded rubber; 3 to 40 % from finite elements, see docs/elements/rubber.md"
+                : "closed formulas of bonded rubber, mostly within 5 % of finite elements"});
+  element.facts.push_back(
+      {"shear modulus",
+       fmt::format("{:.6g} Pa at rest; compounds of one hardness scatter by 20 %", 2 * shape->materials[0].c10)});
   return shape->length;
 }
 
 /// Which keys belong here is not known without a shape.
 void know_all_keys(TableReader& reader) {
-  reader.also_known({"step", "shape", "mesh_size", "rim_size", "rim_distance", "plate_n", "plate_k", "step_axis", "materials", "material", "mesh_level", "mooney_rivlin", "yeoh",
-                     "preload", "diameter", "hole_diameter", "thickness", "formulas", "width_x", "width_y", "layers", "plate_thickness", "inner_diameter", "outer_diameter", "length"});
+  reader.also_known({"step",          "shape",           "mesh_size",      "rim_size",       "rim_distance",
+                     "plate_n",       "plate_k",         "step_axis",      "materials",      "material",
+                     "mesh_level",    "mooney_rivlin",   "yeoh",           "preload",        "diameter",
+                     "hole_diameter", "thickness",       "formulas",       "width_x",        "width_y",
+                     "layers",        "plate_thickness", "inner_diameter", "outer_diameter", "length"});
 }
 
-LengthOf read_rubber_disc(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "disc", element); }
-LengthOf read_rubber_block(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "block", element); }
-LengthOf read_rubber_bush(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "bush", element); }
-LengthOf read_sandwich(TableReader& reader, model::Element& element) { return read_rubber_mount(reader, "sandwich", element); }
+LengthOf read_rubber_disc(TableReader& reader, model::Element& element) {
+  return read_rubber_mount(reader, "disc", element);
+}
+LengthOf read_rubber_block(TableReader& reader, model::Element& element) {
+  return read_rubber_mount(reader, "block", element);
+}
+LengthOf read_rubber_bush(TableReader& reader, model::Element& element) {
+  return read_rubber_mount(reader, "bush", element);
+}
+LengthOf read_sandwich(TableReader& reader, model::Element& element) {
+  return read_rubber_mount(reader, "sandwich", element);
+}
 
 LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
   if (reader.has("step") == reader.has("shape")) {
-    reader.error(reader.has("step") ? "shape" : "step", reader.has("step") ? "step and shape" : "neither step nor shape",
-                 "a solid_mount is made from a STEP file or from a shape", "give step = \"mount.step\", or shape = \"disc\", \"block\", \"bush\" or \"sandwich\" with its dimensions");
+    reader.error(
+        reader.has("step") ? "shape" : "step", reader.has("step") ? "step and shape" : "neither step nor shape",
+        "a solid_mount is made from a STEP file or from a shape",
+        "give step = \"mount.step\", or shape = \"disc\", \"block\", \"bush\" or \"sandwich\" with its dimensions");
     know_all_keys(reader);
     return std::nullopt;
   }
@@ -121,15 +152,18 @@ LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
 }  // namespace
 
 const ElementLaw rubber_disc_law = {
-    .type = "rubber_disc", .sized = read_rubber_disc,
+    .type = "rubber_disc",
+    .sized = read_rubber_disc,
     .keys = R"json({"with": ["disc", "layer", "rubber", "method", "large_strain"]})json",
 };
 const ElementLaw rubber_block_law = {
-    .type = "rubber_block", .sized = read_rubber_block,
+    .type = "rubber_block",
+    .sized = read_rubber_block,
     .keys = R"json({"with": ["block", "layer", "rubber", "method", "large_strain"]})json",
 };
 const ElementLaw rubber_bush_law = {
-    .type = "rubber_bush", .sized = read_rubber_bush,
+    .type = "rubber_bush",
+    .sized = read_rubber_bush,
     .keys = R"json({"with": ["bush", "rubber", "method", "large_strain"]})json",
 };
 

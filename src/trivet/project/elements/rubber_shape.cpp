@@ -27,7 +27,8 @@ elements::RubberBlock read_block(TableReader& reader) {
 }
 
 LayerFormulas read_formulas(TableReader& reader) {
-  return reader.choice("formulas", {"measured", "textbook"}) == "textbook" ? LayerFormulas::textbook : LayerFormulas::measured;
+  return reader.choice("formulas", {"measured", "textbook"}) == "textbook" ? LayerFormulas::textbook
+                                                                           : LayerFormulas::measured;
 }
 
 /// Metal plates are rigid beside rubber: 70 GPa and up make no difference to the twelfth digit of what follows.
@@ -47,7 +48,8 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
     shape.solid = fem::Bush{2 * bush.inner_radius, 2 * bush.outer_radius, bush.length, 0};
   } else {
     // A sandwich has the outline of a block if it has widths, of a disc otherwise.
-    const bool rectangular = kind == "block" || (kind == "sandwich" && (reader.has("width_x") || reader.has("width_y")));
+    const bool rectangular =
+        kind == "block" || (kind == "sandwich" && (reader.has("width_x") || reader.has("width_y")));
     const double thickness = reader.required_number("thickness", Quantity::length);
     std::vector<fem::Layer> layers = {{thickness, 0, false}};
     shape.length = thickness;
@@ -55,7 +57,8 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
     if (kind == "sandwich") {
       const double count = reader.required_number("layers", Quantity::pure);
       if (reader.has("layers") && reader.errors() == before && count != std::floor(count))
-        reader.error("layers", fmt::format("{:.6g}", count), "rubber layers are counted in whole numbers", "give the number of rubber layers");
+        reader.error("layers", fmt::format("{:.6g}", count), "rubber layers are counted in whole numbers",
+                     "give the number of rubber layers");
       sandwich.layers = count >= 1 && count <= 1000 && count == std::floor(count) ? static_cast<int>(count) : 0;
       sandwich.plate_thickness = reader.required_number("plate_thickness", Quantity::length);
       if (sandwich.layers > 0) layers = fem::sandwich_layers(sandwich.layers, thickness, sandwich.plate_thickness);
@@ -80,23 +83,32 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
     if (kind == "sandwich") shape.formulas = sandwich;
   }
   const auto rubber = read_rubber(reader);
-  if (rubber) std::visit(
-      [&](auto& law) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(law)>, elements::Sandwich>) std::visit([&](auto& layer) { layer.rubber = *rubber; }, law.layer);
-        else law.rubber = *rubber;
-      },
-      shape.formulas);
+  if (rubber)
+    std::visit(
+        [&](auto& law) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(law)>, elements::Sandwich>)
+            std::visit([&](auto& layer) { layer.rubber = *rubber; }, law.layer);
+          else law.rubber = *rubber;
+        },
+        shape.formulas);
   if (reader.errors() > before) {
     reader.add(check(shape), shape_keys());  // of what could be read
     return std::nullopt;
   }
-  shape.materials = {fem::Material{.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus}, plate_metal()};
+  shape.materials = {fem::Material{.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus},
+                     plate_metal()};
   return shape;
 }
 
 const TableReader::Names& shape_keys() {
-  static const TableReader::Names names = {{"radius", "diameter"}, {"hole_radius", "hole_diameter"}, {"inner_radius", "inner_diameter"}, {"outer_radius", "outer_diameter"},
-                                           {"width_1", "width_x"}, {"width_2", "width_y"},           {"shear_modulus", "material"},       {"bulk_modulus", "material"}};
+  static const TableReader::Names names = {{"radius", "diameter"},
+                                           {"hole_radius", "hole_diameter"},
+                                           {"inner_radius", "inner_diameter"},
+                                           {"outer_radius", "outer_diameter"},
+                                           {"width_1", "width_x"},
+                                           {"width_2", "width_y"},
+                                           {"shear_modulus", "material"},
+                                           {"bulk_modulus", "material"}};
   return names;
 }
 

@@ -16,8 +16,8 @@ namespace trivet::project {
 struct RubberShape {
   std::variant<elements::RubberDisc, elements::RubberBlock, elements::RubberBush, elements::Sandwich> formulas;
   fem::Shape solid;
-  std::vector<fem::Material> materials;   ///< rubber, then the metal of a sandwich's plates
-  double length = 0;                      ///< from N to K [m]
+  std::vector<fem::Material> materials;  ///< rubber, then the metal of a sandwich's plates
+  double length = 0;                     ///< from N to K [m]
 };
 
 /// Dimensions and material of `kind` ("disc", "block", "bush", "sandwich"); nothing after reporting what is wrong.

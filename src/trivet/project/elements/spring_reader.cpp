@@ -26,26 +26,30 @@ constexpr int default_internal_modes = 6, most_internal_modes = 60;
 void read_wire(TableReader& reader, CoilSpring& spring) {
   const bool rectangular = reader.has("wire_width") || reader.has("wire_height");
   if (rectangular && reader.has("wire_diameter"))
-    reader.error("wire_diameter", "a diameter and a width or height", "a wire is round or rectangular", "keep wire_diameter, or wire_width (radial) and wire_height (axial)");
+    reader.error("wire_diameter", "a diameter and a width or height", "a wire is round or rectangular",
+                 "keep wire_diameter, or wire_width (radial) and wire_height (axial)");
   if (rectangular)
-    spring.wire = elements::RectangularWire{reader.required_number("wire_width", Quantity::length), reader.required_number("wire_height", Quantity::length)};
-  else
-    spring.wire = elements::RoundWire{reader.required_number("wire_diameter", Quantity::length)};
+    spring.wire = elements::RectangularWire{reader.required_number("wire_width", Quantity::length),
+                                            reader.required_number("wire_height", Quantity::length)};
+  else spring.wire = elements::RoundWire{reader.required_number("wire_diameter", Quantity::length)};
   static_cast<void>(reader.node("wire_diameter"));
 }
 
 /// Free length of the active coils, or their pitch.
 void read_length(TableReader& reader, CoilSpring& spring) {
   if (reader.has("free_length") == reader.has("pitch"))
-    reader.error(reader.has("pitch") ? "pitch" : "free_length", reader.has("pitch") ? "free_length and pitch" : "missing",
+    reader.error(reader.has("pitch") ? "pitch" : "free_length",
+                 reader.has("pitch") ? "free_length and pitch" : "missing",
                  "the length of the active coils follows from one of free_length, pitch", "give one of them");
   if (const auto length = reader.number("free_length", Quantity::length)) spring.active_length = *length;
-  if (const auto pitch = reader.number("pitch", Quantity::length)) spring.active_length = *pitch * (spring.active_coils > 0 ? spring.active_coils : 1);
+  if (const auto pitch = reader.number("pitch", Quantity::length))
+    spring.active_length = *pitch * (spring.active_coils > 0 ? spring.active_coils : 1);
 }
 
 /// One value for both ends, or [N, K].
 template <typename Value, typename Read>
-std::array<Value, 2> both_ends(const std::optional<std::vector<Value>>& list, const Value& otherwise, const Read& wrong) {
+std::array<Value, 2> both_ends(const std::optional<std::vector<Value>>& list, const Value& otherwise,
+                               const Read& wrong) {
   if (!list) return {otherwise, otherwise};
   if (list->size() == 1) return {(*list)[0], (*list)[0]};
   if (list->size() == 2) return {(*list)[0], (*list)[1]};
@@ -54,7 +58,12 @@ std::array<Value, 2> both_ends(const std::optional<std::vector<Value>>& list, co
 }
 
 void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
-  const auto wrong = [&](const char* key) { return [&reader, key] { reader.error(key, "not one and not two values", "one value holds for both ends, two are those of N and K", "give one or two"); }; };
+  const auto wrong = [&](const char* key) {
+    return [&reader, key] {
+      reader.error(key, "not one and not two values", "one value holds for both ends, two are those of N and K",
+                   "give one or two");
+    };
+  };
   const Node* dead = reader.node("dead_coils");
   std::optional<std::vector<double>> coils;
   if (dead && dead->kind == Node::Kind::array) coils = reader.numbers("dead_coils", Quantity::pure);
@@ -70,7 +79,8 @@ void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
   const auto ends = both_ends<std::string>(words, "clamped", wrong("ends"));
   for (const std::string& word : ends)
     if (word != "clamped" && word != "pivoted")
-      reader.error("ends", "\"" + word + "\"", "a seat is \"clamped\" or \"pivoted\" (no moment about the lateral axes)", "choose one of them");
+      reader.error("ends", "\"" + word + "\"",
+                   "a seat is \"clamped\" or \"pivoted\" (no moment about the lateral axes)", "choose one of them");
   spring.seat_n = ends[0] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
   spring.seat_k = ends[1] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
 }
@@ -86,27 +96,33 @@ void add_facts(const CoilSpring& spring, double distance, model::Element& elemen
 }
 
 /// Mass and frequency dependence of the spring in the state that `coil` describes; none without a density.
-void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& seated, const std::string& level, model::Element& element) {
+void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& seated, const std::string& level,
+                model::Element& element) {
   if (seated) {
     element.massless_up_to = elements::natural_frequencies(*seated, elements::SeatsHeld::both, 1).front();
     element.facts.push_back({"first own natural frequency, both seats held", hertz(element.massless_up_to)});
   }
   const auto modes = reader.number("internal_modes", Quantity::pure);
   if (modes && level == "quasi_static")
-    reader.error("internal_modes", "internal_modes without mass", "a quasi_static spring has none", "set level = \"with_mass\" or \"exact\", or remove it");
+    reader.error("internal_modes", "internal_modes without mass", "a quasi_static spring has none",
+                 "set level = \"with_mass\" or \"exact\", or remove it");
   if (modes && !(*modes >= 0 && *modes <= most_internal_modes && *modes == std::floor(*modes))) {
-    reader.error("internal_modes", fmt::format("{:.6g}", *modes), fmt::format("a whole number from 0 to {}", most_internal_modes), "four to ten are usual");
+    reader.error("internal_modes", fmt::format("{:.6g}", *modes),
+                 fmt::format("a whole number from 0 to {}", most_internal_modes), "four to ten are usual");
     return;
   }
   if (level == "quasi_static" || !seated) return;
   const elements::SeatedCoil& coil = *seated;
   const elements::ReducedCoil own = elements::reduced(coil, modes ? static_cast<int>(*modes) : default_internal_modes);
   element.law.inertia = elements::Inertia{own.mass, own.coupling, own.natural_frequencies};
-  const Eigen::Matrix<double, 12, 1> along = (Eigen::Matrix<double, 12, 1>() << 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0).finished();
+  const Eigen::Matrix<double, 12, 1> along =
+      (Eigen::Matrix<double, 12, 1>() << 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0).finished();
   element.facts.push_back({"own mass", fmt::format("{:.6g} kg", along.dot(own.mass * along))});
   if (level == "exact") {
     element.law.frequency_dependence = elements::FrequencyDependence{};
-    element.law.frequency_dependence->stiffness = [coil](std::complex<double> omega, double) { return elements::dynamic_stiffness(coil, omega); };
+    element.law.frequency_dependence->stiffness = [coil](std::complex<double> omega, double) {
+      return elements::dynamic_stiffness(coil, omega);
+    };
   }
   element.massless_up_to = std::numeric_limits<double>::infinity();
 }
@@ -119,11 +135,14 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
   TableReader preload(*reader.table("preload"), reader.path() + ".preload", reader.problems());
   const char* key = asked->is_force ? "force" : "compression";
   if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
-    reader.error("ends", "\"pivoted\" with a preload", "a pivot cannot hold the moment by which a compressed spring keeps itself from turning", "clamp both seats, or leave the preload out");
+    reader.error("ends", "\"pivoted\" with a preload",
+                 "a pivot cannot hold the moment by which a compressed spring keeps itself from turning",
+                 "clamp both seats, or leave the preload out");
     return std::nullopt;
   }
   try {
-    const elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value) : elements::compressed_by(spring, asked->value);
+    const elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value)
+                                                           : elements::compressed_by(spring, asked->value);
     foundation::Problems findings = elements::check_compression(spring, state.compression);
     for (foundation::Problem& problem : findings.list()) problem.subject = key;
     preload.add(findings);
@@ -132,20 +151,28 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
   } catch (const foundation::InvalidInput& reason) {
     preload.error(key, reason.what(), "the compressed spring must exist", "lower the preload");
   } catch (const foundation::NotComputable& reason) {
-    preload.error(key, reason.what(), "the loaded spring must be in equilibrium", "lower the preload, and check its sign and unit");
+    preload.error(key, reason.what(), "the loaded spring must be in equilibrium",
+                  "lower the preload, and check its sign and unit");
   }
   return std::nullopt;
 }
 
 void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil& state, model::Element& element) {
-  element.facts.push_back({"preload", fmt::format("{:.6g} N, compressed by {:.6g} m", state.axial_force, state.compression)});
+  element.facts.push_back(
+      {"preload", fmt::format("{:.6g} N, compressed by {:.6g} m", state.axial_force, state.compression)});
   const auto limit = elements::buckling(spring, elements::SeatsHeld::both);
-  element.facts.push_back({"buckles between parallel seats", limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression) : "not before its coils touch"});
+  element.facts.push_back({"buckles between parallel seats",
+                           limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression)
+                                 : "not before its coils touch"});
   const auto standard = elements::standard_buckling(spring);
-  element.facts.push_back({"the same by EN 13906-1, which smears the coils out", standard ? fmt::format("at {:.6g} m", *standard) : "not before its coils touch"});
+  element.facts.push_back({"the same by EN 13906-1, which smears the coils out",
+                           standard ? fmt::format("at {:.6g} m", *standard) : "not before its coils touch"});
   const bool round = std::holds_alternative<elements::RoundWire>(spring.wire);
-  const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force) : elements::nominal_shear_stress(spring, state.axial_force);
-  element.facts.push_back({round ? "shear stress of the wire, Wahl's factor included" : "nominal shear stress of the wire", fmt::format("{:.6g} MPa", 1e-6 * stress)});
+  const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force)
+                              : elements::nominal_shear_stress(spring, state.axial_force);
+  element.facts.push_back(
+      {round ? "shear stress of the wire, Wahl's factor included" : "nominal shear stress of the wire",
+       fmt::format("{:.6g} MPa", 1e-6 * stress)});
 }
 
 LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
@@ -166,11 +193,16 @@ LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
     spring.shear_modulus = metal->shear_modulus;
     spring.density = metal->density;
     if (level != "quasi_static" && std::isnan(metal->density))
-      reader.error("material", "no density", "a spring with mass needs one", "add density, or level = \"quasi_static\"");
+      reader.error("material", "no density", "a spring with mass needs one",
+                   "add density, or level = \"quasi_static\"");
   }
   reader.add(elements::check(spring, level != "quasi_static"),
-             {{"active_length", reader.has("pitch") ? "pitch" : "free_length"}, {"youngs_modulus", "material"}, {"shear_modulus", "material"},
-              {"density", "material"}, {"dead_coils_n", "dead_coils"}, {"dead_coils_k", "dead_coils"}});
+             {{"active_length", reader.has("pitch") ? "pitch" : "free_length"},
+              {"youngs_modulus", "material"},
+              {"shear_modulus", "material"},
+              {"density", "material"},
+              {"dead_coils_n", "dead_coils"},
+              {"dead_coils_k", "dead_coils"}});
   if (reader.errors() > before) return std::nullopt;
   element.law.nominal_stiffness = elements::stiffness(spring);
   double distance = elements::seat_distance(spring);

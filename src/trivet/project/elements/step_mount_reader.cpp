@@ -30,11 +30,15 @@ std::optional<fem::FaceSelection> read_plate(TableReader& reader, const std::str
     fem::FacesByNumber numbers;
     for (const double face : *faces) {
       if (face >= 1 && face < 1e9 && face == std::floor(face)) numbers.numbers.push_back(static_cast<int>(face));
-      else plate.error("faces", fmt::format("{:.6g}", face), "faces are numbered from 1 in the order of the file", "give whole numbers");
+      else
+        plate.error("faces", fmt::format("{:.6g}", face), "faces are numbered from 1 in the order of the file",
+                    "give whole numbers");
     }
     selection = numbers;
   } else if (const auto diameter = plate.number("cylinder", Quantity::length)) {
-    if (!(*diameter > 0)) plate.error("cylinder", fmt::format("{:.6g} m", *diameter), "the diameter of a cylinder is > 0", "mend the value or its unit");
+    if (!(*diameter > 0))
+      plate.error("cylinder", fmt::format("{:.6g} m", *diameter), "the diameter of a cylinder is > 0",
+                  "mend the value or its unit");
     fem::FacesOnCylinder cylinder{*diameter / 2};
     cylinder.point = plate.vector("point", Quantity::length).value_or(Eigen::Vector3d::Zero());
     cylinder.axis = plate.direction("axis").value_or(Eigen::Vector3d::UnitZ());
@@ -44,7 +48,10 @@ std::optional<fem::FaceSelection> read_plate(TableReader& reader, const std::str
     if (low && high) selection = fem::FacesInBox{*low, *high};
     else plate.error("low", "one corner", "a box of faces has two corners", "give low and high");
   } else {
-    reader.error(key, "no selection", "faces are chosen by a direction (\"-z\": the furthest plane face), {faces}, {cylinder}, or {low, high}", "give one of them");
+    reader.error(
+        key, "no selection",
+        "faces are chosen by a direction (\"-z\": the furthest plane face), {faces}, {cylinder}, or {low, high}",
+        "give one of them");
   }
   plate.finish();
   return selection;
@@ -62,9 +69,13 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
   }
   std::vector<fem::Material> materials;
   for (const char* key : {"material", "mooney_rivlin", "yeoh"})
-    if (reader.node(key)) reader.error(key, std::string(key) + " beside materials", "materials holds all there is about them", "remove one of the two");
+    if (reader.node(key))
+      reader.error(key, std::string(key) + " beside materials", "materials holds all there is about them",
+                   "remove one of the two");
   if (list->kind != Node::Kind::array || list->items.empty()) {
-    reader.error("materials", list->kind == Node::Kind::array ? "an empty list" : words(list->kind), "it is a list, one material per solid of the file", "write materials = [{G = \"0.7 MPa\"}, \"steel\"]");
+    reader.error("materials", list->kind == Node::Kind::array ? "an empty list" : words(list->kind),
+                 "it is a list, one material per solid of the file",
+                 "write materials = [{G = \"0.7 MPa\"}, \"steel\"]");
     return {};
   }
   for (std::size_t i = 0; i < list->items.size(); ++i) {
@@ -74,10 +85,13 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
     one.origin = list->items[i].origin;
     TableReader single(one, fmt::format("{}.materials[{}]", reader.path(), i), reader.problems());
     if (list->items[i].kind == Node::Kind::text) {
-      if (const auto metal = read_metal(single)) materials.push_back(fem::linear_elastic(metal->young_modulus, metal->young_modulus / (2 * metal->shear_modulus) - 1));
+      if (const auto metal = read_metal(single))
+        materials.push_back(
+            fem::linear_elastic(metal->young_modulus, metal->young_modulus / (2 * metal->shear_modulus) - 1));
     } else if (const auto rubber = read_rubber(single)) {
       if (list->items[i].find("stiffening"))
-        reader.error("materials", "stiffening of one material among several", "it applies to the mount as a whole", "multiply G of this material by it, or leave it out");
+        reader.error("materials", "stiffening of one material among several", "it applies to the mount as a whole",
+                     "multiply G of this material by it, or leave it out");
       materials.push_back({.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus});
       single.add(fem::check(materials.back()), {{"shear_modulus", "material"}, {"bulk_modulus", "material"}});
     }
@@ -93,7 +107,9 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   fem::StepMeshOptions options;
   const std::size_t before_size = reader.errors();
   options.size = reader.required_number("mesh_size", Quantity::length);
-  if (reader.errors() == before_size && !(options.size > 0)) reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0", "mend the value or its unit");
+  if (reader.errors() == before_size && !(options.size > 0))
+    reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0",
+                 "mend the value or its unit");
   options.rim_size = reader.number("rim_size", Quantity::length).value_or(0);
   options.rim_distance = reader.number("rim_distance", Quantity::length).value_or(0);
   if (const auto plate = read_plate(reader, "plate_n")) options.plate_n = *plate;
@@ -102,7 +118,8 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   const std::vector<fem::Material> materials = read_solid_materials(reader);
   const auto compression = read_compression(reader);
   if (reader.errors() > before) return std::nullopt;
-  std::string words_of_all = fmt::format("step {:.17g} {:.17g} {:.17g}", options.size, options.rim_size, options.rim_distance);
+  std::string words_of_all =
+      fmt::format("step {:.17g} {:.17g} {:.17g}", options.size, options.rim_size, options.rim_distance);
   for (const fem::Material& material : materials) words_of_all += " " + words(material);
   for (const char* key : {"plate_n", "plate_k", "step_axis"})
     if (const Node* node = reader.node(key)) words_of_all += fmt::format(" {} {}", key, canonical(*node));
@@ -115,16 +132,23 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
       throw foundation::InvalidInput("the STEP file gives no mesh");
     }
     if (materials.size() != 1 && materials.size() != static_cast<std::size_t>(meshed->solids)) {
-      reader.error("materials", fmt::format("{} materials", materials.size()), fmt::format("the file holds {} solids", meshed->solids), "give one for all, or one per solid in the order of the file");
+      reader.error("materials", fmt::format("{} materials", materials.size()),
+                   fmt::format("the file holds {} solids", meshed->solids),
+                   "give one for all, or one per solid in the order of the file");
       throw foundation::InvalidInput("materials and solids differ in number");
     }
-    Solid solid{std::move(meshed->mesh), std::nullopt, 1, materials, {meshed->centre_n, meshed->centre_k, spatial::axes_along(axis)}};
+    Solid solid{std::move(meshed->mesh),
+                std::nullopt,
+                1,
+                materials,
+                {meshed->centre_n, meshed->centre_k, spatial::axes_along(axis)}};
     if (materials.size() == 1) std::fill(solid.mesh.material.begin(), solid.mesh.material.end(), 0);
     const Eigen::Vector3d across = meshed->centre_k - meshed->centre_n;
     distance = axis.dot(across);
     const double aside = (across - *distance * axis).norm();
     if (aside > 1e-6 * std::abs(*distance) && aside > 1e-9)
-      throw foundation::InvalidInput(fmt::format("the centres of plates N and K lie {:.6g} m aside of each other across step_axis", aside));
+      throw foundation::InvalidInput(
+          fmt::format("the centres of plates N and K lie {:.6g} m aside of each other across step_axis", aside));
     keep_numbers(key + "-length", {*distance});
     return solid;
   };
@@ -135,7 +159,9 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   try {
     if (!distance) static_cast<void>(make());  // only the stiffness was remembered
   } catch (const foundation::InvalidInput& reason) {
-    if (reader.errors() == before) reader.error("step", reason.what(), "the distance of its plates follows from its mesh", "mend the solid, its plates or its mesh");
+    if (reader.errors() == before)
+      reader.error("step", reason.what(), "the distance of its plates follows from its mesh",
+                   "mend the solid, its plates or its mesh");
   }
   return distance;
 }

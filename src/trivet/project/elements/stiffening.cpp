@@ -12,12 +12,15 @@ LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element
   if (!length || !given || given->number == 1) return length;
   const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions({0, 0, *length}, Eigen::Matrix3d::Identity());
   const elements::Matrix6 metric = rigid.transpose() * rigid;
-  const elements::Matrix12 deformation = elements::Matrix12::Identity() - rigid * numerics::inverse(metric) * rigid.transpose();
+  const elements::Matrix12 deformation =
+      elements::Matrix12::Identity() - rigid * numerics::inverse(metric) * rigid.transpose();
   const elements::Matrix12 at_rest = element.law.nominal_stiffness;
   element.law.nominal_stiffness += (given->number - 1) * deformation.transpose() * at_rest * deformation;
   if (element.evidence) element.evidence->uncertainty *= given->number;
   element.stiffening = given->number;
-  element.facts.push_back({"stiffening", fmt::format("in vibration {:.4g} times as stiff as at rest; the 12×12 is that of vibration", given->number)});
+  element.facts.push_back(
+      {"stiffening",
+       fmt::format("in vibration {:.4g} times as stiff as at rest; the 12×12 is that of vibration", given->number)});
   return length;
 }
 

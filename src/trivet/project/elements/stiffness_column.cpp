@@ -10,7 +10,8 @@
 
 namespace trivet::project {
 
-std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name, const Eigen::MatrixXd& values,
+std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name,
+                                                      const Eigen::MatrixXd& values,
                                                       elements::Interpolation interpolation, bool coupling) {
   elements::StiffnessTable table;
   table.storage = values.col(1);
@@ -27,16 +28,19 @@ std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const
   return table;
 }
 
-void judge_causality(TableReader& reader, const std::string& name, const elements::StiffnessTable& table, model::Element& element) {
+void judge_causality(TableReader& reader, const std::string& name, const elements::StiffnessTable& table,
+                     model::Element& element) {
   identification::DynamicStiffnessTable data;
   std::vector<double> positive;
   std::vector<std::complex<double>> stiffness;
   for (std::size_t i = 0; i < table.angular_frequencies.size(); ++i)
     if (table.angular_frequencies[i] > 0) {
       positive.push_back(table.angular_frequencies[i]);
-      stiffness.emplace_back(table.storage(static_cast<Eigen::Index>(i), 0), table.loss(static_cast<Eigen::Index>(i), 0));
+      stiffness.emplace_back(table.storage(static_cast<Eigen::Index>(i), 0),
+                             table.loss(static_cast<Eigen::Index>(i), 0));
     }
-  data.angular_frequency = Eigen::Map<const Eigen::VectorXd>(positive.data(), static_cast<Eigen::Index>(positive.size()));
+  data.angular_frequency =
+      Eigen::Map<const Eigen::VectorXd>(positive.data(), static_cast<Eigen::Index>(positive.size()));
   data.stiffness = Eigen::Map<const Eigen::VectorXcd>(stiffness.data(), static_cast<Eigen::Index>(stiffness.size()));
   const auto check = identification::causality(data);
   if (!check) {
@@ -51,8 +55,10 @@ void judge_causality(TableReader& reader, const std::string& name, const element
   element.facts.push_back({"causality of " + name, check->verdict});
   if (check->passes) return;
   foundation::Problems doubtful;
-  doubtful.warning("file", fmt::format("{}: {:.3g} % from the nearest passive, causal stiffness", name, 100 * check->relative_rms),
-                   "storage and loss of a real element belong together (Kramers and Kronig)", identification::remedy(check->kind) + ": " + check->verdict);
+  doubtful.warning(
+      "file", fmt::format("{}: {:.3g} % from the nearest passive, causal stiffness", name, 100 * check->relative_rms),
+      "storage and loss of a real element belong together (Kramers and Kronig)",
+      identification::remedy(check->kind) + ": " + check->verdict);
   reader.add(doubtful);
 }
 

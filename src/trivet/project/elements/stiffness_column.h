@@ -12,12 +12,16 @@
 /// One stiffness over frequency out of the columns of a file.
 namespace trivet::project {
 
-/// Columns frequency [Hz], storage, loss. What is wrong with them goes to the key `file`; a negative loss is only that of a coupling.
-[[nodiscard]] std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name, const Eigen::MatrixXd& values,
-                                                                    elements::Interpolation interpolation, bool coupling = false);
+/// Columns frequency [Hz], storage, loss. What is wrong with them goes to the key `file`; a negative loss is only that
+/// of a coupling.
+[[nodiscard]] std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name,
+                                                                    const Eigen::MatrixXd& values,
+                                                                    elements::Interpolation interpolation,
+                                                                    bool coupling = false);
 
 /// Do storage and loss belong together? The verdict becomes a fact of the element, a doubtful one a warning too.
-void judge_causality(TableReader& reader, const std::string& name, const elements::StiffnessTable& table, model::Element& element);
+void judge_causality(TableReader& reader, const std::string& name, const elements::StiffnessTable& table,
+                     model::Element& element);
 
 /// [rad/s] in words.
 [[nodiscard]] model::Fact defined_range(double from, double to);

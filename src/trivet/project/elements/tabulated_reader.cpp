@@ -24,11 +24,15 @@ constexpr std::array<const char*, 6> directions = {"x", "y", "z", "rx", "ry", "r
 void read_tabulated(TableReader& reader, Placement& ends, model::Element& element) {
   const std::size_t before = reader.errors();
   const double centre = reader.number("center", Quantity::pure).value_or(0.5);
-  const auto interpolation = reader.choice("interpolation", {"monotone_cubic", "linear"}) == "linear" ? elements::Interpolation::linear : elements::Interpolation::monotone_cubic;
+  const auto interpolation = reader.choice("interpolation", {"monotone_cubic", "linear"}) == "linear"
+      ? elements::Interpolation::linear
+      : elements::Interpolation::monotone_cubic;
   const auto file = read_file_name(reader, "file");
   if (reader.has("damping")) reader.error("damping", "damping beside a table", "its table holds the loss", "remove it");
   static_cast<void>(reader.node("damping"));
-  if (!(centre >= 0 && centre <= 1)) reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)", "give a fraction of the length");
+  if (!(centre >= 0 && centre <= 1))
+    reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)",
+                 "give a fraction of the length");
   if (!file) return;
   const auto csv = read_csv_table(*file, most_rows_over_frequency);
   if (!csv) {
@@ -37,7 +41,9 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
   }
   if (is_matrix_table(*csv)) {
     for (const char* key : {"center", "interpolation"})
-      if (reader.has(key)) reader.error(key, std::string(key) + " beside a table of matrices", "a matrix says where it acts, and is interpolated linearly so that it stays passive", "remove it");
+      if (reader.has(key))
+        reader.error(key, std::string(key) + " beside a table of matrices",
+                     "a matrix says where it acts, and is interpolated linearly so that it stays passive", "remove it");
     if (reader.errors() == before) read_matrix_table(reader, *csv, ends.span, element);
     return;
   }
@@ -67,15 +73,22 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
   }
   for (const std::string& column : csv->columns)
     if (!wanted.contains(column))
-      reader.error("file", "column " + foundation::quoted(column), "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "rename or remove it");
+      reader.error("file", "column " + foundation::quoted(column),
+                   "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)",
+                   "rename or remove it");
   if (wanted.size() == 1) {
-    reader.error("file", "no stiffness column", "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)", "add at least one pair");
+    reader.error("file", "no stiffness column",
+                 "columns are frequency_hz and, per direction, k_x and k_x_loss (y, z, rx, ry, rz)",
+                 "add at least one pair");
     return;
   }
   if (reader.errors() > before) return;
-  element.law.nominal_stiffness = elements::in_end_axes(elements::constants_at_point(static_constants, ends.span.arm, centre), ends.span.n_from_k);
+  element.law.nominal_stiffness =
+      elements::in_end_axes(elements::constants_at_point(static_constants, ends.span.arm, centre), ends.span.n_from_k);
   std::array<elements::Matrix12, 6> unit;
-  for (int j = 0; j < 6; ++j) unit[static_cast<std::size_t>(j)] = elements::in_end_axes(elements::constants_at_point(elements::Vector6::Unit(j), ends.span.arm, centre), ends.span.n_from_k);
+  for (int j = 0; j < 6; ++j)
+    unit[static_cast<std::size_t>(j)] = elements::in_end_axes(
+        elements::constants_at_point(elements::Vector6::Unit(j), ends.span.arm, centre), ends.span.n_from_k);
   elements::FrequencyDependence dependence;
   dependence.elastic = false;
   dependence.from = from;

@@ -16,15 +16,17 @@ spatial::Vector6 read_phase(TableReader& reader) {
   if (phase && phase->kind == Node::Kind::array) {
     const auto values = reader.numbers("phase", Quantity::angle);
     if (values && values->size() == 6) return Eigen::Map<const spatial::Vector6>(values->data());
-    if (values) reader.error("phase", fmt::format("{} phases", values->size()), "one phase, or six (force x y z, moment x y z)", "complete the list");
+    if (values)
+      reader.error("phase", fmt::format("{} phases", values->size()), "one phase, or six (force x y z, moment x y z)",
+                   "complete the list");
     return spatial::Vector6::Zero();
   }
   return spatial::Vector6::Constant(reader.number("phase", Quantity::angle).value_or(0));
 }
 
 /// Six numbers under two keys, of which one at least must be there.
-void read_six(TableReader& reader, const std::string& first, Quantity of_first, const std::string& second, Quantity of_second, const std::string& remedy,
-              ActionNumbers numbers, model::Action& action) {
+void read_six(TableReader& reader, const std::string& first, Quantity of_first, const std::string& second,
+              Quantity of_second, const std::string& remedy, ActionNumbers numbers, model::Action& action) {
   const bool factors = numbers == ActionNumbers::factors;
   spatial::Vector6 six;
   six << reader.vector(first, factors ? Quantity::pure : of_first).value_or(Eigen::Vector3d::Zero()),
@@ -35,7 +37,9 @@ void read_six(TableReader& reader, const std::string& first, Quantity of_first, 
     reader.error("phase", "a phase", "only harmonic excitations have a phase", "remove it, or give a delay");
   static_cast<void>(reader.node("phase"));
   const spatial::Vector6 phase = factors ? spatial::Vector6(spatial::Vector6::Zero()) : read_phase(reader);
-  for (int j = 0; j < 6; ++j) action.amplitude(j) = phase(j) == 0 ? std::complex<double>(six(j)) : six(j) * std::exp(std::complex<double>(0, phase(j)));
+  for (int j = 0; j < 6; ++j)
+    action.amplitude(j) =
+        phase(j) == 0 ? std::complex<double>(six(j)) : six(j) * std::exp(std::complex<double>(0, phase(j)));
 }
 
 /// The element whose end stands on the ground under the named one: itself, or the impedance of its foundation.
@@ -48,21 +52,31 @@ std::optional<std::size_t> standing_on_ground(const model::Description& descript
   return std::nullopt;
 }
 
-void read_moving_elements(TableReader& reader, const model::Description& description, const Mentioned& mentioned, model::Action& action) {
+void read_moving_elements(TableReader& reader, const model::Description& description, const Mentioned& mentioned,
+                          model::Action& action) {
   const auto names = reader.texts("elements", R"(["front left", "front right"])");
   if (!names) return;
-  if (names->empty()) reader.error("elements", "an empty list", "at least one element is wanted", "remove the key to move the whole foundation");
+  if (names->empty())
+    reader.error("elements", "an empty list", "at least one element is wanted",
+                 "remove the key to move the whole foundation");
   for (const std::string& name : *names) {
     if (const auto found = standing_on_ground(description, name)) {
       action.elements.push_back(*found);
       continue;
     }
-    const bool read = std::any_of(description.elements.begin(), description.elements.end(), [&](const model::Element& e) { return e.name == name; });
-    const bool known = std::find(mentioned.elements.begin(), mentioned.elements.end(), name) != mentioned.elements.end();
+    const bool read = std::any_of(description.elements.begin(), description.elements.end(),
+                                  [&](const model::Element& e) { return e.name == name; });
+    const bool known =
+        std::find(mentioned.elements.begin(), mentioned.elements.end(), name) != mentioned.elements.end();
     if (known && !read) continue;  // its own problem is told elsewhere
     const std::string guess = foundation::nearest_name(name, mentioned.elements);
-    if (read) reader.error("elements", foundation::quoted(name), "it has no end on moving ground: it stands on a body, or on the modes of a foundation", "name elements that stand on the ground");
-    else reader.error("elements", foundation::quoted(name), "no element has this name", guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    if (read)
+      reader.error("elements", foundation::quoted(name),
+                   "it has no end on moving ground: it stands on a body, or on the modes of a foundation",
+                   "name elements that stand on the ground");
+    else
+      reader.error("elements", foundation::quoted(name), "no element has this name",
+                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
 }
 
@@ -73,14 +87,17 @@ void read_wave(TableReader& reader, model::Action& action) {
   const auto direction = wave.direction("direction");
   const double speed = wave.required_number("speed", Quantity::velocity);
   if (!wave.has("direction")) wave.missing("direction", "say where it travels: direction = \"x\"");
-  if (wave.has("speed") && !(speed > 0)) wave.error("speed", fmt::format("{:.6g} m/s", speed), "a wave travels with a speed > 0", "turn the direction instead");
+  if (wave.has("speed") && !(speed > 0))
+    wave.error("speed", fmt::format("{:.6g} m/s", speed), "a wave travels with a speed > 0",
+               "turn the direction instead");
   wave.finish();
   if (direction && speed > 0) action.wave = model::Wave{*direction, speed};
 }
 
 }  // namespace
 
-std::optional<model::Action> read_place(TableReader& reader, const model::Description& description, const Mentioned& mentioned) {
+std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
+                                        const Mentioned& mentioned) {
   if (!reader.has("on")) reader.missing("on", "name the body: on = \"BODY\"");
   model::Action action;
   action.body = body_named(reader, "on", description, mentioned);
@@ -89,36 +106,45 @@ std::optional<model::Action> read_place(TableReader& reader, const model::Descri
   return action.body ? std::optional(action) : std::nullopt;
 }
 
-std::optional<model::Action> read_force(TableReader& reader, const model::Description& description, const Mentioned& mentioned, ActionNumbers numbers) {
+std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
+                                        const Mentioned& mentioned, ActionNumbers numbers) {
   std::optional<model::Action> placed = read_place(reader, description, mentioned);
   model::Action action = placed.value_or(model::Action{});
-  const std::string remedy = numbers == ActionNumbers::factors ? "give the direction: force = [0, 0, 1]" : "give force = [Fx, Fy, Fz] in N";
+  const std::string remedy =
+      numbers == ActionNumbers::factors ? "give the direction: force = [0, 0, 1]" : "give force = [Fx, Fy, Fz] in N";
   read_six(reader, "force", Quantity::force, "moment", Quantity::moment, remedy, numbers, action);
   action.delay = reader.number("delay", Quantity::time).value_or(0);
   return placed ? std::optional(action) : std::nullopt;
 }
 
-std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description, const Mentioned& mentioned, ActionNumbers numbers) {
+std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description,
+                                                const Mentioned& mentioned, ActionNumbers numbers) {
   model::Action action;
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   action.derivative = quantity == "velocity" ? 1 : quantity == "acceleration" ? 2 : 0;
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
   static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
-  const std::string remedy = numbers == ActionNumbers::factors ? "give the direction: translation = [0, 0, 1]" : "give translation = [x, y, z]";
-  read_six(reader, "translation", translation[action.derivative], "rotation", rotation[action.derivative], remedy, numbers, action);
+  const std::string remedy = numbers == ActionNumbers::factors ? "give the direction: translation = [0, 0, 1]"
+                                                               : "give translation = [x, y, z]";
+  read_six(reader, "translation", translation[action.derivative], "rotation", rotation[action.derivative], remedy,
+           numbers, action);
   action.at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   action.delay = reader.number("delay", Quantity::time).value_or(0);
   read_moving_elements(reader, description, mentioned, action);
   read_wave(reader, action);
   if (reader.has("at") && (!action.elements.empty() || action.wave))
-    reader.error("at", "a place of rotation beside elements or a wave", "then each ground end moves about its own reference point", "remove `at`");
-  if (reader.has("on")) reader.error("on", "a body under a moving ground", "the ground moves, not a body", "remove `on`");
+    reader.error("at", "a place of rotation beside elements or a wave",
+                 "then each ground end moves about its own reference point", "remove `at`");
+  if (reader.has("on"))
+    reader.error("on", "a body under a moving ground", "the ground moves, not a body", "remove `on`");
   static_cast<void>(reader.node("on"));
   // Elements on the modes of a foundation are on the ground too; that they cannot follow it is reported of the model.
   if (action.elements.empty() &&
-      std::none_of(description.elements.begin(), description.elements.end(), [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
+      std::none_of(description.elements.begin(), description.elements.end(),
+                   [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
       description.elements.size() == mentioned.elements.size())
-    reader.error("", "no element stands on the ground", "a moving ground acts through the elements that stand on it", "add one, or excite a body");
+    reader.error("", "no element stands on the ground", "a moving ground acts through the elements that stand on it",
+                 "add one, or excite a body");
   return action;
 }
 

@@ -13,22 +13,28 @@ namespace trivet::project {
 enum class ActionNumbers { amplitudes, factors };
 
 /// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
-[[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description, const Mentioned& mentioned, ActionNumbers numbers);
+[[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
+                                                      const Mentioned& mentioned, ActionNumbers numbers);
 
 /// `on` and `at` alone, of excitations that know their directions.
-[[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description, const Mentioned& mentioned);
+[[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
+                                                      const Mentioned& mentioned);
 
 /// `at`, `translation`, `rotation`, `phase`, `delay`, `elements`, `wave` and `quantity` of a moving ground.
-[[nodiscard]] std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description, const Mentioned& mentioned, ActionNumbers numbers);
+[[nodiscard]] std::optional<model::Action> read_ground_motion(TableReader& reader,
+                                                              const model::Description& description,
+                                                              const Mentioned& mentioned, ActionNumbers numbers);
 
 /// What the course of an action with factors measures: a force, a moment, or a motion.
 [[nodiscard]] Quantity course_quantity(const model::Action& action);
 
 /// `psd`: rows over frequency, a file, a road class, or one level over a band.
-[[nodiscard]] std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key, const model::Action& action);
+[[nodiscard]] std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key,
+                                                                const model::Action& action);
 
 /// `history`: a file, rows over time, or a pulse with its name.
-[[nodiscard]] std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key, const model::Action& action);
+[[nodiscard]] std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key,
+                                                             const model::Action& action);
 
 /// `table` or `engine` of an excitation by orders, in the axes of the body.
 [[nodiscard]] std::optional<model::Orders> read_orders(TableReader& reader);

@@ -14,12 +14,15 @@ namespace {
 const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders", "random", "time", "constant"};
 
 /// A force on a body, or with `base = true` a motion of the ground; its numbers are factors.
-std::optional<model::Action> read_directed(TableReader& reader, const model::Description& description, const Mentioned& mentioned) {
-  return reader.boolean("base").value_or(false) ? read_ground_motion(reader, description, mentioned, ActionNumbers::factors)
-                                                : read_force(reader, description, mentioned, ActionNumbers::factors);
+std::optional<model::Action> read_directed(TableReader& reader, const model::Description& description,
+                                           const Mentioned& mentioned) {
+  return reader.boolean("base").value_or(false)
+      ? read_ground_motion(reader, description, mentioned, ActionNumbers::factors)
+      : read_force(reader, description, mentioned, ActionNumbers::factors);
 }
 
-void read_constant(TableReader& reader, const std::string& name, model::Description& description, const Mentioned& mentioned) {
+void read_constant(TableReader& reader, const std::string& name, model::Description& description,
+                   const Mentioned& mentioned) {
   const auto action = read_force(reader, description, mentioned, ActionNumbers::amplitudes);
   for (const char* key : {"phase", "delay"})
     if (reader.has(key)) reader.error(key, std::string("a ") + key, "a constant force has none", "remove it");
@@ -68,7 +71,8 @@ const char* key_of_factors(const TableReader& reader) {
   return "force";
 }
 
-void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned, foundation::Problems& problems) {
+void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned,
+                     foundation::Problems& problems) {
   TableReader reader(node, "excitations." + name, problems);
   reader.required_text("type");
   const auto type = reader.choice("type", types);
@@ -76,7 +80,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   else if (type == "random") mentioned.random_excitations.push_back(name);
   else if (type == "time") mentioned.time_excitations.push_back(name);
   else if (type == "orders") mentioned.order_excitations.push_back(name);
-  else mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: no second problem where it is selected
+  else
+    mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: no second problem where it is selected
   if (type == "unbalance") mentioned.order_excitations.push_back(name);
   const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
     if (action) description.excitations.push_back({name, *action, std::move(course)});
@@ -86,7 +91,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
     return;
   }
   if (type == "harmonic") add(read_force(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
-  if (type == "base") add(read_ground_motion(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "base")
+    add(read_ground_motion(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
   if (type == "constant") read_constant(reader, name, description, mentioned);
   if (type == "unbalance") {
     auto action = read_place(reader, description, mentioned);
@@ -100,15 +106,19 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   }
   if (type == "random") {
     const auto action = read_directed(reader, description, mentioned);
-    if (action && action->amplitude.isZero(0)) reader.error(key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);
+    if (action && action->amplitude.isZero(0))
+      reader.error(key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);
     auto spectrum = read_spectrum(reader, "psd", action.value_or(model::Action{}));
     auto partners = read_partners(reader);
     if (spectrum) add(action, model::Random{std::move(*spectrum), std::move(partners)});
   }
   if (type == "time") {
     const auto action = read_directed(reader, description, mentioned);
-    if (action && action->amplitude.isZero(0)) warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);  // a case may switch it off
-    if (auto signal = read_history(reader, "history", action.value_or(model::Action{}))) add(action, model::History{std::move(*signal)});
+    if (action && action->amplitude.isZero(0))
+      warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors,
+                       remedy_of_factors);  // a case may switch it off
+    if (auto signal = read_history(reader, "history", action.value_or(model::Action{})))
+      add(action, model::History{std::move(*signal)});
   }
   reader.finish();
 }
@@ -121,10 +131,13 @@ void read_excitations(TableReader& root, model::Description& description, Mentio
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
     if (table->items[i].kind != Node::Kind::table) mentioned.harmonic_excitations.push_back(table->keys[i]);
-    if (table->items[i].kind == Node::Kind::table) read_excitation(table->items[i], table->keys[i], description, mentioned, root.problems());
+    if (table->items[i].kind == Node::Kind::table)
+      read_excitation(table->items[i], table->keys[i], description, mentioned, root.problems());
     else
-      root.problems().error("excitations." + table->keys[i], words(table->items[i].kind), "an excitation is a table", "write [excitations.NAME] and its type below").origin =
-          table->items[i].origin;
+      root.problems()
+          .error("excitations." + table->keys[i], words(table->items[i].kind), "an excitation is a table",
+                 "write [excitations.NAME] and its type below")
+          .origin = table->items[i].origin;
   }
 }
 

@@ -35,8 +35,10 @@ excitation::Signal read_sweep(const PulseReader& of) {
   sweep.duration = of.time("duration");
   sweep.start = of.start();
   sweep.phase = of.table.number("phase", Quantity::angle).value_or(0);
-  if (of.table.choice("law", {"linear", "logarithmic"}) == "logarithmic") sweep.law = excitation::Sweep::Law::logarithmic;
-  if (of.table.choice("amplitude_law", {"constant", "speed_squared"}) == "speed_squared") sweep.amplitude_law = excitation::Sweep::Amplitude::speed_squared;
+  if (of.table.choice("law", {"linear", "logarithmic"}) == "logarithmic")
+    sweep.law = excitation::Sweep::Law::logarithmic;
+  if (of.table.choice("amplitude_law", {"constant", "speed_squared"}) == "speed_squared")
+    sweep.amplitude_law = excitation::Sweep::Amplitude::speed_squared;
   return excitation::sweep_signal(sweep);
 }
 
@@ -54,12 +56,18 @@ const std::vector<Pulse>& pulses() {
       {"rectangular", [](const PulseReader& p) { return rectangular(p.amplitude(), p.time("duration"), p.start()); }},
       {"half_sine", [](const PulseReader& p) { return half_sine(p.amplitude(), p.time("duration"), p.start()); }},
       {"versed_sine", [](const PulseReader& p) { return versed_sine(p.amplitude(), p.time("duration"), p.start()); }},
-      {"trapezoid", [](const PulseReader& p) { return trapezoid(p.amplitude(), p.time("rise"), p.time("hold"), p.time("fall"), p.start()); }},
-      {"triangle", [](const PulseReader& p) { return triangle(p.amplitude(), p.time("rise"), p.time("fall"), p.start()); }},
-      {"sawtooth", [](const PulseReader& p) { return terminal_peak_sawtooth(p.amplitude(), p.time("duration"), p.start()); }},
+      {"trapezoid",
+       [](const PulseReader& p) {
+         return trapezoid(p.amplitude(), p.time("rise"), p.time("hold"), p.time("fall"), p.start());
+       }},
+      {"triangle",
+       [](const PulseReader& p) { return triangle(p.amplitude(), p.time("rise"), p.time("fall"), p.start()); }},
+      {"sawtooth",
+       [](const PulseReader& p) { return terminal_peak_sawtooth(p.amplitude(), p.time("duration"), p.start()); }},
       {"sine_burst",
        [](const PulseReader& p) {
-         return sine_burst(p.amplitude(), p.table.required_number("frequency", Quantity::angular_frequency), p.table.required_number("cycles", Quantity::pure), p.start());
+         return sine_burst(p.amplitude(), p.table.required_number("frequency", Quantity::angular_frequency),
+                           p.table.required_number("cycles", Quantity::pure), p.start());
        }},
       {"sweep", read_sweep},
   };
@@ -86,7 +94,8 @@ std::optional<excitation::Signal> read_pulse(TableReader& history, const Pulse& 
   return signal;
 }
 
-std::optional<excitation::Signal> signal_from_rows(TableReader& reader, const std::string& key, const Eigen::MatrixXd& rows, double scale, bool hold) {
+std::optional<excitation::Signal> signal_from_rows(TableReader& reader, const std::string& key,
+                                                   const Eigen::MatrixXd& rows, double scale, bool hold) {
   excitation::Samples samples;
   samples.times.assign(rows.col(0).begin(), rows.col(0).end());
   for (const double value : rows.col(1)) samples.values.push_back(scale * value);
@@ -107,20 +116,25 @@ std::optional<excitation::Signal> read_samples(TableReader& history, Quantity me
   double scale = history.number("scale", Quantity::pure).value_or(1);
   if (history.choice("unit", {"SI", "g"}) == "g") {
     if (measured != Quantity::acceleration)
-      history.error("unit", "g", "only translational accelerations are measured in it", "add quantity = \"acceleration\" to the excitation, or give SI");
+      history.error("unit", "g", "only translational accelerations are measured in it",
+                    "add quantity = \"acceleration\" to the excitation, or give SI");
     scale *= standard_gravity;
   }
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
-  const auto rows = history.has("rows") ? read_pairs(history, "rows") : read_pairs_of_file(history, "time", "value", most_rows_over_time);
+  const auto rows = history.has("rows") ? read_pairs(history, "rows")
+                                        : read_pairs_of_file(history, "time", "value", most_rows_over_time);
   return rows ? signal_from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale, hold) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key, const model::Action& action) {
+std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key,
+                                               const model::Action& action) {
   const Node* node = reader.node(key);
   if (!node) {
-    reader.missing(key, "give {file = \"a.csv\"}, {half_sine = {amplitude = \"50 g\", duration = \"11 ms\"}}, {step = {amplitude = …}} …");
+    reader.missing(key,
+                   "give {file = \"a.csv\"}, {half_sine = {amplitude = \"50 g\", duration = \"11 ms\"}}, {step = "
+                   "{amplitude = …}} …");
     return std::nullopt;
   }
   const Node* table = reader.table(key);
@@ -135,7 +149,8 @@ std::optional<excitation::Signal> read_history(TableReader& reader, const std::s
   if (given.size() + (sampled ? 1 : 0) != 1) {
     std::string names;
     for (const Pulse& pulse : pulses()) names += std::string(", ") + pulse.name;
-    history.error("", given.empty() && !sampled ? "no course" : "more than one course", "exactly one of file, rows" + names + " is wanted", "for several use several excitations");
+    history.error("", given.empty() && !sampled ? "no course" : "more than one course",
+                  "exactly one of file, rows" + names + " is wanted", "for several use several excitations");
     for (const Pulse* pulse : given) static_cast<void>(history.node(pulse->name));
     if (given.empty() && !sampled) return std::nullopt;
     for (const char* name : {"file", "rows", "unit", "scale", "after"}) static_cast<void>(history.node(name));

@@ -21,7 +21,9 @@ std::optional<Eigen::Matrix3d> read_engine_axes(TableReader& engine) {
   const Eigen::Vector3d crank = engine.direction("crank").value_or(Eigen::Vector3d::UnitX());
   const Eigen::Vector3d up = engine.direction("up").value_or(Eigen::Vector3d::UnitZ());
   if (std::abs(crank.dot(up)) > perpendicular_within) {
-    engine.error("up", fmt::format("{:.3g}° from the crank axis", std::acos(std::min(1.0, std::abs(crank.dot(up)))) * 180 / std::numbers::pi),
+    engine.error("up",
+                 fmt::format("{:.3g}° from the crank axis",
+                             std::acos(std::min(1.0, std::abs(crank.dot(up)))) * 180 / std::numbers::pi),
                  "up is perpendicular to the crank axis", "for instance crank = \"x\", up = \"z\"");
     return std::nullopt;
   }
@@ -39,7 +41,8 @@ excitation::EngineLayout::Kind read_kind(TableReader& engine) {
 
 int whole_number(TableReader& reader, const std::string& key, double value, int from, int to) {
   if (value >= from && value <= to && value == std::floor(value)) return static_cast<int>(value);
-  reader.error(key, fmt::format("{:.6g}", value), fmt::format("a whole number from {} to {} is wanted", from, to), "change it");
+  reader.error(key, fmt::format("{:.6g}", value), fmt::format("a whole number from {} to {} is wanted", from, to),
+               "change it");
   return from;
 }
 
@@ -50,13 +53,19 @@ excitation::EngineLayout read_layout(TableReader& engine) {
   layout.spacing = engine.number("spacing", Quantity::length).value_or(0);
   layout.bank_angle = engine.number("bank_angle", Quantity::angle).value_or(0);
   layout.bank_offset = engine.number("bank_offset", Quantity::length).value_or(0);
-  if (layout.kind == excitation::EngineLayout::Kind::vee && !engine.has("bank_angle")) engine.missing("bank_angle", "give the angle between the banks: bank_angle = \"60 deg\"");
-  if (layout.kind != excitation::EngineLayout::Kind::vee && engine.has("bank_angle")) engine.error("bank_angle", "of an engine that is no vee", "an inline engine has one bank, a boxer 180° between them", "remove it");
-  if (layout.kind == excitation::EngineLayout::Kind::in_line && engine.has("bank_offset")) engine.error("bank_offset", "of an inline engine", "it has one bank", "remove it");
+  if (layout.kind == excitation::EngineLayout::Kind::vee && !engine.has("bank_angle"))
+    engine.missing("bank_angle", "give the angle between the banks: bank_angle = \"60 deg\"");
+  if (layout.kind != excitation::EngineLayout::Kind::vee && engine.has("bank_angle"))
+    engine.error("bank_angle", "of an engine that is no vee",
+                 "an inline engine has one bank, a boxer 180° between them", "remove it");
+  if (layout.kind == excitation::EngineLayout::Kind::in_line && engine.has("bank_offset"))
+    engine.error("bank_offset", "of an inline engine", "it has one bank", "remove it");
   layout.strokes = whole_number(engine, "strokes", engine.number("strokes", Quantity::pure).value_or(4), 2, 4);
-  if (layout.cylinders > 1 && !engine.has("spacing")) engine.missing("spacing", "give the distance of neighbouring cylinders along the crank axis");
+  if (layout.cylinders > 1 && !engine.has("spacing"))
+    engine.missing("spacing", "give the distance of neighbouring cylinders along the crank axis");
   if (const auto order = engine.numbers("firing_order", Quantity::pure))
-    for (const double number : *order) layout.firing_order.push_back(whole_number(engine, "firing_order", number, 1, layout.cylinders));
+    for (const double number : *order)
+      layout.firing_order.push_back(whole_number(engine, "firing_order", number, 1, layout.cylinders));
   return layout;
 }
 
@@ -66,20 +75,26 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
     std::vector<excitation::TorqueHarmonic> harmonics;
     const Node* rows = engine.node("gas_torque");
     if (rows->kind != Node::Kind::array || rows->items.empty()) {
-      engine.error("gas_torque", rows->kind == Node::Kind::array ? "an empty list" : words(rows->kind), "rows of [order, amplitude in N m, phase in rad] of one cylinder are wanted", "give them, or remove the key");
+      engine.error("gas_torque", rows->kind == Node::Kind::array ? "an empty list" : words(rows->kind),
+                   "rows of [order, amplitude in N m, phase in rad] of one cylinder are wanted",
+                   "give them, or remove the key");
       return {};
     }
-    if (engine.has("pressure")) engine.error("pressure", "beside gas_torque", "one of them says what the gas does", "remove one");
+    if (engine.has("pressure"))
+      engine.error("pressure", "beside gas_torque", "one of them says what the gas does", "remove one");
     for (std::size_t i = 0; i < rows->items.size(); ++i) {
       const Node& row = rows->items[i];
       const std::string where = fmt::format("{}.gas_torque[{}]", engine.path(), i);
       if (row.kind != Node::Kind::array || row.items.size() != 3) {
-        engine.error("gas_torque", fmt::format("row {} is no list of three", i + 1), "each row is [order, amplitude in N m, phase in rad] of one cylinder", "complete it");
+        engine.error("gas_torque", fmt::format("row {} is no list of three", i + 1),
+                     "each row is [order, amplitude in N m, phase in rad] of one cylinder", "complete it");
         return {};
       }
-      const auto order = engine.scalar(row.items[0], where + "[0]", Quantity::pure), amplitude = engine.scalar(row.items[1], where + "[1]", Quantity::moment),
+      const auto order = engine.scalar(row.items[0], where + "[0]", Quantity::pure),
+                 amplitude = engine.scalar(row.items[1], where + "[1]", Quantity::moment),
                  phase = engine.scalar(row.items[2], where + "[2]", Quantity::angle);
-      if (order && amplitude && phase) harmonics.push_back({*order, *amplitude * std::exp(std::complex<double>(0, *phase))});
+      if (order && amplitude && phase)
+        harmonics.push_back({*order, *amplitude * std::exp(std::complex<double>(0, *phase))});
     }
     return harmonics;
   }
@@ -87,7 +102,8 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   if (!node) return {};
   TableReader pressure(*node, engine.path() + ".pressure", engine.problems());
   const double bore = pressure.required_number("bore", Quantity::length);
-  if (pressure.has("bore") && !(bore > 0)) pressure.error("bore", fmt::format("{:.6g} m", bore), "a bore is > 0", "mend it");
+  if (pressure.has("bore") && !(bore > 0))
+    pressure.error("bore", fmt::format("{:.6g} m", bore), "a bore is > 0", "mend it");
   const auto rows = read_pairs_of_file(pressure, "crank_angle_deg", "pressure");
   pressure.finish();
   if (!rows || !(bore > 0)) return {};
@@ -96,10 +112,12 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   trace.pressures.assign(rows->col(1).begin(), rows->col(1).end());
   const foundation::Problems findings = excitation::check(trace, data.cycle(), "file");
   pressure.add(findings);
-  return findings.has_errors() || pressure.errors() > 0 ? std::vector<excitation::TorqueHarmonic>{} : excitation::gas_harmonics(trace, data, bore, highest);
+  return findings.has_errors() || pressure.errors() > 0 ? std::vector<excitation::TorqueHarmonic>{}
+                                                        : excitation::gas_harmonics(trace, data, bore, highest);
 }
 
-std::optional<std::vector<excitation::Order>> read_engine(const Node& node, const std::string& path, foundation::Problems& problems) {
+std::optional<std::vector<excitation::Order>> read_engine(const Node& node, const std::string& path,
+                                                          foundation::Problems& problems) {
   TableReader engine(node, path, problems);
   const std::size_t before = engine.errors();
   const excitation::EngineLayout layout = read_layout(engine);
@@ -112,18 +130,25 @@ std::optional<std::vector<excitation::Order>> read_engine(const Node& node, cons
   data.oscillating_mass = engine.required_number("oscillating_mass", Quantity::mass);
   data.rotating_mass = engine.number("rotating_mass", Quantity::mass).value_or(0);
   data.counterweight = engine.number("counterweight", Quantity::mass_length).value_or(0);
-  const double highest = whole_number(engine, "highest_order", engine.number("highest_order", Quantity::pure).value_or(6), 1, 100);
+  const double highest =
+      whole_number(engine, "highest_order", engine.number("highest_order", Quantity::pure).value_or(6), 1, 100);
   const auto axes = read_engine_axes(engine);
   std::vector<excitation::Order> orders;
   if (engine.errors() == before) {
     try {
       data.cylinders = excitation::evenly_firing_cylinders(layout);
       const foundation::Problems findings = excitation::check(data, "");
-      engine.add(findings, {{".rod_ratio", "rod_length"}, {".crank_radius", "crank_radius"}, {".oscillating_mass", "oscillating_mass"}, {".rotating_mass", "rotating_mass"}, {".counterweight", "counterweight"}});
+      engine.add(findings,
+                 {{".rod_ratio", "rod_length"},
+                  {".crank_radius", "crank_radius"},
+                  {".oscillating_mass", "oscillating_mass"},
+                  {".rotating_mass", "rotating_mass"},
+                  {".counterweight", "counterweight"}});
       if (engine.errors() == before) {
         orders = excitation::inertia_orders(data, static_cast<int>(highest));
         const auto gas = read_gas(engine, data, highest);
-        if (!gas.empty() && engine.errors() == before) orders = excitation::joined(orders, excitation::gas_orders(data, gas));
+        if (!gas.empty() && engine.errors() == before)
+          orders = excitation::joined(orders, excitation::gas_orders(data, gas));
       }
     } catch (const foundation::InvalidInput& wrong) {
       engine.error("", wrong.what(), "an engine that can be built is wanted", "mend the number");
@@ -143,13 +168,19 @@ std::optional<std::vector<excitation::Order>> read_engine(const Node& node, cons
 excitation::Order read_order(TableReader& row) {
   excitation::Order order;
   order.order = row.required_number("order", Quantity::pure);
-  if (row.has("order") && !(order.order > 0)) row.error("order", fmt::format("{:.6g}", order.order), "an order is > 0", "a mean force is an excitation of type \"constant\"");
+  if (row.has("order") && !(order.order > 0))
+    row.error("order", fmt::format("{:.6g}", order.order), "an order is > 0",
+              "a mean force is an excitation of type \"constant\"");
   const std::complex<double> turn = std::exp(std::complex<double>(0, row.number("phase", Quantity::angle).value_or(0)));
-  const auto three = [&](const char* key, Quantity quantity) -> Eigen::Vector3cd { return turn * row.vector(key, quantity).value_or(Eigen::Vector3d::Zero()); };
-  order.per_speed_squared << three("force_per_speed2", Quantity::mass_length), three("moment_per_speed2", Quantity::inertia);
+  const auto three = [&](const char* key, Quantity quantity) -> Eigen::Vector3cd {
+    return turn * row.vector(key, quantity).value_or(Eigen::Vector3d::Zero());
+  };
+  order.per_speed_squared << three("force_per_speed2", Quantity::mass_length),
+      three("moment_per_speed2", Quantity::inertia);
   order.fixed << three("force", Quantity::force), three("moment", Quantity::moment);
   if (!row.has("force_per_speed2") && !row.has("moment_per_speed2") && !row.has("force") && !row.has("moment"))
-    row.error("force_per_speed2", "no force and no moment", "an order has at least one of force_per_speed2, moment_per_speed2, force, moment", "give one");
+    row.error("force_per_speed2", "no force and no moment",
+              "an order has at least one of force_per_speed2, moment_per_speed2, force, moment", "give one");
   row.finish();
   return order;
 }
@@ -160,7 +191,8 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
   const Node* table = reader.node("table");
   const Node* engine = reader.table("engine");
   if (!table && !engine) {
-    if (!reader.has("engine")) reader.missing("engine", "give engine = {layout = …} or table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
+    if (!reader.has("engine"))
+      reader.missing("engine", "give engine = {layout = …} or table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
     return std::nullopt;
   }
   const std::size_t before = reader.errors();
@@ -168,14 +200,17 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
   if (engine)
     if (auto list = read_engine(*engine, reader.path() + ".engine", reader.problems())) orders.list = std::move(*list);
   if (table && table->kind != Node::Kind::array) {
-    reader.error("table", words(table->kind), "a list of orders is wanted", "table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
+    reader.error("table", words(table->kind), "a list of orders is wanted",
+                 "table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
   } else if (table && table->items.size() > most_orders) {
-    reader.error("table", fmt::format("{} orders", table->items.size()), fmt::format("at most {} orders are computed", most_orders), "keep the strong ones");
+    reader.error("table", fmt::format("{} orders", table->items.size()),
+                 fmt::format("at most {} orders are computed", most_orders), "keep the strong ones");
   } else if (table) {
     std::vector<excitation::Order> rows;
     for (std::size_t i = 0; i < table->items.size(); ++i) {
       if (table->items[i].kind != Node::Kind::table) {
-        reader.error("table", fmt::format("row {} is {}", i + 1, words(table->items[i].kind)), "each order is a table", "{order = 2, force_per_speed2 = [0, 0, 0.02]}");
+        reader.error("table", fmt::format("row {} is {}", i + 1, words(table->items[i].kind)), "each order is a table",
+                     "{order = 2, force_per_speed2 = [0, 0, 0.02]}");
         continue;
       }
       TableReader row(table->items[i], fmt::format("{}.table[{}]", reader.path(), i), reader.problems());
@@ -195,28 +230,37 @@ void read_unbalance(TableReader& reader, model::Action& action) {
   const bool part_of_grade = reader.has("rotor_mass") || reader.has("service_speed");
   if (reader.has("grade") || (part_of_grade && !reader.has("mass_eccentricity"))) {
     const std::size_t before = reader.errors();
-    const double grade = reader.required_number("grade", Quantity::pure), mass = reader.required_number("rotor_mass", Quantity::mass),
+    const double grade = reader.required_number("grade", Quantity::pure),
+                 mass = reader.required_number("rotor_mass", Quantity::mass),
                  speed = reader.required_number("service_speed", Quantity::angular_frequency);
-    if (reader.has("mass_eccentricity")) reader.error("mass_eccentricity", "beside a grade", "one of them says how large the unbalance is", "remove one");
+    if (reader.has("mass_eccentricity"))
+      reader.error("mass_eccentricity", "beside a grade", "one of them says how large the unbalance is", "remove one");
     for (const auto& [key, value] : {std::pair{"grade", grade}, {"rotor_mass", mass}, {"service_speed", speed}})
-      if (reader.errors() == before && reader.has(key) && !(value > 0)) reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");
+      if (reader.errors() == before && reader.has(key) && !(value > 0))
+        reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
   } else {
     const bool called_unbalance = !reader.has("mass_eccentricity") && reader.has("unbalance");
     if (called_unbalance) {
       static_cast<void>(reader.node("unbalance"));
-      reader.error("unbalance", "unknown key", "the unbalance is given as mass × eccentricity, or by its grade", "did you mean \"mass_eccentricity\"?");
+      reader.error("unbalance", "unknown key", "the unbalance is given as mass × eccentricity, or by its grade",
+                   "did you mean \"mass_eccentricity\"?");
     }
-    if (!called_unbalance && !reader.has("mass_eccentricity")) reader.missing("mass_eccentricity", "give mass × eccentricity in kg m, or grade, rotor_mass and service_speed");
+    if (!called_unbalance && !reader.has("mass_eccentricity"))
+      reader.missing("mass_eccentricity", "give mass × eccentricity in kg m, or grade, rotor_mass and service_speed");
     mass_eccentricity = reader.number("mass_eccentricity", Quantity::mass_length).value_or(0);
-    if (mass_eccentricity < 0) reader.error("mass_eccentricity", fmt::format("{:.6g} kg m", mass_eccentricity), "it is ≥ 0", "shift the phase by half a turn instead");
+    if (mass_eccentricity < 0)
+      reader.error("mass_eccentricity", fmt::format("{:.6g} kg m", mass_eccentricity), "it is ≥ 0",
+                   "shift the phase by half a turn instead");
   }
   static_cast<void>(reader.node("mass_eccentricity"));
   if (!axis) return;
   // Forward: from e1 to e2, counter-clockwise seen against the axis; Re((e1 − i e2) e^{iωt}) = e1 cos ωt + e2 sin ωt.
   const Eigen::Matrix3d axes = spatial::axes_along(*axis);
   const std::complex<double> turn = mass_eccentricity * std::exp(std::complex<double>(0, phase));
-  action.amplitude.head<3>() = turn * (axes.col(0).cast<std::complex<double>>() + std::complex<double>(0, backward ? 1 : -1) * axes.col(1).cast<std::complex<double>>());
+  action.amplitude.head<3>() = turn *
+      (axes.col(0).cast<std::complex<double>>() +
+       std::complex<double>(0, backward ? 1 : -1) * axes.col(1).cast<std::complex<double>>());
 }
 
 }  // namespace trivet::project

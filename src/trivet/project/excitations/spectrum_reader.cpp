@@ -20,11 +20,13 @@ using foundation::standard_gravity;
 double density_unit(TableReader& psd, const model::Action& action) {
   if (psd.choice("unit", {"SI", "g^2/Hz"}).value_or("SI") == "SI") return 1;
   if (course_quantity(action) != Quantity::acceleration)
-    psd.error("unit", "g^2/Hz", "only a spectrum of translational accelerations is measured in it", "add quantity = \"acceleration\" to the excitation, or give SI");
+    psd.error("unit", "g^2/Hz", "only a spectrum of translational accelerations is measured in it",
+              "add quantity = \"acceleration\" to the excitation, or give SI");
   return standard_gravity * standard_gravity;
 }
 
-std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, const std::string& key, const Eigen::MatrixXd& rows, double unit, bool linear) {
+std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, const std::string& key,
+                                                       const Eigen::MatrixXd& rows, double unit, bool linear) {
   excitation::SpectrumTable table;
   table.frequencies_hz.assign(rows.col(0).begin(), rows.col(0).end());
   for (const double density : rows.col(1)) table.densities_per_hz.push_back(unit * density);
@@ -32,7 +34,9 @@ std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, cons
   constexpr double slowest = 1e-9, fastest = 1e12;  // [Hz] once in thirty years; atoms of a solid vibrate as fast
   for (const double hertz : table.frequencies_hz)
     if ((hertz > 0 && hertz < slowest) || hertz > fastest) {
-      reader.error(key, fmt::format("a frequency of {:.6g} Hz", hertz), "frequencies of a spectrum are 0 or lie between 1e-9 and 1e12 Hz", "check the unit and the power of ten");
+      reader.error(key, fmt::format("a frequency of {:.6g} Hz", hertz),
+                   "frequencies of a spectrum are 0 or lie between 1e-9 and 1e12 Hz",
+                   "check the unit and the power of ten");
       return std::nullopt;
     }
   const foundation::Problems findings = excitation::check(table, key);
@@ -43,17 +47,25 @@ std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, cons
 std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Action& action) {
   const auto letter = psd.choice("road", {"A", "B", "C", "D", "E", "F", "G", "H"});
   const double speed = psd.required_number("speed", Quantity::velocity);
-  if (psd.has("speed") && !(speed > 0)) psd.error("speed", fmt::format("{:.6g} m/s", speed), "a road excites at a speed > 0", "for instance \"80 km/h\"");
+  if (psd.has("speed") && !(speed > 0))
+    psd.error("speed", fmt::format("{:.6g} m/s", speed), "a road excites at a speed > 0", "for instance \"80 km/h\"");
   if (!letter) return std::nullopt;
   excitation::RoadRoughness road = excitation::road_class((*letter)[0]);
   if (const auto waviness = psd.number("waviness", Quantity::pure)) road.waviness = *waviness;
-  if (!(road.waviness > 0 && road.waviness <= 5)) psd.error("waviness", fmt::format("{:.6g}", road.waviness), "the waviness of roads is about 2, and between 0 and 5 here", "mend it");
+  if (!(road.waviness > 0 && road.waviness <= 5))
+    psd.error("waviness", fmt::format("{:.6g}", road.waviness),
+              "the waviness of roads is about 2, and between 0 and 5 here", "mend it");
   if (const auto range = psd.numbers("wave_numbers", Quantity::pure)) {
-    if (range->size() == 2 && (*range)[0] > 0 && (*range)[1] > (*range)[0]) road.wave_number_from = (*range)[0], road.wave_number_to = (*range)[1];
-    else psd.error("wave_numbers", fmt::format("{} numbers", range->size()), "[from, to] in cycles per metre with 0 < from < to", "for instance [0.011, 2.83]");
+    if (range->size() == 2 && (*range)[0] > 0 && (*range)[1] > (*range)[0])
+      road.wave_number_from = (*range)[0], road.wave_number_to = (*range)[1];
+    else
+      psd.error("wave_numbers", fmt::format("{} numbers", range->size()),
+                "[from, to] in cycles per metre with 0 < from < to", "for instance [0.011, 2.83]");
   }
   if (course_quantity(action) != Quantity::length)
-    psd.error("road", "a road under something else than a displacement of the ground", "a road class tells the height of the ground", "use base = true, translation = [0, 0, 1] and no quantity");
+    psd.error("road", "a road under something else than a displacement of the ground",
+              "a road class tells the height of the ground",
+              "use base = true, translation = [0, 0, 1] and no quantity");
   return speed > 0 && psd.errors() == 0 ? std::optional(excitation::road_spectrum(road, speed)) : std::nullopt;
 }
 
@@ -63,17 +75,22 @@ std::optional<excitation::Spectrum> read_flat(TableReader& psd, double unit) {
   const bool is_number = psd.errors() == before;
   const std::optional<response::Band> band = read_band(psd, "band");
   if (!psd.has("band")) psd.missing("band", "say from where to where: band = [\"5 Hz\", \"500 Hz\"]");
-  if (is_number && !(density > 0)) psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0", "give it in SI units squared per hertz");
+  if (is_number && !(density > 0))
+    psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0",
+              "give it in SI units squared per hertz");
   if (!band || !(density > 0)) return std::nullopt;
   return excitation::flat_spectrum(unit * density / (2 * std::numbers::pi), band->from, band->to);
 }
 
 }  // namespace
 
-std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key, const model::Action& action) {
+std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key,
+                                                  const model::Action& action) {
   const Node* node = reader.node(key);
   if (!node) {
-    reader.missing(key, "give rows [[frequency in Hz, density per Hz], …], {file = \"psd.csv\"}, {road = \"C\", speed = \"80 km/h\"} or {flat = …, band = […]}");
+    reader.missing(key,
+                   "give rows [[frequency in Hz, density per Hz], …], {file = \"psd.csv\"}, {road = \"C\", speed = "
+                   "\"80 km/h\"} or {flat = …, band = […]}");
     return std::nullopt;
   }
   if (node->kind == Node::Kind::array) {

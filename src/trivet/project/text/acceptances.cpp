@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/acceptances.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -21,13 +21,13 @@ std::string header(const std::string& table) {
   const std::size_t dot = table.find('.');
   if (dot == std::string::npos) return "in [" + table + "]";
   const std::string name = table.substr(dot + 1);
-  const bool bare = std::all_of(name.begin(), name.end(), [](unsigned char c) { return (c < 128 && std::isalnum(c))
-      || c == '_' || c == '-'; });
+  const bool bare = std::all_of(name.begin(), name.end(),
+                                [](unsigned char c) { return (c < 128 && std::isalnum(c)) || c == '_' || c == '-'; });
   return "in [" + table.substr(0, dot + 1) + (bare ? name : "\"" + name + "\"") + "]";
 }
 
 void read_table(const Node& table, const std::string& path, std::vector<Acceptance>& found,
-    foundation::Problems& problems) {
+                foundation::Problems& problems) {
   const Node* accept = table.find("accept");
   if (!accept) return;
   const std::string subject = join(path, "accept"), example = "for instance accept = {\"mass\" = \"with its water\"}";
@@ -42,13 +42,17 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
     const Node& reason = accept->items[i];
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       const std::string guess = foundation::nearest_name(kind, kinds);
-      problems.error(subject, foundation::quoted(kind), "there is no suspicion of this kind", guess.empty()
-          ? "the warning names its kind" : "did you mean \"" + guess + "\"?").origin = reason.origin;
+      problems
+          .error(subject, foundation::quoted(kind), "there is no suspicion of this kind",
+                 guess.empty() ? "the warning names its kind" : "did you mean \"" + guess + "\"?")
+          .origin = reason.origin;
       continue;
     }
     if (reason.kind != Node::Kind::text || reason.text.find_first_not_of(" \t\n") == std::string::npos) {
-      problems.error(subject, fmt::format("\"{}\" = {}", kind, shown(reason)), "an acceptance has a reason, in words",
-          example).origin = reason.origin;
+      problems
+          .error(subject, fmt::format("\"{}\" = {}", kind, shown(reason)), "an acceptance has a reason, in words",
+                 example)
+          .origin = reason.origin;
       continue;
     }
     found.push_back({path, kind, reason.origin});
@@ -61,7 +65,7 @@ bool may_accept(const std::string& path) {
   if (path == "damping" || path == "limits") return true;
   const std::size_t dot = path.find('.');
   return dot != std::string::npos && path.find('.', dot + 1) == std::string::npos &&
-         std::find(std::begin(holders), std::end(holders), path.substr(0, dot)) != std::end(holders);
+      std::find(std::begin(holders), std::end(holders), path.substr(0, dot)) != std::end(holders);
 }
 
 std::vector<Acceptance> read_acceptances(const Node& document, foundation::Problems& problems) {
@@ -74,32 +78,34 @@ std::vector<Acceptance> read_acceptances(const Node& document, foundation::Probl
     const Node* things = document.find(holder);
     if (!things || things->kind != Node::Kind::table) continue;
     for (std::size_t i = 0; i < things->keys.size(); ++i)
-      if (things->items[i].kind == Node::Kind::table) read_table(things->items[i], join(holder, things->keys[i]),
-          found, problems);
+      if (things->items[i].kind == Node::Kind::table)
+        read_table(things->items[i], join(holder, things->keys[i]), found, problems);
   }
   return found;
 }
 
 foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Suspicion>& suspicions,
-    const std::vector<Acceptance>& acceptances, const Node& document) {
+                                              const std::vector<Acceptance>& acceptances, const Node& document) {
   for (const Acceptance& a : acceptances)
     if (known_.insert(key(a)).second) all_.push_back(a);
   foundation::Problems result;
   for (const plausibility::Suspicion& s : suspicions) {
     const std::string table = plausibility::table_of(s.subject);
     const auto accepted = std::find_if(acceptances.begin(), acceptances.end(),
-        [&](const Acceptance& a) { return a.table == table && a.kind == s.kind; });
+                                       [&](const Acceptance& a) { return a.table == table && a.kind == s.kind; });
     if (accepted != acceptances.end()) {
       needed_.insert(key(*accepted));
       continue;
     }
     foundation::Problems one;
-    one.warning(s.subject, s.finding, fmt::format("suspicion \"{}\": {}", s.kind, s.rule),
+    one.warning(
+        s.subject, s.finding, fmt::format("suspicion \"{}\": {}", s.kind, s.rule),
         fmt::format("{}; if it is right: accept = {{\"{}\" = \"reason\"}} {}", s.probable, s.kind, header(table)));
     locate(one, document);
     const foundation::Origin& origin = one.list().front().origin;
-    result.add(reported_.try_emplace(Key{origin.source, origin.line, origin.column, s.subject, s.kind},
-        one.list().front()).first->second);
+    result.add(
+        reported_.try_emplace(Key{origin.source, origin.line, origin.column, s.subject, s.kind}, one.list().front())
+            .first->second);
   }
   return result;
 }
@@ -108,9 +114,10 @@ foundation::Problems AcceptanceBook::unneeded(bool changed) const {
   foundation::Problems result;
   for (const Acceptance& a : all_)
     if (!needed_.contains(key(a)) && (!changed || a.origin.source.starts_with("--set")))
-      result.error(join(a.table, "accept"), "\"" + a.kind + "\"",
-          "nothing of this kind is suspicious here, in no case", "remove it, so that it hides nothing later").origin =
-              a.origin;
+      result
+          .error(join(a.table, "accept"), "\"" + a.kind + "\"", "nothing of this kind is suspicious here, in no case",
+                 "remove it, so that it hides nothing later")
+          .origin = a.origin;
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace trivet::project {
 
 /// `accept = {"mass" = "reason"}` of one table: a suspicion that its author has looked at.
 struct Acceptance {
-  std::string table;   ///< "bodies.machine"; "" is the top of the file
+  std::string table;  ///< "bodies.machine"; "" is the top of the file
   std::string kind;
   foundation::Origin origin;
 };
@@ -32,7 +32,7 @@ class AcceptanceBook {
   /// Warnings of the suspicions that are not accepted, with their places in the document. One typed number has one
   /// text in all cases.
   [[nodiscard]] foundation::Problems warnings(const std::vector<plausibility::Suspicion>& suspicions,
-      const std::vector<Acceptance>& acceptances, const Node& document);
+                                              const std::vector<Acceptance>& acceptances, const Node& document);
   /// An error for each acceptance that silences nothing in any case. @param changed  numbers come from the command
   /// line: only acceptances from there are judged
   [[nodiscard]] foundation::Problems unneeded(bool changed) const;

@@ -24,15 +24,22 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
   const auto band = reader.numbers(key, Quantity::angular_frequency);
   if (!band) return std::nullopt;
   if (has_mixed_units(*reader.node(key))) {
-    reader.error(key, "one end has a unit, the other has none", "both have their unit, or none for rad/s", "give both a unit");
+    reader.error(key, "one end has a unit, the other has none", "both have their unit, or none for rad/s",
+                 "give both a unit");
     return std::nullopt;
   }
   const std::string thing = key == "band" ? "band" : "range";
-  const auto broken = band->size() == 2 ? wrong_band((*band)[0], (*band)[1]) : std::optional<std::string>("[from, to] with 0 ≤ from < to");
+  const auto broken = band->size() == 2 ? wrong_band((*band)[0], (*band)[1])
+                                        : std::optional<std::string>("[from, to] with 0 ≤ from < to");
   if (!broken) return response::Band{(*band)[0], (*band)[1]};
   const bool near = band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0];
-  reader.error(key, fmt::format("{} numbers{}", band->size(), band->size() == 2 ? fmt::format(", {:.{}g} to {:.{}g} rad/s", (*band)[0], near ? 17 : 6, (*band)[1], near ? 17 : 6) : ""),
-               "a " + thing + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""), key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
+  reader.error(key,
+               fmt::format("{} numbers{}", band->size(),
+                           band->size() == 2 ? fmt::format(", {:.{}g} to {:.{}g} rad/s", (*band)[0], near ? 17 : 6,
+                                                           (*band)[1], near ? 17 : 6)
+                                             : ""),
+               "a " + thing + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""),
+               key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
   return std::nullopt;
 }
 

@@ -10,14 +10,20 @@ namespace trivet::project {
 namespace {
 
 /// Tables whose keys exclude each other: in braces, a new one takes the place of the old.
-bool is_one_thing(const std::string& key) { return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation"; }
+bool is_one_thing(const std::string& key) {
+  return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation";
+}
 
-bool holds_named_things(const std::string& path) { return path == "bodies" || path == "elements" || path == "element_types" || path == "excitations"; }
+bool holds_named_things(const std::string& path) {
+  return path == "bodies" || path == "elements" || path == "element_types" || path == "excitations";
+}
 
-void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key, foundation::Problems& problems) {
+void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key,
+                     foundation::Problems& problems) {
   const std::string guess = foundation::nearest_name(key, base.keys);
-  problems.error(path + "." + key, "no such thing in the model", "a change can only alter what the model has",
-                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
+  problems
+      .error(path + "." + key, "no such thing in the model", "a change can only alter what the model has",
+             guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
       .origin = change.origin;
 }
 
@@ -31,12 +37,16 @@ void change_components(Node& array, const Node& changes, const std::string& path
       array.items[*component] = change;
       array.origin = change.origin;  // what is wrong with the whole is found where it was last written
     } else if (component) {
-      problems.error(here, "a longer path", "a component of an array is one number", "end the path at " + here).origin = change.origin;
+      problems.error(here, "a longer path", "a component of an array is one number", "end the path at " + here).origin =
+          change.origin;
     } else {
       const bool is_vector = component_of(array, "x").has_value();
-      problems.error(here, is_vector ? "no such component" : fmt::format("an array of {}", array.items.size()),
-                     is_vector ? "its components are x, y and z" : "only arrays of three numbers have components: x, y and z",
-                     is_vector ? "name one of them" : "replace the array as a whole, or name a number that stands alone").origin = change.origin;
+      problems
+          .error(
+              here, is_vector ? "no such component" : fmt::format("an array of {}", array.items.size()),
+              is_vector ? "its components are x, y and z" : "only arrays of three numbers have components: x, y and z",
+              is_vector ? "name one of them" : "replace the array as a whole, or name a number that stands alone")
+          .origin = change.origin;
     }
   }
 }
@@ -49,11 +59,15 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
     const Node& change = changes.items[i];
     const std::string here = path.empty() ? key : path + "." + key;
     if (path.empty() && key == "tables") {
-      problems.error(here, "cannot be changed", "its rows are elements, bodies and points like all others", "change them by name: elements.\"NAME\".at.x").origin = change.origin;
+      problems
+          .error(here, "cannot be changed", "its rows are elements, bodies and points like all others",
+                 "change them by name: elements.\"NAME\".at.x")
+          .origin = change.origin;
       continue;
     }
     if (path.empty() && (key == "cases" || key == "trivet")) {
-      problems.error(here, "cannot be changed", "a change alters numbers of the model", "remove it").origin = change.origin;
+      problems.error(here, "cannot be changed", "a change alters numbers of the model", "remove it").origin =
+          change.origin;
       continue;
     }
     Node* old = base.find(key);
@@ -75,7 +89,8 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
         base.keys.push_back(key);
         base.items.push_back(change);
       }
-    } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table && !(change.written_inline && is_one_thing(key))) {
+    } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table &&
+               !(change.written_inline && is_one_thing(key))) {
       apply_changes(*old, change, here, problems);
     } else if (old->kind == Node::Kind::array && change.kind == Node::Kind::table) {
       change_components(*old, change, here, problems);
@@ -90,7 +105,8 @@ foundation::Expected<Node> parse_setting(const std::string& setting) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) {
     foundation::Problems problems;
-    problems.error("", "no \"=\"", "a setting is KEY=VALUE", "for instance --set elements.front.scale=1.5").origin = {source, 0, 0};
+    problems.error("", "no \"=\"", "a setting is KEY=VALUE", "for instance --set elements.front.scale=1.5").origin = {
+        source, 0, 0};
     return tl::make_unexpected(std::move(problems));
   }
   foundation::Expected<Node> plain = parse_toml(setting, source);
@@ -103,7 +119,9 @@ foundation::Expected<Node> parse_setting(const std::string& setting) {
     const foundation::Expected<Node> as_text = parse_toml(setting.substr(0, equals + 1) + quoted + "\"", source);
     if (as_text) return as_text;
     for (auto& problem : plain.error().list())
-      problem.remedy = "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front left\".scale=2), and a number of an array of three as at.x, at.y, at.z";
+      problem.remedy =
+          "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front "
+          "left\".scale=2), and a number of an array of three as at.x, at.y, at.z";
   }
   return plain;
 }

@@ -28,7 +28,8 @@ constexpr std::size_t most_cells = 20'000'000;
 
 std::string_view without_blanks(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  return first == std::string_view::npos ? std::string_view{}
+                                         : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 /// Cells of a line; a cell in quotes may hold the separator, a doubled quote is one. Empty if a quote is not closed.
@@ -53,13 +54,17 @@ std::optional<std::vector<std::string>> cells(std::string_view line, char separa
   return result;
 }
 
-/// A number, NaN for a cell that says "not measured", nothing for anything else (inf, numbers beyond double and those that no project may hold included).
+/// A number, NaN for a cell that says "not measured", nothing for anything else (inf, numbers beyond double and those
+/// that no project may hold included).
 std::optional<double> number(std::string_view cell) {
-  if (cell.empty() || cell == "-" || cell == "nan" || cell == "NaN" || cell == "NAN") return std::numeric_limits<double>::quiet_NaN();
+  if (cell.empty() || cell == "-" || cell == "nan" || cell == "NaN" || cell == "NAN")
+    return std::numeric_limits<double>::quiet_NaN();
   if (cell.front() == '+') cell.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value) || outside_range(value, Quantity::pure)) return std::nullopt;
+  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value) ||
+      outside_range(value, Quantity::pure))
+    return std::nullopt;
   return value;
 }
 
@@ -103,16 +108,20 @@ class Reader {
       if (width_ == 0 || too_long_) break;
     }
     if (table_.lines.empty() && !problems_.has_errors())
-      problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(table_rule), "check the file");
+      problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(table_rule),
+              "check the file");
     if (problems_.has_errors()) return tl::make_unexpected(std::move(problems_));
-    const auto rows = static_cast<Eigen::Index>(table_.lines.size()), count = static_cast<Eigen::Index>(table_.columns.size());
-    table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(values_.data(), rows, count);
+    const auto rows = static_cast<Eigen::Index>(table_.lines.size()),
+               count = static_cast<Eigen::Index>(table_.columns.size());
+    table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+        values_.data(), rows, count);
     return std::move(table_);
   }
 
  private:
   void problem(int line, std::string finding, std::string broken_rule, std::string remedy) {
-    problems_.error("", std::move(finding), std::move(broken_rule), std::move(remedy)).origin = {table_.source, line, 0};
+    problems_.error("", std::move(finding), std::move(broken_rule), std::move(remedy)).origin = {table_.source, line,
+                                                                                                 0};
   }
 
   void read_header(std::string_view line, int number_of_line) {
@@ -120,9 +129,12 @@ class Reader {
     const auto names = cells(line, separator_);
     if (!names) return problem(number_of_line, "a quote is not closed", std::string(table_rule), "close it");
     if (std::all_of(names->begin(), names->end(), [](const std::string& name) { return number(name).has_value(); }))
-      return problem(number_of_line, "the first row holds numbers", "the first row names the columns", "add a header row");
+      return problem(number_of_line, "the first row holds numbers", "the first row names the columns",
+                     "add a header row");
     if (names->size() > most_columns)
-      return problem(number_of_line, fmt::format("{} columns", names->size()), fmt::format("a table has at most {} columns", most_columns), "is this the right file? keep the columns that are wanted");
+      return problem(number_of_line, fmt::format("{} columns", names->size()),
+                     fmt::format("a table has at most {} columns", most_columns),
+                     "is this the right file? keep the columns that are wanted");
     width_ = names->size();
     most_rows_ = std::min(most_rows_, most_cells / width_);
     header_ = *names;
@@ -130,12 +142,15 @@ class Reader {
     for (const std::string& name : *names) ++count[name];
     for (const std::string& name : *names) {
       if (const auto found = foundation::unprintable(name))
-        problem(number_of_line, "a column name holds " + *found, "names are printable UTF-8 on one line", "rename the column, or save the file as UTF-8");
-      if (name.empty()) problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1), "every column has a name",
-                                "name it");
+        problem(number_of_line, "a column name holds " + *found, "names are printable UTF-8 on one line",
+                "rename the column, or save the file as UTF-8");
+      if (name.empty())
+        problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1),
+                "every column has a name", "name it");
       if (count[name] > 1) {
         count[name] = 1;  // reported once
-        problem(number_of_line, "the column " + foundation::shortened(name) + " stands twice", "every column has a name of its own", "rename one");
+        problem(number_of_line, "the column " + foundation::shortened(name) + " stands twice",
+                "every column has a name of its own", "rename one");
       }
       if (name == name_column) texts_at_ = &name - names->data();
       else table_.columns.push_back(name);
@@ -147,26 +162,30 @@ class Reader {
     if (!row || row->size() != width_) {
       if (ragged_++ < most_listed)
         problem(number_of_line, row ? fmt::format("{} cells", row->size()) : "a quote is not closed",
-                fmt::format("the header has {} columns", width_), "complete the row; numbers have a decimal point, not a comma");
+                fmt::format("the header has {} columns", width_),
+                "complete the row; numbers have a decimal point, not a comma");
       return;
     }
     if (table_.lines.size() == most_rows_) {
       too_long_ = true;
-      return problem(number_of_line, fmt::format("more than {} rows", most_rows_), fmt::format("a table of this kind has at most {} rows", most_rows_), "take every tenth row, or the part that is wanted");
+      return problem(number_of_line, fmt::format("more than {} rows", most_rows_),
+                     fmt::format("a table of this kind has at most {} rows", most_rows_),
+                     "take every tenth row, or the part that is wanted");
     }
     table_.lines.push_back(number_of_line);
     for (std::size_t i = 0; i < width_; ++i) {
       if (static_cast<std::ptrdiff_t>(i) == texts_at_) {
         if (const auto found = foundation::unprintable((*row)[i]); found && wrong_cells_++ < most_listed)
-          problem(number_of_line, "a name holds " + *found, "names are printable UTF-8 on one line", "rename it, or save the file as UTF-8");
+          problem(number_of_line, "a name holds " + *found, "names are printable UTF-8 on one line",
+                  "rename it, or save the file as UTF-8");
         table_.names.push_back((*row)[i]);
         continue;
       }
       const std::string& cell = (*row)[i];
       const auto value = number(cell);
       if (!value && wrong_cells_++ < most_listed)
-        problem(number_of_line, foundation::shortened(header_[i]) + " = " + foundation::quoted(cell), rule_of_cell(cell),
-                "correct the cell, or begin a comment line with #");
+        problem(number_of_line, foundation::shortened(header_[i]) + " = " + foundation::quoted(cell),
+                rule_of_cell(cell), "correct the cell, or begin a comment line with #");
       values_.push_back(value.value_or(0));
     }
   }
@@ -183,33 +202,40 @@ class Reader {
   int ragged_ = 0, wrong_cells_ = 0;
 };
 
-tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding, std::string remedy) {
+tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding,
+                                             std::string remedy) {
   foundation::Problems problems;
-  problems.error("", std::move(finding), "a table must be a readable text file", std::move(remedy)).origin = {path.string(), 0, 0};
+  problems.error("", std::move(finding), "a table must be a readable text file", std::move(remedy)).origin = {
+      path.string(), 0, 0};
   return tl::make_unexpected(std::move(problems));
 }
 
 }  // namespace
 
-foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows) { return Reader(source, most_rows).read(text); }
+foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows) {
+  return Reader(source, most_rows).read(text);
+}
 
 namespace {
 
 /// The bytes of a table.
 foundation::Expected<std::string> table_text(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) return refused(path, error ? error.message() : "no such file", "check the path");
+  if (!std::filesystem::exists(path, error))
+    return refused(path, error ? error.message() : "no such file", "check the path");
   if (!std::filesystem::is_regular_file(path, error)) return refused(path, "this is no file", "name the .csv file");
   const auto size = std::filesystem::file_size(path, error);
-  if (size > largest_csv_file) return refused(path, fmt::format("larger than {} MiB", largest_csv_file >> 20), "is this the right file?");
+  if (size > largest_csv_file)
+    return refused(path, fmt::format("larger than {} MiB", largest_csv_file >> 20), "is this the right file?");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refused(path, std::strerror(errno), "check its permissions");
   std::string text(size, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(size));
-  if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size) return refused(path, "reading failed", "check the disk");
-  if (text.find('\0') != std::string::npos) return refused(path, "the file holds zero bytes",
-                                                           "it is no text file, or in UTF-16: save it as UTF-8");
+  if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size)
+    return refused(path, "reading failed", "check the disk");
+  if (text.find('\0') != std::string::npos)
+    return refused(path, "the file holds zero bytes", "it is no text file, or in UTF-16: save it as UTF-8");
   return text;
 }
 
@@ -247,25 +273,35 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
     if (table.columns.empty()) separator = separator_of(content);
     auto row = cells(content, separator);
     // A last empty cell may end in blanks that `content` lacks.
-    if (row && !table.columns.empty() && row->size() < table.columns.size() && (separator == '\t')) row->resize(table.columns.size());
+    if (row && !table.columns.empty() && row->size() < table.columns.size() && (separator == '\t'))
+      row->resize(table.columns.size());
     for (std::size_t i = 0; row && i < row->size(); ++i)
       if (const auto found = foundation::unprintable((*row)[i]))
-        problem(line, "a cell holds " + *found, "cells are printable UTF-8 on one line", "correct it, or save the file as UTF-8");
+        problem(line, "a cell holds " + *found, "cells are printable UTF-8 on one line",
+                "correct it, or save the file as UTF-8");
     if (!row) {
       problem(line, "a quote is not closed", std::string(table_rule), "close it");
     } else if (table.columns.empty()) {
       table.header_line = line;
       table.columns = std::move(*row);
       for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        if (table.columns[i].empty()) problem(line, fmt::format("column {} has no name", i + 1), "every column has a name", "name it");
-        else if (std::count(table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(i), table.columns[i]) > 0)
-          problem(line, "the column " + foundation::shortened(table.columns[i]) + " stands twice", "every column has a name of its own", "rename one");
+        if (table.columns[i].empty())
+          problem(line, fmt::format("column {} has no name", i + 1), "every column has a name", "name it");
+        else if (std::count(table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(i),
+                            table.columns[i]) > 0)
+          problem(line, "the column " + foundation::shortened(table.columns[i]) + " stands twice",
+                  "every column has a name of its own", "rename one");
       }
-      if (table.columns.size() > most_columns) problem(line, fmt::format("{} columns", table.columns.size()), fmt::format("a table has at most {} columns", most_columns), "is this the right file?");
+      if (table.columns.size() > most_columns)
+        problem(line, fmt::format("{} columns", table.columns.size()),
+                fmt::format("a table has at most {} columns", most_columns), "is this the right file?");
     } else if (row->size() != table.columns.size()) {
-      problem(line, fmt::format("{} cells", row->size()), fmt::format("the header has {} columns", table.columns.size()), "complete the row; numbers have a decimal point, not a comma");
+      problem(line, fmt::format("{} cells", row->size()),
+              fmt::format("the header has {} columns", table.columns.size()),
+              "complete the row; numbers have a decimal point, not a comma");
     } else if (table.rows.size() == most_rows) {
-      problem(line, fmt::format("more than {} rows", most_rows), fmt::format("a table of this kind has at most {} rows", most_rows), "split the model");
+      problem(line, fmt::format("more than {} rows", most_rows),
+              fmt::format("a table of this kind has at most {} rows", most_rows), "split the model");
       break;
     } else {
       table.rows.push_back(std::move(*row));
@@ -273,7 +309,8 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
     }
   }
   if (table.rows.empty() && !problems.has_errors())
-    problem(line, table.columns.empty() ? "the table is empty" : "no row below the header", std::string(table_rule), "check the file");
+    problem(line, table.columns.empty() ? "the table is empty" : "no row below the header", std::string(table_rule),
+            "check the file");
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   return table;
 }
@@ -288,8 +325,10 @@ foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::
       continue;
     }
     const std::string guess = foundation::nearest_name(wanted[i], table.columns);
-    problems.error("", "no column " + wanted[i], "the columns are: " + names_listed(table.columns),
-                   guess.empty() ? "add it or rename one" : "did you mean " + guess + "?").origin = {table.source, 0, 0};
+    problems
+        .error("", "no column " + wanted[i], "the columns are: " + names_listed(table.columns),
+               guess.empty() ? "add it or rename one" : "did you mean " + guess + "?")
+        .origin = {table.source, 0, 0};
   }
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   return result;

@@ -30,14 +30,16 @@ struct CsvTable {
   std::vector<std::string> names;    ///< of the rows: the column "name" if there is one, else empty; not in `columns`
 };
 
-/// A header row, then numbers with a decimal point; comma, semicolon or tab between cells (the first of tab, semicolon, comma that the
-/// header holds); `#` begins a comment line; a byte order mark, CRLF and quoted cells are taken. A column called "name"
-/// holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated or empty column names, rows of
-/// another length, cells that are no number, more columns or rows than are taken.
-[[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows = most_rows_over_time);
+/// A header row, then numbers with a decimal point; comma, semicolon or tab between cells (the first of tab, semicolon,
+/// comma that the header holds); `#` begins a comment line; a byte order mark, CRLF and quoted cells are taken. A
+/// column called "name" holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated
+/// or empty column names, rows of another length, cells that are no number, more columns or rows than are taken.
+[[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source,
+                                                       std::size_t most_rows = most_rows_over_time);
 
 /// The same from a file; refuses what cannot be read, is empty, binary or larger than `largest_csv_file`.
-[[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows = most_rows_over_time);
+[[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path,
+                                                            std::size_t most_rows = most_rows_over_time);
 
 /// A table of cells as they are written, outer blanks and quotes removed.
 struct TextTable {
@@ -45,13 +47,16 @@ struct TextTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< as long as `columns`
   std::vector<int> lines;                      ///< of each row in the file, from 1
-  std::vector<int> comments_like_rows;         ///< lines of comments with as many cells as the header: rows named "#1", perhaps
+  std::vector<int>
+      comments_like_rows;  ///< lines of comments with as many cells as the header: rows named "#1", perhaps
 };
 
 /// The same kind of file with cells of any kind.
 [[nodiscard]] foundation::Expected<TextTable> read_text_table(const std::filesystem::path& path, std::size_t most_rows);
 
-/// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there are.
-[[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted);
+/// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there
+/// are.
+[[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table,
+                                                            const std::vector<std::string>& wanted);
 
 }  // namespace trivet::project

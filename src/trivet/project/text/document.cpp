@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/document.h"
+#include "trivet/foundation/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -18,34 +18,49 @@ Node* Node::find(std::string_view key) { return const_cast<Node*>(std::as_const(
 
 const char* words(Node::Kind kind) {
   switch (kind) {
-    case Node::Kind::table: return "a table";
-    case Node::Kind::array: return "an array";
-    case Node::Kind::text: return "a text";
-    case Node::Kind::integer: return "an integer";
-    case Node::Kind::real: return "a number";
-    case Node::Kind::boolean: return "true or false";
-    case Node::Kind::other: return "a date or time";
+    case Node::Kind::table:
+      return "a table";
+    case Node::Kind::array:
+      return "an array";
+    case Node::Kind::text:
+      return "a text";
+    case Node::Kind::integer:
+      return "an integer";
+    case Node::Kind::real:
+      return "a number";
+    case Node::Kind::boolean:
+      return "true or false";
+    case Node::Kind::other:
+      return "a date or time";
   }
   return "";
 }
 
 std::string shown(const Node& node) {
   switch (node.kind) {
-    case Node::Kind::text: return foundation::quoted(node.text);
+    case Node::Kind::text:
+      return foundation::quoted(node.text);
     case Node::Kind::integer:
-    case Node::Kind::real: return fmt::format("{:.9g}", node.number);
-    case Node::Kind::boolean: return node.boolean ? "true" : "false";
-    default: return words(node.kind);
+    case Node::Kind::real:
+      return fmt::format("{:.9g}", node.number);
+    case Node::Kind::boolean:
+      return node.boolean ? "true" : "false";
+    default:
+      return words(node.kind);
   }
 }
 
 std::string canonical(const Node& node) {
   switch (node.kind) {
-    case Node::Kind::text: return "\"" + node.text + "\"";
+    case Node::Kind::text:
+      return "\"" + node.text + "\"";
     case Node::Kind::integer:
-    case Node::Kind::real: return fmt::format("{:.17g}", node.number);
-    case Node::Kind::boolean: return node.boolean ? "true" : "false";
-    default: break;
+    case Node::Kind::real:
+      return fmt::format("{:.17g}", node.number);
+    case Node::Kind::boolean:
+      return node.boolean ? "true" : "false";
+    default:
+      break;
   }
   std::string text = "{";
   for (std::size_t i = 0; i < node.items.size(); ++i)
@@ -75,7 +90,7 @@ void locate(foundation::Problems& problems, const Node& root) {
 
 bool same_content(const Node& a, const Node& b) {
   return a.kind == b.kind && a.number == b.number && a.boolean == b.boolean && a.text == b.text && a.keys == b.keys &&
-         std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), same_content);
+      std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), same_content);
 }
 
 }  // namespace trivet::project

@@ -14,7 +14,7 @@ struct Node {
   enum class Kind { table, array, text, integer, real, boolean, other };
   Kind kind = Kind::table;
   foundation::Origin origin;
-  bool written_inline = false;  ///< a table in braces
+  bool written_inline = false;    ///< a table in braces
   std::vector<std::string> keys;  ///< of a table, one per item
   std::vector<Node> items;        ///< of a table or array
   std::string text;

@@ -13,9 +13,13 @@ namespace trivet::project {
 namespace {
 
 /// Keys of the element itself: where it is, how it is turned, on what it stands, and what its author says of it alone.
-constexpr std::array<const char*, 12> of_element = {"type", "on", "at", "from", "from_at", "axis", "orientation", "from_orientation", "foundation", "scale", "accept", "moved"};
+constexpr std::array<const char*, 12> of_element = {"type",       "on",    "at",          "from",
+                                                    "from_at",    "axis",  "orientation", "from_orientation",
+                                                    "foundation", "scale", "accept",      "moved"};
 
-bool is_of_element(const std::string& key) { return std::find(of_element.begin(), of_element.end(), key) != of_element.end(); }
+bool is_of_element(const std::string& key) {
+  return std::find(of_element.begin(), of_element.end(), key) != of_element.end();
+}
 
 void set(Node& table, const std::string& key, Node value) {
   if (Node* old = table.find(key)) {
@@ -29,7 +33,8 @@ void set(Node& table, const std::string& key, Node value) {
 /// The types of a file. What is wrong with one of them is reported once; its elements are read on.
 class Types {
  public:
-  Types(const Node& table, const std::vector<std::string>& laws, foundation::Problems& problems) : table_(table), problems_(problems) {
+  Types(const Node& table, const std::vector<std::string>& laws, foundation::Problems& problems)
+      : table_(table), problems_(problems) {
     for (std::size_t i = 0; i < table.keys.size(); ++i) check(table.keys[i], table.items[i], laws);
   }
 
@@ -47,10 +52,17 @@ class Types {
       if (key == "scale" || key == "damping_factor") multiply(result, key, shared.items[i]);
       if (key == "stiffness_factor") multiply_each(result, key, shared.items[i]);
       if (key == "type") set(result, key, shared.items[i]);
-      if (is_of_element(key) || key.ends_with("_factor")) continue;  // others of an element than type and scale are a problem of the type
+      if (is_of_element(key) || key.ends_with("_factor"))
+        continue;  // others of an element than type and scale are a problem of the type
       if (const Node* own = element.find(key))
-        problems_.error(path + "." + key, shown(*own), fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type, foundation::place(shared.items[i].origin)),
-                        fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one a type of its own", type, key)).origin = own->origin;
+        problems_
+            .error(path + "." + key, shown(*own),
+                   fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type,
+                               foundation::place(shared.items[i].origin)),
+                   fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one a "
+                               "type of its own",
+                               type, key))
+            .origin = own->origin;
       set(result, key, shared.items[i]);
     }
     return result;
@@ -60,22 +72,38 @@ class Types {
   void check(const std::string& name, const Node& type, const std::vector<std::string>& laws) {
     const std::string path = "element_types." + name;
     if (type.kind != Node::Kind::table) {
-      problems_.error(path, words(type.kind), "an element type is a table", "write [element_types.NAME] and what its elements share below").origin = type.origin;
+      problems_
+          .error(path, words(type.kind), "an element type is a table",
+                 "write [element_types.NAME] and what its elements share below")
+          .origin = type.origin;
       return;
     }
     const bool built_in = std::find(laws.begin(), laws.end(), name) != laws.end() || name.starts_with("catalogue:");
     if (built_in)
-      problems_.error(path, foundation::quoted(name), "a type of this name is built in", "choose another name").origin = type.origin;
+      problems_.error(path, foundation::quoted(name), "a type of this name is built in", "choose another name").origin =
+          type.origin;
     const Node* law = type.find("type");
-    if (!law) problems_.error(path + ".type", "missing", "a type names the law of its elements", "type = \"bushing\", for instance").origin = type.origin;
+    if (!law)
+      problems_
+          .error(path + ".type", "missing", "a type names the law of its elements", "type = \"bushing\", for instance")
+          .origin = type.origin;
     else if (law->kind == Node::Kind::text && (law->text != name || !built_in) && table_.find(law->text))
-      problems_.error(path + ".type", foundation::quoted(law->text), "a type names a law, not another type", "write its keys here").origin = law->origin;
+      problems_
+          .error(path + ".type", foundation::quoted(law->text), "a type names a law, not another type",
+                 "write its keys here")
+          .origin = law->origin;
     if (const Node* scale = type.find("scale"); scale && !(factor(*scale).value_or(0) > 0))
-      problems_.error(path + ".scale", shown(*scale), "a scale is a number > 0, or a text of one with a unit such as %", "scale = 1.5, for instance").origin = scale->origin;
+      problems_
+          .error(path + ".scale", shown(*scale), "a scale is a number > 0, or a text of one with a unit such as %",
+                 "scale = 1.5, for instance")
+          .origin = scale->origin;
     for (std::size_t i = 0; i < type.keys.size(); ++i)
       if (is_of_element(type.keys[i]) && type.keys[i] != "type" && type.keys[i] != "scale")
-        problems_.error(path + "." + type.keys[i], shown(type.items[i]), fmt::format("\"{}\" belongs to each element, not to its type", type.keys[i]), "write it in the elements").origin =
-            type.items[i].origin;
+        problems_
+            .error(path + "." + type.keys[i], shown(type.items[i]),
+                   fmt::format("\"{}\" belongs to each element, not to its type", type.keys[i]),
+                   "write it in the elements")
+            .origin = type.items[i].origin;
   }
 
   static std::optional<double> factor(const Node& scale) {
@@ -85,7 +113,8 @@ class Types {
     return value ? std::optional(*value) : std::nullopt;
   }
 
-  /// Both factors act. What is wrong with a scale of the type is reported above, with the others by the reader of the element.
+  /// Both factors act. What is wrong with a scale of the type is reported above, with the others by the reader of the
+  /// element.
   static void multiply(Node& element, const std::string& key, const Node& of_type) {
     Node* own = element.find(key);
     const auto shared = factor(of_type), mine = own ? factor(*own) : std::nullopt;
@@ -109,7 +138,8 @@ class Types {
 
 /// Is this the place of something inside the node?
 bool holds(const Node& node, const foundation::Origin& origin) {
-  if (node.origin.line == origin.line && node.origin.column == origin.column && node.origin.source == origin.source) return true;
+  if (node.origin.line == origin.line && node.origin.column == origin.column && node.origin.source == origin.source)
+    return true;
   return std::any_of(node.items.begin(), node.items.end(), [&](const Node& item) { return holds(item, origin); });
 }
 
@@ -120,31 +150,37 @@ std::string without_keys_of_elements(const std::string& rule) {
   for (std::size_t at = start.size(); rule.starts_with(start) && at < rule.size();) {
     const std::size_t end = std::min(rule.find(between, at), rule.size());
     const std::string key = rule.substr(at, end - at);
-    if (!is_of_element(key) || key == "type" || key == "scale") kept += (kept.empty() ? std::string(start) : std::string(between)) + key;
+    if (!is_of_element(key) || key == "type" || key == "scale")
+      kept += (kept.empty() ? std::string(start) : std::string(between)) + key;
     at = end + between.size();
   }
   return kept.empty() ? rule : kept;
 }
 
 /// The type of an element that lacks a key of its law.
-std::optional<std::string> type_that_lacks(const Node& document, const Node& types, const std::string& subject, const std::string& finding) {
+std::optional<std::string> type_that_lacks(const Node& document, const Node& types, const std::string& subject,
+                                           const std::string& finding) {
   if (finding != "missing") return std::nullopt;
   const std::size_t from = subject.find('.') + 1, to = subject.find('.', from);
   const std::string key = subject.substr(to + 1);
   const Node* elements = document.find("elements");
   const Node* element = elements ? elements->find(subject.substr(from, to - from)) : nullptr;
   const Node* type = element ? element->find("type") : nullptr;
-  if (!type || type->kind != Node::Kind::text || is_of_element(key.substr(0, key.find('.'))) || element->find(key.substr(0, key.find('.')))) return std::nullopt;
+  if (!type || type->kind != Node::Kind::text || is_of_element(key.substr(0, key.find('.'))) ||
+      element->find(key.substr(0, key.find('.'))))
+    return std::nullopt;
   return types.find(type->text) ? std::optional(type->text) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Node> with_element_types(const Node& document, const std::vector<std::string>& laws, foundation::Problems& problems) {
+std::optional<Node> with_element_types(const Node& document, const std::vector<std::string>& laws,
+                                       foundation::Problems& problems) {
   const Node* table = document.find("element_types");
   if (!table) return std::nullopt;
   if (table->kind != Node::Kind::table) {
-    problems.error("element_types", words(table->kind), "element types are tables", "write [element_types.NAME]").origin = table->origin;
+    problems.error("element_types", words(table->kind), "element types are tables", "write [element_types.NAME]")
+        .origin = table->origin;
     return std::nullopt;
   }
   Node result = document;
@@ -160,7 +196,10 @@ std::optional<Node> with_element_types(const Node& document, const std::vector<s
   }
   if (!elements || elements->keys.empty()) unused.clear();  // there is more to say than that
   for (const std::string& name : unused)
-    problems.warning("element_types." + name, "no element is of this type", "a type acts only through its elements", "name it in an element, type = \"" + name + "\", or remove it").origin = table->find(name)->origin;
+    problems
+        .warning("element_types." + name, "no element is of this type", "a type acts only through its elements",
+                 "name it in an element, type = \"" + name + "\", or remove it")
+        .origin = table->find(name)->origin;
   return result;
 }
 
@@ -178,7 +217,8 @@ void name_element_types(const Node& document, foundation::Problems& problems) {
       continue;
     }
     for (std::size_t i = 0; i < types->keys.size(); ++i)
-      if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(), [&](const Node& item) { return holds(item, problem.origin); })) {
+      if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(),
+                      [&](const Node& item) { return holds(item, problem.origin); })) {
         problem.subject = "element_types." + types->keys[i] + problem.subject.substr(end_of_name);
         problem.rule = without_keys_of_elements(problem.rule);
         break;

@@ -12,7 +12,8 @@ std::optional<std::filesystem::path> read_file_name(TableReader& reader, const s
   const fs::path path = fs::path(*name).is_absolute() ? fs::path(*name) : folder / *name;
   std::error_code unreadable;
   if (!fs::is_regular_file(path, unreadable)) {
-    reader.error(key, "\"" + name->substr(0, 200) + "\"", "no file of this name can be read", "names are relative to the folder of the project file");
+    reader.error(key, "\"" + name->substr(0, 200) + "\"", "no file of this name can be read",
+                 "names are relative to the folder of the project file");
     return std::nullopt;
   }
   return path;

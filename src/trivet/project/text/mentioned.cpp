@@ -11,7 +11,8 @@ namespace {
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 12;
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i) text += (i > 0 ? ", " : "") + foundation::shortened(names[i]);
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (i > 0 ? ", " : "") + foundation::shortened(names[i]);
   return names.size() > most ? text + ", …" : text;
 }
 
@@ -21,12 +22,14 @@ const Node* KnownModel::unchanged(const char* table, const std::string& name, co
   const Node* things = document.find(table);
   const Node* before = things ? things->find(name) : nullptr;
   if (!before || !same_content(*before, now)) return nullptr;
-  for (const char* adjusted : {"stiffness_factor", "damping_factor", "moved", "mass_about_center", "center_moved", "inertia_about_center"})
+  for (const char* adjusted :
+       {"stiffness_factor", "damping_factor", "moved", "mass_about_center", "center_moved", "inertia_about_center"})
     if (now.find(adjusted)) return nullptr;
   return before;
 }
 
-std::optional<std::size_t> body_named(TableReader& reader, const std::string& key, const model::Description& description, const Mentioned& mentioned) {
+std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
+                                      const model::Description& description, const Mentioned& mentioned) {
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
   for (std::size_t i = 0; i < description.bodies.size(); ++i)
@@ -34,7 +37,8 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
   const auto& known = mentioned.bodies;
   if (mentioned.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
   const std::string guess = foundation::nearest_name(*name, known);
-  reader.error(key, foundation::quoted(*name), "no body has this name", guess.empty() ? "the bodies are: " + listed(known) : "did you mean \"" + guess + "\"?");
+  reader.error(key, foundation::quoted(*name), "no body has this name",
+               guess.empty() ? "the bodies are: " + listed(known) : "did you mean \"" + guess + "\"?");
   return std::nullopt;
 }
 

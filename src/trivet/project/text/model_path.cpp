@@ -26,13 +26,15 @@ std::vector<std::string> path_keys(const std::string& path) {
   std::vector<std::string> keys;
   if (!parsed) return keys;
   const Node* node = &*parsed;
-  for (; node->kind == Node::Kind::table && node->keys.size() == 1; node = &node->items.front()) keys.push_back(node->keys.front());
+  for (; node->kind == Node::Kind::table && node->keys.size() == 1; node = &node->items.front())
+    keys.push_back(node->keys.front());
   return node->kind == Node::Kind::integer ? keys : std::vector<std::string>();
 }
 
 std::optional<std::size_t> component_of(const Node& array, const std::string& word) {
   const bool is_vector = array.kind == Node::Kind::array && array.items.size() == 3 &&
-                         std::none_of(array.items.begin(), array.items.end(), [](const Node& item) { return item.kind == Node::Kind::array || item.kind == Node::Kind::table; });
+      std::none_of(array.items.begin(), array.items.end(),
+                   [](const Node& item) { return item.kind == Node::Kind::array || item.kind == Node::Kind::table; });
   if (!is_vector || word.size() != 1 || word[0] < 'x' || word[0] > 'z') return std::nullopt;
   return static_cast<std::size_t>(word[0] - 'x');
 }

@@ -9,8 +9,8 @@
 
 namespace trivet::project {
 
-/// A dotted path of the project file, in its keys: elements."front left".at.y → elements, front left, at, y. Empty if it
-/// is none. Numbers of an array of three are its components x, y and z.
+/// A dotted path of the project file, in its keys: elements."front left".at.y → elements, front left, at, y. Empty if
+/// it is none. Numbers of an array of three are its components x, y and z.
 [[nodiscard]] std::vector<std::string> path_keys(const std::string& path);
 
 /// The item of an array of three numbers that a component names: 0 for "x". None of other arrays and words.

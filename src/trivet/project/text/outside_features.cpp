@@ -90,9 +90,9 @@ std::optional<OutsideFeature> outside_feature(const std::string& path, const std
 
 std::optional<OutsideFeature> outside_type(const std::string& type) {
   const bool spring = type.ends_with("_spring") &&
-                      holds(nonlinear_laws, type.substr(0, type.size() - std::string_view("_spring").size()));
+      holds(nonlinear_laws, type.substr(0, type.size() - std::string_view("_spring").size()));
   const bool damper = type.ends_with("_damper") &&
-                      holds(nonlinear_laws, type.substr(0, type.size() - std::string_view("_damper").size()));
+      holds(nonlinear_laws, type.substr(0, type.size() - std::string_view("_damper").size()));
   return spring || damper || holds(nonlinear_laws, type) ? std::optional(of_elements) : std::nullopt;
 }
 

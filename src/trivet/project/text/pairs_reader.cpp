@@ -25,9 +25,12 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     const Node& row = value->items[i];
     if (row.kind != Node::Kind::array || row.items.size() != 2)
-      return refuse(fmt::format("row {} is {}", i + 1, row.kind == Node::Kind::array ? fmt::format("of {} numbers", row.items.size()) : words(row.kind)));
+      return refuse(fmt::format(
+          "row {} is {}", i + 1,
+          row.kind == Node::Kind::array ? fmt::format("of {} numbers", row.items.size()) : words(row.kind)));
     for (std::size_t j = 0; j < 2; ++j) {
-      const auto entry = reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), Quantity::pure);
+      const auto entry =
+          reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), Quantity::pure);
       good = good && entry;
       pairs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = entry.value_or(0);
     }
@@ -35,7 +38,8 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   return good ? std::optional(pairs) : std::nullopt;
 }
 
-std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y, std::size_t most_rows) {
+std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y,
+                                                  std::size_t most_rows) {
   const auto file = read_file_name(reader, "file");
   const std::string x_name = reader.text(x).value_or(x), y_name = reader.text(y).value_or(y);
   if (!file) return std::nullopt;
@@ -52,8 +56,7 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   if (!reader.has(y) && csv->columns.size() > 2) {
     std::string others;
     for (const std::string& column : csv->columns)
-      if (column != x_name && column != y_name)
-        others += (others.empty() ? "" : ", ") + foundation::quoted(column);
+      if (column != x_name && column != y_name) others += (others.empty() ? "" : ", ") + foundation::quoted(column);
     warn_of_idle_key(
         reader, "file", "column" + std::string(csv->columns.size() > 3 ? "s " : " ") + others + " not used",
         "one column is read beside " + x_name, "say which: " + y + " = \"" + y_name + "\", or remove the others");
@@ -62,8 +65,9 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   constexpr std::size_t most = 20;
   for (Eigen::Index i = 0; i < values->rows() && holes.list().size() < most; ++i)
     if (!values->row(i).allFinite()) {
-      foundation::Problem& problem = holes.error("", fmt::format("{} = {:.6g}, {} = {:.6g}", x_name, (*values)(i, 0), y_name, (*values)(i, 1)), "every cell must hold a finite number",
-                                                 "complete or remove the row");
+      foundation::Problem& problem =
+          holes.error("", fmt::format("{} = {:.6g}, {} = {:.6g}", x_name, (*values)(i, 0), y_name, (*values)(i, 1)),
+                      "every cell must hold a finite number", "complete or remove the row");
       problem.origin = {csv->source, csv->lines[static_cast<std::size_t>(i)]};
     }
   reader.add_of_file("file", holes);

@@ -14,7 +14,10 @@ namespace trivet::project {
 /// `key = [[x, y], …]`, at least two rows, bare numbers; n × 2.
 [[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key);
 
-/// `file = "….csv"` with the columns `x` and `y`; other names by the keys `x` and `y` of the table. A cell that was not measured is a problem. n × 2.
-[[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y, std::size_t most_rows = most_rows_over_frequency);
+/// `file = "….csv"` with the columns `x` and `y`; other names by the keys `x` and `y` of the table. A cell that was not
+/// measured is a problem. n × 2.
+[[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x,
+                                                                const std::string& y,
+                                                                std::size_t most_rows = most_rows_over_frequency);
 
 }  // namespace trivet::project

@@ -11,9 +11,11 @@
 namespace trivet::project {
 namespace {
 
-tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, const std::string& kind, std::string finding, std::string remedy) {
+tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, const std::string& kind,
+                                             std::string finding, std::string remedy) {
   foundation::Problems problems;
-  problems.error("", std::move(finding), "the " + kind + " must be a readable text file", std::move(remedy)).origin = {path.string(), 0, 0};
+  problems.error("", std::move(finding), "the " + kind + " must be a readable text file", std::move(remedy)).origin = {
+      path.string(), 0, 0};
   return tl::make_unexpected(std::move(problems));
 }
 
@@ -22,9 +24,12 @@ tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, 
 foundation::Expected<std::string> read_source(const std::filesystem::path& path, const std::string& kind) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return refused(path, kind, error ? error.message() : "no such file", "check the path");
-  if (std::filesystem::is_directory(status)) return refused(path, kind, "this is a directory", "name the .toml file inside it");
-  if (!std::filesystem::is_regular_file(status)) return refused(path, kind, "this is a pipe or a device", "write it to a file first and name that");
+  if (!std::filesystem::exists(status))
+    return refused(path, kind, error ? error.message() : "no such file", "check the path");
+  if (std::filesystem::is_directory(status))
+    return refused(path, kind, "this is a directory", "name the .toml file inside it");
+  if (!std::filesystem::is_regular_file(status))
+    return refused(path, kind, "this is a pipe or a device", "write it to a file first and name that");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return refused(path, kind, std::strerror(errno), "check its permissions");
@@ -33,11 +38,15 @@ foundation::Expected<std::string> read_source(const std::filesystem::path& path,
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || stream.gcount() > 0) {
     text.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest_project_file)
-      return refused(path, kind, fmt::format("larger than {} MiB", largest_project_file >> 20), "is this the right file?");
+      return refused(path, kind, fmt::format("larger than {} MiB", largest_project_file >> 20),
+                     "is this the right file?");
   }
   if (stream.bad()) return refused(path, kind, "reading failed", "check the disk");
-  if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string::npos) return refused(path, kind, "the file is empty", kind == "project file" ? "`trivet new` prints a starter" : "was it saved?");
-  if (text.find('\0') != std::string::npos) return refused(path, kind, "the file holds zero bytes", "it is no text file, or in UTF-16: save it as UTF-8");
+  if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string::npos)
+    return refused(path, kind, "the file is empty",
+                   kind == "project file" ? "`trivet new` prints a starter" : "was it saved?");
+  if (text.find('\0') != std::string::npos)
+    return refused(path, kind, "the file holds zero bytes", "it is no text file, or in UTF-16: save it as UTF-8");
   return text;
 }
 

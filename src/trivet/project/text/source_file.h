@@ -12,7 +12,8 @@ namespace trivet::project {
 inline constexpr std::uintmax_t largest_project_file = 16u << 20;
 
 /// Text of a project file or a catalogue; refuses directories, unreadable, empty, binary and absurdly large files.
-[[nodiscard]] foundation::Expected<std::string> read_source(const std::filesystem::path& path, const std::string& kind = "project file");
+[[nodiscard]] foundation::Expected<std::string> read_source(const std::filesystem::path& path,
+                                                            const std::string& kind = "project file");
 
 /// SHA-256 of a text, hexadecimal.
 [[nodiscard]] std::string sha256(const std::string& text);

@@ -30,13 +30,15 @@ std::string joined(const std::vector<std::string>& words) {
 TableReader::TableReader(const Node& table, std::string path, foundation::Problems& problems)
     : table_(table), path_(std::move(path)), problems_(problems) {}
 
-foundation::Problem& TableReader::error_at(const Node& node, const std::string& where, std::string finding, std::string rule, std::string remedy) {
+foundation::Problem& TableReader::error_at(const Node& node, const std::string& where, std::string finding,
+                                           std::string rule, std::string remedy) {
   foundation::Problem& problem = problems_.error(where, std::move(finding), std::move(rule), std::move(remedy));
   problem.origin = node.origin;
   return problem;
 }
 
-foundation::Problem& TableReader::error(const std::string& key, std::string finding, std::string rule, std::string remedy) {
+foundation::Problem& TableReader::error(const std::string& key, std::string finding, std::string rule,
+                                        std::string remedy) {
   const Node* node = table_.find(key);
   const std::string where = path_.empty() ? key : key.empty() ? path_ : path_ + "." + key;
   return error_at(node ? *node : table_, where, std::move(finding), std::move(rule), std::move(remedy));
@@ -60,11 +62,14 @@ void TableReader::add_of_file(const std::string& key, const foundation::Problems
 void TableReader::add(const foundation::Problems& findings, const Names& names) {
   const std::size_t before = problems_.list().size();
   const auto unread = [&](const std::string& subject) {
-    return std::any_of(problems_.list().begin(), problems_.list().begin() + static_cast<std::ptrdiff_t>(before), [&](const foundation::Problem& known) {
-      const std::string& other = known.subject;
-      const bool same = other.starts_with(subject) && (other.size() == subject.size() || other[subject.size()] == '.' || other[subject.size()] == '[');
-      return same && known.severity == foundation::Severity::error;
-    });
+    return std::any_of(
+        problems_.list().begin(), problems_.list().begin() + static_cast<std::ptrdiff_t>(before),
+        [&](const foundation::Problem& known) {
+          const std::string& other = known.subject;
+          const bool same = other.starts_with(subject) &&
+              (other.size() == subject.size() || other[subject.size()] == '.' || other[subject.size()] == '[');
+          return same && known.severity == foundation::Severity::error;
+        });
   };
   for (foundation::Problem problem : findings.list()) {
     for (const auto& [from, to] : names)
@@ -80,7 +85,9 @@ void TableReader::add(const foundation::Problems& findings, const Names& names) 
   }
 }
 
-void TableReader::missing(const std::string& key, const std::string& remedy) { error(key, "missing", "it is required", remedy); }
+void TableReader::missing(const std::string& key, const std::string& remedy) {
+  error(key, "missing", "it is required", remedy);
+}
 
 const Node* TableReader::node(const std::string& key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
@@ -90,19 +97,25 @@ const Node* TableReader::node(const std::string& key) {
 const Node* TableReader::table(const std::string& key) {
   const Node* found = node(key);
   if (!found || found->kind == Node::Kind::table) return found;
-  error(key, shown(*found), "a table is wanted here", "write " + key + " = {…} or [" + (path_.empty() ? key : path_ + "." + key) + "]");
+  error(key, shown(*found), "a table is wanted here",
+        "write " + key + " = {…} or [" + (path_.empty() ? key : path_ + "." + key) + "]");
   return nullptr;
 }
 
 std::optional<double> TableReader::scalar(const Node& value, const std::string& where, Quantity quantity) {
   const std::string unit = si_unit(quantity);
-  const std::string remedy = quantity == Quantity::pure ? "give a plain number" : fmt::format("give a number in {0}, or a text with a unit that converts to {0}", unit);
+  const std::string remedy = quantity == Quantity::pure
+      ? "give a plain number"
+      : fmt::format("give a number in {0}, or a text with a unit that converts to {0}", unit);
   double number = 0;
   if (value.kind == Node::Kind::integer || value.kind == Node::Kind::real) {
     number = value.number;
     if (quantity == Quantity::angle && std::abs(number) > 2 * std::numbers::pi) {
-      problems_.warning(where, fmt::format("{:.6g} rad", number), "an angle without a unit is in rad, and this is more than a turn",
-                        fmt::format("write \"{:.6g} deg\" if degrees are meant", number)).origin = value.origin;
+      problems_
+          .warning(where, fmt::format("{:.6g} rad", number),
+                   "an angle without a unit is in rad, and this is more than a turn",
+                   fmt::format("write \"{:.6g} deg\" if degrees are meant", number))
+          .origin = value.origin;
     }
   } else if (value.kind == Node::Kind::text) {
     const auto converted = to_si(value.text, quantity);
@@ -120,7 +133,8 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
     return std::nullopt;
   }
   if (const auto broken = outside_range(number, quantity)) {
-    error_at(value, where, fmt::format("{:.6g}{}{}", number, unit.empty() ? "" : " ", unit), *broken, "check digits and unit");
+    error_at(value, where, fmt::format("{:.6g}{}{}", number, unit.empty() ? "" : " ", unit), *broken,
+             "check digits and unit");
     return std::nullopt;
   }
   return number;
@@ -133,7 +147,10 @@ std::optional<double> TableReader::number(const std::string& key, Quantity quant
 }
 
 double TableReader::required_number(const std::string& key, Quantity quantity) {
-  if (!node(key)) missing(key, quantity == Quantity::pure ? "give " + key + " as a number" : fmt::format("give {} in {}", key, si_unit(quantity)));
+  if (!node(key))
+    missing(key,
+            quantity == Quantity::pure ? "give " + key + " as a number"
+                                       : fmt::format("give {} in {}", key, si_unit(quantity)));
   return number(key, quantity).value_or(0);
 }
 
@@ -177,14 +194,18 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind != Node::Kind::array) {
-    const bool component = value->kind == Node::Kind::table && std::all_of(value->keys.begin(), value->keys.end(), [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
-    error(key, component ? "components of an array that the file does not write" : shown(*value), "an array of numbers is wanted here", "put the numbers in square brackets, with commas between them");
+    const bool component = value->kind == Node::Kind::table &&
+        std::all_of(value->keys.begin(), value->keys.end(),
+                    [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
+    error(key, component ? "components of an array that the file does not write" : shown(*value),
+          "an array of numbers is wanted here", "put the numbers in square brackets, with commas between them");
     return std::nullopt;
   }
   std::vector<double> result;
   bool good = true;
   for (std::size_t i = 0; i < value->items.size(); ++i) {
-    const std::string place = value->items.size() == 3 ? std::string{'.', "xyz"[i]} : fmt::format("[{}]", i);  // as its path, where it has one
+    const std::string place = value->items.size() == 3 ? std::string{'.', "xyz"[i]}
+                                                       : fmt::format("[{}]", i);  // as its path, where it has one
     const auto item = scalar(value->items[i], path_ + (path_.empty() ? "" : ".") + key + place, quantity);
     good = good && item;
     result.push_back(item.value_or(0));
@@ -200,7 +221,8 @@ std::optional<Eigen::Vector3d> TableReader::vector(const std::string& key, Quant
   return std::nullopt;
 }
 
-std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key, const std::function<Quantity(int, int, int)>& quantity_of,
+std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key,
+                                                   const std::function<Quantity(int, int, int)>& quantity_of,
                                                    const std::vector<int>& allowed_sizes) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
@@ -213,15 +235,18 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key, const
   };
   if (value->kind != Node::Kind::array) return refuse(shown(*value));
   const auto size = static_cast<int>(value->items.size());
-  if (std::find(allowed_sizes.begin(), allowed_sizes.end(), size) == allowed_sizes.end()) return refuse(fmt::format("{} rows", size));
+  if (std::find(allowed_sizes.begin(), allowed_sizes.end(), size) == allowed_sizes.end())
+    return refuse(fmt::format("{} rows", size));
   Eigen::MatrixXd result(size, size);
   bool good = true;
   for (int i = 0; i < size; ++i) {
     const Node& row = value->items[static_cast<std::size_t>(i)];
     if (row.kind != Node::Kind::array) return refuse(fmt::format("row {} is {}", i + 1, words(row.kind)));
-    if (static_cast<int>(row.items.size()) != size) return refuse(fmt::format("row {} has {} entries", i + 1, row.items.size()));
+    if (static_cast<int>(row.items.size()) != size)
+      return refuse(fmt::format("row {} has {} entries", i + 1, row.items.size()));
     for (int j = 0; j < size; ++j) {
-      const auto entry = scalar(row.items[static_cast<std::size_t>(j)], fmt::format("{}.{}[{}][{}]", path_, key, i, j), quantity_of(size, i, j));
+      const auto entry = scalar(row.items[static_cast<std::size_t>(j)], fmt::format("{}.{}[{}][{}]", path_, key, i, j),
+                                quantity_of(size, i, j));
       good = good && entry;
       result(i, j) = entry.value_or(0);
     }
@@ -237,7 +262,8 @@ std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
     const std::string letter = value->text.substr(negative || value->text.starts_with('+') ? 1 : 0);
     for (int i = 0; i < 3; ++i)
       if (letter == std::string(1, "xyz"[i])) return (negative ? -1.0 : 1.0) * Eigen::Vector3d::Unit(i);
-    error(key, shown(*value), "a direction is \"x\", \"y\", \"z\", one of them with a minus sign, or three numbers", "for instance \"-z\" or [0, 0, -1]");
+    error(key, shown(*value), "a direction is \"x\", \"y\", \"z\", one of them with a minus sign, or three numbers",
+          "for instance \"-z\" or [0, 0, -1]");
     return std::nullopt;
   }
   const auto components = vector(key, Quantity::pure);
@@ -260,8 +286,11 @@ std::optional<Eigen::Matrix3d> TableReader::orientation(const std::string& key) 
     const double handed = axes.col(0).dot(spatial::cross_matrix(axes.col(1)) * axes.col(2));
     if (deviation <= orthonormal_within && handed > 0) return axes;
     const bool left_handed = deviation <= orthonormal_within;
-    inside.error("matrix", left_handed ? "a left-handed set of axes" : fmt::format("columns deviate from unit, perpendicular vectors by {:.2g}", deviation),
-                 "the columns are the local x, y, z axes: unit vectors, perpendicular, right-handed", "check signs and digits, or use axis and angle");
+    inside.error("matrix",
+                 left_handed ? "a left-handed set of axes"
+                             : fmt::format("columns deviate from unit, perpendicular vectors by {:.2g}", deviation),
+                 "the columns are the local x, y, z axes: unit vectors, perpendicular, right-handed",
+                 "check signs and digits, or use axis and angle");
     return std::nullopt;
   }
   const auto axis = inside.direction("axis");
@@ -285,7 +314,8 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
 void TableReader::finish() {
   for (std::size_t i = 0; i < table_.keys.size(); ++i) {
     const std::string& key = table_.keys[i];
-    if (std::find(known_.begin(), known_.end(), key) != known_.end() || (key == "accept" && may_accept(path_))) continue;
+    if (std::find(known_.begin(), known_.end(), key) != known_.end() || (key == "accept" && may_accept(path_)))
+      continue;
     const std::string guess = foundation::nearest_name(key, known_);
     const std::string short_key = foundation::shortened(key);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;

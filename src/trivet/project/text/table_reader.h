@@ -14,8 +14,8 @@
 
 namespace trivet::project {
 
-/// Reads one table of a project file key by key; every problem goes to the list, and reading goes on. What no call asked
-/// for is an unknown key, reported by `finish`.
+/// Reads one table of a project file key by key; every problem goes to the list, and reading goes on. What no call
+/// asked for is an unknown key, reported by `finish`.
 class TableReader {
  public:
   TableReader(const Node& table, std::string path, foundation::Problems& problems);
@@ -51,7 +51,8 @@ class TableReader {
   std::optional<Eigen::Vector3d> vector(const std::string& key, Quantity quantity);
   std::optional<std::vector<double>> numbers(const std::string& key, Quantity quantity);
   /// rows × columns of numbers; `quantity_of(i, j)` says what each entry measures.
-  std::optional<Eigen::MatrixXd> matrix(const std::string& key, const std::function<Quantity(int, int, int)>& quantity_of,
+  std::optional<Eigen::MatrixXd> matrix(const std::string& key,
+                                        const std::function<Quantity(int, int, int)>& quantity_of,
                                         const std::vector<int>& allowed_sizes);
   /// A direction: "x", "-z" or three numbers; unit vector.
   std::optional<Eigen::Vector3d> direction(const std::string& key);
@@ -70,7 +71,8 @@ class TableReader {
   std::optional<double> scalar(const Node& value, const std::string& where, Quantity quantity);
 
  private:
-  foundation::Problem& error_at(const Node& node, const std::string& where, std::string finding, std::string rule, std::string remedy);
+  foundation::Problem& error_at(const Node& node, const std::string& where, std::string finding, std::string rule,
+                                std::string remedy);
 
   const Node& table_;
   std::string path_;

@@ -102,8 +102,12 @@ class VectorsOfRow {
     for (std::size_t i = 0; i < table.keys.size(); ++i) {
       Node& item = table.items[i];
       const std::string key = inside.empty() ? table.keys[i] : inside + "." + table.keys[i];
-      if (item.kind != Node::Kind::table || table.keys[i] == "moved" || table.keys[i] == "stiffness_factor" || table.keys[i] == "center_moved") continue;
-      const bool components = !item.keys.empty() && std::all_of(item.keys.begin(), item.keys.end(), [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
+      if (item.kind != Node::Kind::table || table.keys[i] == "moved" || table.keys[i] == "stiffness_factor" ||
+          table.keys[i] == "center_moved")
+        continue;
+      const bool components = !item.keys.empty() &&
+          std::all_of(item.keys.begin(), item.keys.end(),
+                      [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
       if (components) make_array(item, key);
       else make_arrays(item, key);
     }
@@ -116,7 +120,10 @@ class VectorsOfRow {
     for (const char* component : {"x", "y", "z"}) {
       if (const Node* value = item.find(component)) array.items.push_back(*value);
       else {
-        problems_.error(path_ + "." + key + "." + component, "missing", "a place or direction has three components", fmt::format("give {0}.x, {0}.y and {0}.z", key)).origin = item.origin;
+        problems_
+            .error(path_ + "." + key + "." + component, "missing", "a place or direction has three components",
+                   fmt::format("give {0}.x, {0}.y and {0}.z", key))
+            .origin = item.origin;
         array.items.push_back(cell_node("0", "", item.origin));  // reading goes on
       }
     }
@@ -130,13 +137,15 @@ class VectorsOfRow {
 /// One kind of things: "elements", "bodies" or "points".
 class ThingTable {
  public:
-  ThingTable(Node& document, std::string kind, foundation::Problems& problems) : document_(document), kind_(std::move(kind)), problems_(problems) {}
+  ThingTable(Node& document, std::string kind, foundation::Problems& problems)
+      : document_(document), kind_(std::move(kind)), problems_(problems) {}
 
   void read(const Node& table) {
     const std::string path = "tables." + kind_;
     TableReader reader(table, path, problems_);
     if (reader.has("file") == reader.has("rows")) {
-      reader.error(reader.has("file") ? "rows" : "file", reader.has("file") ? "file and rows" : "neither file nor rows", "a table is in a file or in rows",
+      reader.error(reader.has("file") ? "rows" : "file", reader.has("file") ? "file and rows" : "neither file nor rows",
+                   "a table is in a file or in rows",
                    reader.has("file") ? "keep one" : "file = \"" + kind_ + ".csv\", or rows = [{name = …, …}]");
       static_cast<void>(reader.node("file")), static_cast<void>(reader.node("rows"));
     } else if (reader.has("file")) {
@@ -152,42 +161,66 @@ class ThingTable {
     auto cells = read_text_table(file, most_rows);
     if (!cells) return reader.add_of_file("file", cells.error());
     for (const int line : cells->comments_like_rows)
-      problems_.warning("tables." + kind_, "a comment line with as many cells as the header", "# begins a comment, and the row is not read", "put a name that begins with # in quotes, or write the comment without separators").origin = {file.string(), line, 0};
+      problems_
+          .warning("tables." + kind_, "a comment line with as many cells as the header",
+                   "# begins a comment, and the row is not read",
+                   "put a name that begins with # in quotes, or write the comment without separators")
+          .origin = {file.string(), line, 0};
     std::vector<std::optional<Column>> columns;
     for (const std::string& header : cells->columns) {
       columns.push_back(column_of(header));
       if (!columns.back())
-        problems_.error("tables." + kind_, "column " + foundation::quoted(header), "a column is a key with its unit in brackets", "for instance name, type, on, at.x [mm], scale").origin = {file.string(), cells->header_line, 0};
+        problems_
+            .error("tables." + kind_, "column " + foundation::quoted(header),
+                   "a column is a key with its unit in brackets", "for instance name, type, on, at.x [mm], scale")
+            .origin = {file.string(), cells->header_line, 0};
     }
     if (collide(columns, {file.string(), cells->header_line, 0})) return;
     refuse_doubtful_cells(*cells, columns, file.string());
     for (std::size_t r = 0; r < cells->rows.size(); ++r) {
       const foundation::Origin origin{file.string(), cells->lines[r], 0};
-      if (std::all_of(cells->rows[r].begin(), cells->rows[r].end(), [](const std::string& cell) { return cell.empty(); })) continue;
+      if (std::all_of(cells->rows[r].begin(), cells->rows[r].end(),
+                      [](const std::string& cell) { return cell.empty(); }))
+        continue;
       Node row = table_node(origin);
       for (std::size_t c = 0; c < columns.size(); ++c)
-        if (columns[c] && !cells->rows[r][c].empty()) put(row, columns[c]->keys, is_text(*columns[c]) ? text_node(cells->rows[r][c], origin) : cell_node(cells->rows[r][c], columns[c]->unit, origin));
+        if (columns[c] && !cells->rows[r][c].empty())
+          put(row, columns[c]->keys,
+              is_text(*columns[c]) ? text_node(cells->rows[r][c], origin)
+                                   : cell_node(cells->rows[r][c], columns[c]->unit, origin));
       add(std::move(row));
     }
   }
 
   /// Cells that would be read as something that nobody wrote: a second unit, and the ground where a body was left out.
-  void refuse_doubtful_cells(TextTable& cells, const std::vector<std::optional<Column>>& columns, const std::string& source) {
+  void refuse_doubtful_cells(TextTable& cells, const std::vector<std::optional<Column>>& columns,
+                             const std::string& source) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (!columns[c]) continue;
       const bool from = kind_ == "elements" && columns[c]->keys == std::vector<std::string>{"from"};
-      const bool some_from = from && std::any_of(cells.rows.begin(), cells.rows.end(), [&](const auto& row) { return !row[c].empty(); });
+      const bool some_from =
+          from && std::any_of(cells.rows.begin(), cells.rows.end(), [&](const auto& row) { return !row[c].empty(); });
       for (std::size_t r = 0; r < cells.rows.size(); ++r) {
         std::string& cell = cells.rows[r][c];
-        const bool blank = std::all_of(cells.rows[r].begin(), cells.rows[r].end(), [](const std::string& other) { return other.empty(); });
+        const bool blank = std::all_of(cells.rows[r].begin(), cells.rows[r].end(),
+                                       [](const std::string& other) { return other.empty(); });
         const foundation::Origin here{source, cells.lines[r], 0};
         if (!columns[c]->unit.empty() && !cell.empty() && !number_of(cell)) {
-          problems_.error("tables." + kind_, fmt::format("{} under {}", foundation::quoted(cell), foundation::quoted(cells.columns[c])), "below a header with a unit there are numbers",
-                          "write the number in the unit of the column, or units in every cell and none in the header").origin = here;
-          if (const std::string number = cell.substr(0, cell.find(' ')); number_of(number)) cell = number;  // what is wrong was said
+          problems_
+              .error("tables." + kind_,
+                     fmt::format("{} under {}", foundation::quoted(cell), foundation::quoted(cells.columns[c])),
+                     "below a header with a unit there are numbers",
+                     "write the number in the unit of the column, or units in every cell and none in the header")
+              .origin = here;
+          if (const std::string number = cell.substr(0, cell.find(' ')); number_of(number))
+            cell = number;  // what is wrong was said
         }
         if (some_from && cell.empty() && !blank)
-          problems_.error("tables." + kind_, "an empty cell under \"from\"", "where other rows name a body, each row says on what its element stands", "write the body, or \"ground\"").origin = here;
+          problems_
+              .error("tables." + kind_, "an empty cell under \"from\"",
+                     "where other rows name a body, each row says on what its element stands",
+                     "write the body, or \"ground\"")
+              .origin = here;
       }
     }
   }
@@ -199,8 +232,14 @@ class ThingTable {
       for (std::size_t j = 0; j < columns.size(); ++j) {
         if (i == j || !columns[i] || !columns[j]) continue;
         const auto &shorter = columns[i]->keys, &longer = columns[j]->keys;
-        if (shorter.size() > longer.size() || !std::equal(shorter.begin(), shorter.end(), longer.begin()) || (shorter.size() == longer.size() && i > j)) continue;
-        problems_.error("tables." + kind_, fmt::format("columns {} and {}", i + 1, j + 1), "both write " + shorter.front() + (shorter.size() > 1 ? "." + shorter.back() : ""), "keep one of them").origin = header;
+        if (shorter.size() > longer.size() || !std::equal(shorter.begin(), shorter.end(), longer.begin()) ||
+            (shorter.size() == longer.size() && i > j))
+          continue;
+        problems_
+            .error("tables." + kind_, fmt::format("columns {} and {}", i + 1, j + 1),
+                   "both write " + shorter.front() + (shorter.size() > 1 ? "." + shorter.back() : ""),
+                   "keep one of them")
+            .origin = header;
         found = true;
       }
     return found;
@@ -209,21 +248,26 @@ class ThingTable {
   /// Names are texts, also those that look like numbers.
   static bool is_text(const Column& column) {
     static constexpr std::array<const char*, 5> names = {"name", "type", "on", "from", "foundation"};
-    return column.keys.size() == 1 && column.unit.empty() && std::find(names.begin(), names.end(), column.keys.front()) != names.end();
+    return column.keys.size() == 1 && column.unit.empty() &&
+        std::find(names.begin(), names.end(), column.keys.front()) != names.end();
   }
 
   void read_rows(TableReader& reader, const Node& rows) {
     if (rows.kind != Node::Kind::array) {
-      reader.error("rows", words(rows.kind), "rows are a list of tables in braces", "rows = [{name = \"front\", type = \"mount\", on = \"machine\", at = [0, 0, 0]}, …]");
+      reader.error("rows", words(rows.kind), "rows are a list of tables in braces",
+                   "rows = [{name = \"front\", type = \"mount\", on = \"machine\", at = [0, 0, 0]}, …]");
       return;
     }
     if (rows.items.size() > most_rows) {
-      reader.error("rows", fmt::format("{} rows", rows.items.size()), fmt::format("a table has at most {}", most_rows), "split the model");
+      reader.error("rows", fmt::format("{} rows", rows.items.size()), fmt::format("a table has at most {}", most_rows),
+                   "split the model");
       return;
     }
     for (const Node& row : rows.items) {
       if (row.kind == Node::Kind::table) add(row);
-      else problems_.error("tables." + kind_ + ".rows", shown(row), "a row is a table in braces", "{name = \"front\", …}").origin = row.origin;
+      else
+        problems_.error("tables." + kind_ + ".rows", shown(row), "a row is a table in braces", "{name = \"front\", …}")
+            .origin = row.origin;
     }
   }
 
@@ -231,8 +275,12 @@ class ThingTable {
   void add(Node row) {
     const Node* name = row.find("name");
     const foundation::Origin origin = row.origin;
-    if (!name || (name->kind != Node::Kind::text && name->kind != Node::Kind::real && name->kind != Node::Kind::integer)) {
-      problems_.error("tables." + kind_, name ? shown(*name) : "a row without a name", "every row has a name, under the key or column \"name\"", "add it; keys are written small").origin = origin;
+    if (!name ||
+        (name->kind != Node::Kind::text && name->kind != Node::Kind::real && name->kind != Node::Kind::integer)) {
+      problems_
+          .error("tables." + kind_, name ? shown(*name) : "a row without a name",
+                 "every row has a name, under the key or column \"name\"", "add it; keys are written small")
+          .origin = origin;
       return;
     }
     const std::string called = name->kind == Node::Kind::text ? name->text : fmt::format("{}", name->number);
@@ -243,14 +291,23 @@ class ThingTable {
     const std::string path = kind_ == "points" ? "points." + called : kind_ + "." + called;
     VectorsOfRow(path, problems_).make_arrays(row);
     if (const Node* other = things->find(called)) {
-      problems_.error(path, fmt::format("a second one, in {}", foundation::place(origin)), fmt::format("the name is that of another one, in {}", foundation::place(other->origin)), "names are unique: rename one of them").origin = origin;
+      problems_
+          .error(path, fmt::format("a second one, in {}", foundation::place(origin)),
+                 fmt::format("the name is that of another one, in {}", foundation::place(other->origin)),
+                 "names are unique: rename one of them")
+          .origin = origin;
       return;
     }
     if (kind_ == "points") {
       const Node* at = row.find("at");
-      if (!at) problems_.error(path + ".at", "missing", "a point has a place", "give at.x, at.y and at.z").origin = origin;
+      if (!at)
+        problems_.error(path + ".at", "missing", "a point has a place", "give at.x, at.y and at.z").origin = origin;
       for (const std::string& key : row.keys)
-        if (key != "at") problems_.error(path + "." + key, "unknown key", "a point has a name, the body that it is on, and its place: name, on, at", "remove it").origin = origin;
+        if (key != "at")
+          problems_
+              .error(path + "." + key, "unknown key",
+                     "a point has a name, the body that it is on, and its place: name, on, at", "remove it")
+              .origin = origin;
       if (!at) return;
       row = Node(*at);
     }
@@ -262,7 +319,10 @@ class ThingTable {
   bool is_good_name(const std::string& called, const Node& row) {
     const std::string path = kind_ + "." + foundation::shortened(called);
     if (called.empty() || called.find('.') != std::string::npos) {
-      problems_.error(path, fmt::format("name {}", foundation::quoted(called)), "a name is not empty and has no dot", "choose another name").origin = row.origin;
+      problems_
+          .error(path, fmt::format("name {}", foundation::quoted(called)), "a name is not empty and has no dot",
+                 "choose another name")
+          .origin = row.origin;
       return false;
     }
     Node things = table_node(row.origin), all = table_node(row.origin);
@@ -281,10 +341,14 @@ class ThingTable {
     const Node* on = row.find("on");
     const Node* bodies = document_.find("bodies");
     Node* body = nullptr;
-    if (on && on->kind == Node::Kind::text && bodies && bodies->kind == Node::Kind::table) body = document_.find("bodies")->find(on->text);
+    if (on && on->kind == Node::Kind::text && bodies && bodies->kind == Node::Kind::table)
+      body = document_.find("bodies")->find(on->text);
     if (!body || body->kind != Node::Kind::table) {
       const std::string guess = on && bodies ? foundation::nearest_name(on->text, bodies->keys) : "";
-      problems_.error("points." + called + ".on", on ? shown(*on) : "missing", "a point is on a body", guess.empty() ? "name the body: on = \"BODY\"" : "did you mean \"" + guess + "\"?").origin = row.origin;
+      problems_
+          .error("points." + called + ".on", on ? shown(*on) : "missing", "a point is on a body",
+                 guess.empty() ? "name the body: on = \"BODY\"" : "did you mean \"" + guess + "\"?")
+          .origin = row.origin;
       return nullptr;
     }
     remove(row, "on");
@@ -312,22 +376,26 @@ class ThingTable {
 }  // namespace
 
 void gather_columns(foundation::Problems& problems) {
-  std::map<std::string, std::vector<std::size_t>> columns;  // problems that one column of a file brings to several rows: a key, or a unit
+  std::map<std::string, std::vector<std::size_t>>
+      columns;  // problems that one column of a file brings to several rows: a key, or a unit
   for (std::size_t i = 0; i < problems.list().size(); ++i) {
     const foundation::Problem& problem = problems.list()[i];
     const std::size_t name = problem.subject.find('.'), unit = problem.finding.find(' ');
     if (problem.origin.line == 0 || problem.origin.column != 0 || name == std::string::npos) continue;
     const std::string_view finding = problem.finding;
-    const bool number = !finding.empty() && std::string_view("0123456789-+.\"").find(finding.front()) != std::string_view::npos;
+    const bool number =
+        !finding.empty() && std::string_view("0123456789-+.\"").find(finding.front()) != std::string_view::npos;
     const bool fixed = problem.rule.find("is fixed by its type") != std::string::npos;  // whatever the cells say
     const std::string same(fixed ? "" : number && unit != std::string::npos ? finding.substr(unit) : finding);
     const std::size_t key = problem.subject.find('.', name + 1);
-    if (key != std::string::npos && (!number || fixed || same.size() < finding.size())) columns[problem.origin.source + problem.subject.substr(key) + problem.rule + same].push_back(i);
+    if (key != std::string::npos && (!number || fixed || same.size() < finding.size()))
+      columns[problem.origin.source + problem.subject.substr(key) + problem.rule + same].push_back(i);
   }
   std::vector<bool> dropped(problems.list().size(), false);
   for (const auto& [column, rows] : columns) {
     if (rows.size() < 2) continue;
-    problems.list()[rows.front()].finding += fmt::format(", here and in {} more row{}", rows.size() - 1, rows.size() > 2 ? "s" : "");
+    problems.list()[rows.front()].finding +=
+        fmt::format(", here and in {} more row{}", rows.size() - 1, rows.size() > 2 ? "s" : "");
     for (std::size_t i = 1; i < rows.size(); ++i) dropped[rows[i]] = true;
   }
   foundation::Problems kept;
@@ -343,7 +411,8 @@ void put_tables_in_place(Node& document, foundation::Problems& problems) {
   document.items.erase(document.items.begin() + (at - document.keys.begin()));
   document.keys.erase(at);
   if (tables.kind != Node::Kind::table) {
-    problems.error("tables", words(tables.kind), "tables are tables of things", "write [tables.elements]").origin = tables.origin;
+    problems.error("tables", words(tables.kind), "tables are tables of things", "write [tables.elements]").origin =
+        tables.origin;
     return;
   }
   TableReader reader(tables, "tables", problems);

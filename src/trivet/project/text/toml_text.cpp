@@ -43,7 +43,8 @@ int line_of_excessive_nesting(std::string_view text) {
     if (c == ']' || c == '}') brackets = std::max(0, brackets - 1);
     if (c == '.') ++dots;
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == ']' || c == '{' || c == '}') dots = 0;
-    if (brackets > deepest_nesting || dots > deepest_nesting) return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'));
+    if (brackets > deepest_nesting || dots > deepest_nesting)
+      return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'));
   }
   return 0;
 }
@@ -67,7 +68,9 @@ Node converted(const toml::node& from, const std::string& source) {
     // The parser sorts by name; a project file means the order of its lines.
     std::vector<std::size_t> order(node.keys.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto place = [&](std::size_t i) { return std::make_pair(node.items[i].origin.line, node.items[i].origin.column); };
+    const auto place = [&](std::size_t i) {
+      return std::make_pair(node.items[i].origin.line, node.items[i].origin.column);
+    };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
     std::vector<std::string> keys;
     std::vector<Node> items;
@@ -135,7 +138,8 @@ std::string finding_of(const toml::parse_error& error, std::string_view text) {
   return finding.substr(0, begin) + key + finding.substr(end + 1);
 }
 
-tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::string finding, std::string rule, std::string remedy) {
+tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::string finding, std::string rule,
+                                             std::string remedy) {
   foundation::Problems problems;
   problems.error("", std::move(finding), std::move(rule), std::move(remedy)).origin = std::move(origin);
   return tl::make_unexpected(std::move(problems));
@@ -145,7 +149,8 @@ tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::str
 
 foundation::Expected<Node> parse_toml(std::string_view text, const std::string& source) {
   if (const int line = line_of_excessive_nesting(text))
-    return refused({source, line, 0}, "more than 64 levels of brackets or dots", "a project file is a few levels deep", "look for a missing closing bracket");
+    return refused({source, line, 0}, "more than 64 levels of brackets or dots", "a project file is a few levels deep",
+                   "look for a missing closing bracket");
   try {
     const toml::table table = toml::parse(text, std::string_view(source));
     Node root = converted(table, source);
@@ -157,7 +162,8 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     const std::string finding = finding_of(error, text);
     const bool encoding = finding.find("utf-8") != std::string::npos || finding.find("UTF-8") != std::string::npos;
     return refused(origin_of(error.source(), source), finding, "the file must be valid TOML",
-                   encoding ? "it is no UTF-8 text: save it as UTF-8" : "mend this line (strings in quotes, one value per key, arrays in square brackets)");
+                   encoding ? "it is no UTF-8 text: save it as UTF-8"
+                            : "mend this line (strings in quotes, one value per key, arrays in square brackets)");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/text/units.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/units.h"
 
 #include <udunits2.h>
 
@@ -32,7 +32,8 @@ class UnitSystem {
   UnitSystem() {
     ut_set_error_message_handler(ut_ignore);
     system_ = ut_read_xml(nullptr);
-    if (!system_) throw std::runtime_error("the unit database of UDUNITS-2 cannot be read; install the package libudunits2-data");
+    if (!system_)
+      throw std::runtime_error("the unit database of UDUNITS-2 cannot be read; install the package libudunits2-data");
     const Unit radian(ut_new_base_unit(system_));
     name("radian", "rad", radian.get());
     name("degree", "deg", Unit(ut_scale(std::numbers::pi / 180, radian.get())).get());
@@ -46,19 +47,74 @@ class UnitSystem {
     const Unit joule(ut_new_base_unit(system_));
     name("joule", "J", joule.get());
     name("watt", "W", Unit(ut_divide(joule.get(), second.get())).get());
-    for (const auto& [word, symbol, joules] : {std::tuple{"calorie", "cal", 4.1868}, {"electron_volt", "eV", 1.602176634e-19}, {"erg", "erg", 1e-7}})
+    for (const auto& [word, symbol, joules] :
+         {std::tuple{"calorie", "cal", 4.1868}, {"electron_volt", "eV", 1.602176634e-19}, {"erg", "erg", 1e-7}})
       name(word, symbol, Unit(ut_scale(joules, joule.get())).get());
     for (const char* plural : {"radians"}) name(plural, "rad", radian.get());
     for (const char* plural : {"turn", "turns", "revolutions"}) name(plural, "rev", turn.get());
     for (const char* plural : {"joules"}) name(plural, "J", joule.get());
-    // What the database derives from the dimensionless radian and from the newton metre of energy goes: it would pass for a number
-    // or for a moment.
-    for (const char* word : {"circle", "circles", "arc_degree", "arc_degrees", "angular_degree", "angular_degrees", "arcdeg", "arc_minute", "arc_minutes", "angular_minute",
-                             "angular_minutes", "arcminute", "arcminutes", "arcmin", "arc_second", "arc_seconds", "angular_second", "angular_seconds", "arcsecond",
-                             "arcseconds", "arcsec", "grade", "grades", "steradian", "steradians", "sr", "watts", "calories", "IT_calorie", "IT_calories",
-                             "thermochemical_calorie", "thermochemical_calories", "electron_volts", "electronvolt", "electronvolts", "ergs", "Btu", "Btus", "BTU", "BTUs", "IT_Btu",
-                             "IT_Btus", "EC_therm", "EC_therms", "US_therm", "US_therms", "therm", "therms", "thm", "thermie", "ton_TNT", "tons_TNT", "horsepower",
-                             "British_horsepower", "boiler_horsepower", "shaft_horsepower", "metric_horsepower", "electric_horsepower", "hp", "horsepowers"})
+    // What the database derives from the dimensionless radian and from the newton metre of energy goes: it would pass
+    // for a number or for a moment.
+    for (const char* word : {"circle",
+                             "circles",
+                             "arc_degree",
+                             "arc_degrees",
+                             "angular_degree",
+                             "angular_degrees",
+                             "arcdeg",
+                             "arc_minute",
+                             "arc_minutes",
+                             "angular_minute",
+                             "angular_minutes",
+                             "arcminute",
+                             "arcminutes",
+                             "arcmin",
+                             "arc_second",
+                             "arc_seconds",
+                             "angular_second",
+                             "angular_seconds",
+                             "arcsecond",
+                             "arcseconds",
+                             "arcsec",
+                             "grade",
+                             "grades",
+                             "steradian",
+                             "steradians",
+                             "sr",
+                             "watts",
+                             "calories",
+                             "IT_calorie",
+                             "IT_calories",
+                             "thermochemical_calorie",
+                             "thermochemical_calories",
+                             "electron_volts",
+                             "electronvolt",
+                             "electronvolts",
+                             "ergs",
+                             "Btu",
+                             "Btus",
+                             "BTU",
+                             "BTUs",
+                             "IT_Btu",
+                             "IT_Btus",
+                             "EC_therm",
+                             "EC_therms",
+                             "US_therm",
+                             "US_therms",
+                             "therm",
+                             "therms",
+                             "thm",
+                             "thermie",
+                             "ton_TNT",
+                             "tons_TNT",
+                             "horsepower",
+                             "British_horsepower",
+                             "boiler_horsepower",
+                             "shaft_horsepower",
+                             "metric_horsepower",
+                             "electric_horsepower",
+                             "hp",
+                             "horsepowers"})
       forget(word);
     name("newton_meter", "Nm", Unit(parsed("N m")).get());
   }
@@ -94,15 +150,19 @@ const UnitSystem& unit_system() {
   return system;
 }
 
-/// The library also knows dates, logarithms, offsets and numbers inside a unit ("12 500 kg" would be 12 × 500 kg); here a unit
-/// is letters and signs, and a digit is an exponent right behind a letter, a ^ or a minus.
+/// The library also knows dates, logarithms, offsets and numbers inside a unit ("12 500 kg" would be 12 × 500 kg); here
+/// a unit is letters and signs, and a digit is an exponent right behind a letter, a ^ or a minus.
 bool is_plain_unit(std::string_view text) {
-  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 || c == '_' || c == ')' || c == '%'; };
+  const auto letter = [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 || c == '_' ||
+        c == ')' || c == '%';
+  };
   if (text.starts_with("1/")) text.remove_prefix(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i], before = i > 0 ? text[i - 1] : ' ';
     if (letter(c) || c == '*' || c == '/' || c == '(' || c == ' ') continue;
-    const bool exponent = std::isdigit(static_cast<unsigned char>(c)) && (letter(before) || before == '^' || before == '-' || std::isdigit(static_cast<unsigned char>(before)));
+    const bool exponent = std::isdigit(static_cast<unsigned char>(c)) &&
+        (letter(before) || before == '^' || before == '-' || std::isdigit(static_cast<unsigned char>(before)));
     const bool sign = (c == '-' || c == '^') && (letter(before) || (c == '-' && before == '^'));
     const bool product = c == '.' && letter(before) && i + 1 < text.size() && letter(text[i + 1]);
     if (!exponent && !sign && !product) return false;
@@ -126,7 +186,8 @@ Conversion new_conversion(const std::string& from, const std::string& to) {
   const Unit unit(unit_system().parsed(from));
   if (!unit) return {nullptr, "\"" + from + "\" is not a unit"};
   const Unit target(unit_system().parsed(to));
-  if (!ut_are_convertible(unit.get(), target.get())) return {nullptr, "\"" + from + "\" does not measure what is wanted here"};
+  if (!ut_are_convertible(unit.get(), target.get()))
+    return {nullptr, "\"" + from + "\" does not measure what is wanted here"};
   const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
   const double one = cv_convert_double(converter.get(), 1), two = cv_convert_double(converter.get(), 2);
   if (cv_convert_double(converter.get(), 0) != 0 || std::abs(two - 2 * one) > 1e-12 * std::abs(two))
@@ -151,31 +212,56 @@ Conversion conversion(const std::string& from, const std::string& to) {
 
 const char* si_unit(Quantity quantity) {
   switch (quantity) {
-    case Quantity::pure: return "1";
-    case Quantity::length: return "m";
-    case Quantity::mass: return "kg";
-    case Quantity::inertia: return "kg m2";
-    case Quantity::angle: return "rad";
-    case Quantity::angular_frequency: return "rad/s";
-    case Quantity::time: return "s";
-    case Quantity::per_time: return "1/s";
-    case Quantity::force: return "N";
-    case Quantity::moment: return "N m";
-    case Quantity::acceleration: return "m/s2";
-    case Quantity::velocity: return "m/s";
-    case Quantity::angular_velocity: return "rad/s";
-    case Quantity::angular_acceleration: return "rad/s2";
-    case Quantity::force_per_length: return "N/m";
-    case Quantity::force_per_angle: return "N/rad";
-    case Quantity::moment_per_length: return "N m/m";
-    case Quantity::moment_per_angle: return "N m/rad";
-    case Quantity::damping_force_per_length: return "N s/m";
-    case Quantity::damping_force_per_angle: return "N s/rad";
-    case Quantity::damping_moment_per_length: return "N m s/m";
-    case Quantity::damping_moment_per_angle: return "N m s/rad";
-    case Quantity::pressure: return "Pa";
-    case Quantity::density: return "kg/m3";
-    case Quantity::mass_length: return "kg m";
+    case Quantity::pure:
+      return "1";
+    case Quantity::length:
+      return "m";
+    case Quantity::mass:
+      return "kg";
+    case Quantity::inertia:
+      return "kg m2";
+    case Quantity::angle:
+      return "rad";
+    case Quantity::angular_frequency:
+      return "rad/s";
+    case Quantity::time:
+      return "s";
+    case Quantity::per_time:
+      return "1/s";
+    case Quantity::force:
+      return "N";
+    case Quantity::moment:
+      return "N m";
+    case Quantity::acceleration:
+      return "m/s2";
+    case Quantity::velocity:
+      return "m/s";
+    case Quantity::angular_velocity:
+      return "rad/s";
+    case Quantity::angular_acceleration:
+      return "rad/s2";
+    case Quantity::force_per_length:
+      return "N/m";
+    case Quantity::force_per_angle:
+      return "N/rad";
+    case Quantity::moment_per_length:
+      return "N m/m";
+    case Quantity::moment_per_angle:
+      return "N m/rad";
+    case Quantity::damping_force_per_length:
+      return "N s/m";
+    case Quantity::damping_force_per_angle:
+      return "N s/rad";
+    case Quantity::damping_moment_per_length:
+      return "N m s/m";
+    case Quantity::damping_moment_per_angle:
+      return "N m s/rad";
+    case Quantity::pressure:
+      return "Pa";
+    case Quantity::density:
+      return "kg/m3";
+    case Quantity::mass_length:
+      return "kg m";
   }
   return "";
 }
@@ -185,15 +271,19 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) return tl::make_unexpected("it does not start with a finite number");
+  if (error != std::errc() || !std::isfinite(value))
+    return tl::make_unexpected("it does not start with a finite number");
   const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  if (unit_text == "g" && quantity == Quantity::acceleration) return value * standard_gravity;  // no gram measures an acceleration
+  if (unit_text == "g" && quantity == Quantity::acceleration)
+    return value * standard_gravity;  // no gram measures an acceleration
   const std::string expected = si_unit(quantity);
   if (unit_text.empty())
-    return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit" : "the unit is missing");
+    return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit"
+                                                          : "the unit is missing");
   if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
   if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
-  if (unit_text == expected) return value;  // SI needs no database, whose reading takes longer than all the rest of a small question
+  if (unit_text == expected)
+    return value;  // SI needs no database, whose reading takes longer than all the rest of a small question
   const Conversion found = conversion(std::string(unit_text), expected);
   if (!found.converter) return tl::make_unexpected(found.reason);
   return cv_convert_double(found.converter.get(), value);

@@ -20,7 +20,7 @@ bool holds_names(const std::string& path) {
   constexpr std::array<const char*, 6> tables = {"bodies",      "elements", "excitations",
                                                  "foundations", "cases",    "limit_lines"};
   return std::find(tables.begin(), tables.end(), path) != tables.end() ||
-         (path.starts_with("bodies.") && path.ends_with(".points"));
+      (path.starts_with("bodies.") && path.ends_with(".points"));
 }
 
 void check_key(const std::string& path, const std::string& key, const foundation::Origin& origin,
@@ -55,10 +55,10 @@ void check_names(const Node& node, const std::string& path, foundation::Problems
     if (table) check_key(path, node.keys[i], node.items[i].origin, problems);
     if (node.items[i].kind == Node::Kind::integer || node.items[i].kind == Node::Kind::real) continue;
     check_names(node.items[i],
-          !table         ? path
-          : path.empty() ? node.keys[i]
-                         : path + "." + foundation::shortened(node.keys[i]),
-          problems);
+                !table             ? path
+                    : path.empty() ? node.keys[i]
+                                   : path + "." + foundation::shortened(node.keys[i]),
+                problems);
   }
 }
 

@@ -21,7 +21,8 @@ std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
 
 }  // namespace
 
-Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots, const Band& speed) {
+Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,
+                  const Band& speed) {
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
     throw foundation::InvalidInput("campbell: a range of speed needs 0 ≤ from < to");
   Campbell result{speed, {}, natural_lines(roots), {}};
@@ -29,11 +30,13 @@ Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::
     result.orders.push_back(order.order);
     for (std::size_t i = 0; i < result.natural.size(); ++i) {
       const NaturalLine& line = result.natural[i];
-      Interference point{i, order.order, line.angular_frequency / order.order, line.angular_frequency, line.nearest_mode, {}, false};
+      Interference point{
+          i, order.order, line.angular_frequency / order.order, line.angular_frequency, line.nearest_mode, {}, false};
       if (point.speed < speed.from || point.speed > speed.to) continue;
       const Eigen::VectorXd forces =
           modal::modal_forces(modes, order.loading.force.at(line.angular_frequency)).cwiseAbs();
-      const auto mode = std::find_if(modes.list.begin(), modes.list.end(), [&](const modal::Mode& m) { return m.number == point.mode; });
+      const auto mode = std::find_if(modes.list.begin(), modes.list.end(),
+                                     [&](const modal::Mode& m) { return m.number == point.mode; });
       if (mode != modes.list.end() && forces.squaredNorm() > 0) {
         point.modal_force_share = std::pow(forces(mode - modes.list.begin()), 2) / forces.squaredNorm();
         point.excited = *point.modal_force_share >= excited_from;

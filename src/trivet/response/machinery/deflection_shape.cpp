@@ -17,15 +17,16 @@ Vector6c turned(const Eigen::Matrix3d& rotation, const Vector6c& motion) {
   return spatial::both_blocks(rotation).cast<std::complex<double>>() * motion;
 }
 
-MovingPlace end_place(const model::System& system, const std::string& name, const model::End& end, const Vector6c& motion) {
+MovingPlace end_place(const model::System& system, const std::string& name, const model::End& end,
+                      const Vector6c& motion) {
   const spatial::Pose pose = model::end_in_ground(system.bodies(), end);
   return {name, pose.position, turned(pose.rotation, motion), end.body};
 }
 
 }  // namespace
 
-DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
-                                 double angular_frequency) {
+DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,
+                                 const assembly::Loading& loading, double angular_frequency) {
   const std::vector<SteadyMotion> motions = steady_motions(assembled, loading, {angular_frequency});
   const SteadyMotion& motion = motions.front();
   DeflectionShape shape;
@@ -35,8 +36,9 @@ DeflectionShape deflection_shape(const model::System& system, const assembly::As
     const Vector6c q = assembled.layout.of_body(b, motion.free);
     shape.bodies.push_back({body.name, body.pose.position, turned(body.pose.rotation, q), b});
     for (const model::Point& point : body.points)
-      shape.points.push_back({body.name + "." + point.name, body.pose.position + body.pose.rotation * point.at,
-                              turned(body.pose.rotation, spatial::rigid_motion(point.at).cast<std::complex<double>>() * q), b});
+      shape.points.push_back(
+          {body.name + "." + point.name, body.pose.position + body.pose.rotation * point.at,
+           turned(body.pose.rotation, spatial::rigid_motion(point.at).cast<std::complex<double>>() * q), b});
   }
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
@@ -45,7 +47,8 @@ DeflectionShape deflection_shape(const model::System& system, const assembly::As
     shape.heads.push_back(end_place(system, element.name + ".head", element.k, d.segment<6>(6)));
   }
   for (const auto* places : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
-    for (const MovingPlace& place : *places) shape.largest_excursion = std::max(shape.largest_excursion, excursion(place.motion.head<3>()));
+    for (const MovingPlace& place : *places)
+      shape.largest_excursion = std::max(shape.largest_excursion, excursion(place.motion.head<3>()));
   return shape;
 }
 

@@ -12,7 +12,7 @@ namespace trivet::response {
 
 /// A place that moves as Re(motion · e^{iωt}).
 struct MovingPlace {
-  std::string name;              ///< BODY, BODY.POINT, ELEMENT.foot (its end N) or ELEMENT.head (its end K)
+  std::string name;  ///< BODY, BODY.POINT, ELEMENT.foot (its end N) or ELEMENT.head (its end K)
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< at rest, ground frame [m]
   /// translation [m] and rotation [rad], ground axes
   Eigen::Matrix<std::complex<double>, 6, 1> motion = Eigen::Matrix<std::complex<double>, 6, 1>::Zero();
@@ -21,12 +21,12 @@ struct MovingPlace {
 
 /// Operating deflection shape: where everything goes at one ω.
 struct DeflectionShape {
-  double angular_frequency = 0;       ///< [rad/s]
-  std::vector<MovingPlace> bodies;    ///< poles
+  double angular_frequency = 0;     ///< [rad/s]
+  std::vector<MovingPlace> bodies;  ///< poles
   std::vector<MovingPlace> points;
-  std::vector<MovingPlace> feet;      ///< one per element
-  std::vector<MovingPlace> heads;     ///< one per element
-  double largest_excursion = 0;       ///< of all of them [m]
+  std::vector<MovingPlace> feet;   ///< one per element
+  std::vector<MovingPlace> heads;  ///< one per element
+  double largest_excursion = 0;    ///< of all of them [m]
 };
 
 /// @throws foundation::NotComputable where Z(ω) is singular

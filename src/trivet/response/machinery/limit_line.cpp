@@ -31,7 +31,9 @@ std::vector<Piece> pieces(const LimitLine& line) {
   std::vector<Piece> result;
   for (std::size_t i = 0; i + 1 < line.limit.size(); ++i)
     if (line.angular_frequency[i] < line.angular_frequency[i + 1])
-      result.push_back({{line.angular_frequency[i], line.angular_frequency[i + 1]}, factor * line.limit[i], factor * line.limit[i + 1]});
+      result.push_back({{line.angular_frequency[i], line.angular_frequency[i + 1]},
+                        factor * line.limit[i],
+                        factor * line.limit[i + 1]});
   return result;
 }
 
@@ -44,7 +46,8 @@ struct Node {
 /// The level over one piece of the line.
 class Comparison {
  public:
-  Comparison(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading, const Piece& piece)
+  Comparison(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading,
+             const Piece& piece)
       : assembled_(assembled), channel_(channel), loading_(loading), piece_(piece) {}
 
   std::vector<Node> nodes(const std::vector<double>& omega) const {
@@ -52,7 +55,8 @@ class Comparison {
     std::vector<Node> result;
     for (std::size_t i = 0; i < omega.size(); ++i) {
       const double size = std::abs(response.curves[0].value(static_cast<Eigen::Index>(i)));
-      result.push_back({omega[i], std::isnan(size) ? infinity : size / piece_.at(omega[i])});  // no value: an undamped resonance
+      result.push_back(
+          {omega[i], std::isnan(size) ? infinity : size / piece_.at(omega[i])});  // no value: an undamped resonance
     }
     return result;
   }
@@ -95,8 +99,8 @@ class Comparison {
   const Piece& piece_;
 };
 
-/// Adds the true maxima beside grid points that could hide one above 1 or above all others: the grid follows the curve to better than
-/// `hidden`.
+/// Adds the true maxima beside grid points that could hide one above 1 or above all others: the grid follows the curve
+/// to better than `hidden`.
 void add_summits(const Comparison& comparison, const foundation::Progress& progress, std::vector<Node>& nodes) {
   constexpr double hidden = 0.03;
   double highest = 0;
@@ -105,12 +109,13 @@ void add_summits(const Comparison& comparison, const foundation::Progress& progr
   std::vector<Node> summits;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const bool rises = i == 0 || nodes[i].ratio >= nodes[i - 1].ratio,
-        falls = i + 1 == nodes.size() || nodes[i].ratio >= nodes[i + 1].ratio;
+               falls = i + 1 == nodes.size() || nodes[i].ratio >= nodes[i + 1].ratio;
     const double ratio = nodes[i].ratio;
     foundation::report_progress(progress, "limit line", static_cast<double>(i) / static_cast<double>(nodes.size()));
     if (!rises || !falls || !std::isfinite(ratio)) continue;
     if (ratio < (1 - hidden) * highest && !(ratio > 1 - hidden && ratio <= 1)) continue;
-    const Node summit = comparison.summit(nodes[i == 0 ? 0 : i - 1].omega, nodes[std::min(i + 1, nodes.size() - 1)].omega);
+    const Node summit =
+        comparison.summit(nodes[i == 0 ? 0 : i - 1].omega, nodes[std::min(i + 1, nodes.size() - 1)].omega);
     if (summit.ratio > ratio) summits.push_back(summit);
   }
   nodes.insert(nodes.end(), summits.begin(), summits.end());
@@ -124,7 +129,8 @@ void note_exceeded(const Comparison& comparison, const foundation::Progress& pro
     const bool above = nodes[i].ratio > 1, before = i > 0 && nodes[i - 1].ratio > 1;
     if (above && !before) {
       const double from = i == 0 ? nodes[i].omega : comparison.crossing(nodes[i - 1], nodes[i]);
-      if (i == 0 && !exceeded.empty() && exceeded.back().to == from) exceeded.back().to = nodes[i].omega;  // goes on from the piece before
+      if (i == 0 && !exceeded.empty() && exceeded.back().to == from)
+        exceeded.back().to = nodes[i].omega;  // goes on from the piece before
       else exceeded.push_back({from, nodes[i].omega});
     }
     if (before) exceeded.back().to = above ? nodes[i].omega : comparison.crossing(nodes[i - 1], nodes[i]);
@@ -137,62 +143,70 @@ foundation::Problems check(const LimitLine& line, const std::string& subject) {
   foundation::Problems problems;
   const std::string named = "limit line \"" + line.name + "\"";
   if (line.angular_frequency.size() != line.limit.size() || line.limit.size() < 2)
-    problems.error(subject, fmt::format("{}: {} frequencies and {} limits", named, line.angular_frequency.size(), line.limit.size()),
-                   "a limit line has at least two points, each with frequency and limit", "complete the table");
+    problems.error(
+        subject,
+        fmt::format("{}: {} frequencies and {} limits", named, line.angular_frequency.size(), line.limit.size()),
+        "a limit line has at least two points, each with frequency and limit", "complete the table");
   for (std::size_t i = 0; i < line.limit.size(); ++i)
     if (!(line.limit[i] > 0 && std::isfinite(line.limit[i])))
-      problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1), "a limit is a number > 0",
-                     "correct or leave out the row");
+      problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1),
+                     "a limit is a number > 0", "correct or leave out the row");
   const std::vector<double>& omega = line.angular_frequency;
   for (std::size_t i = 0; i < omega.size(); ++i) {
     const double hertz = omega[i] / (2 * std::numbers::pi);
     if (!(omega[i] > 0 && std::isfinite(omega[i])))
-      problems.error(subject, fmt::format("{}: {:g} Hz in row {}", named, hertz, i + 1), "frequencies are > 0, as the axis is logarithmic",
-                     "correct or leave out the row");
+      problems.error(subject, fmt::format("{}: {:g} Hz in row {}", named, hertz, i + 1),
+                     "frequencies are > 0, as the axis is logarithmic", "correct or leave out the row");
     else if (i > 0 && omega[i] < omega[i - 1])
-      problems.error(subject, fmt::format("{}: {:g} Hz in row {} after {:g} Hz", named, hertz, i + 1,
-                                          omega[i - 1] / (2 * std::numbers::pi)),
+      problems.error(subject,
+                     fmt::format("{}: {:g} Hz in row {} after {:g} Hz", named, hertz, i + 1,
+                                 omega[i - 1] / (2 * std::numbers::pi)),
                      "frequencies ascend", "sort the table by frequency");
     else if (i > 1 && omega[i] == omega[i - 2])
-      problems.error(subject, fmt::format("{}: {:g} Hz three times, row {}", named, hertz, i + 1), "two rows of one frequency are a step",
-                     "leave out the row between");
+      problems.error(subject, fmt::format("{}: {:g} Hz three times, row {}", named, hertz, i + 1),
+                     "two rows of one frequency are a step", "leave out the row between");
   }
   if (omega.size() > 1 && omega.front() == omega.back())
-    problems.error(subject, fmt::format("{}: all rows at {:g} Hz", named, omega[0] / (2 * std::numbers::pi)), "a limit line covers a band",
-                   "give a second frequency");
+    problems.error(subject, fmt::format("{}: all rows at {:g} Hz", named, omega[0] / (2 * std::numbers::pi)),
+                   "a limit line covers a band", "give a second frequency");
   return problems;
 }
 
 double zero_to_peak_limit(const LimitLine& line, double angular_frequency) {
   double lowest = infinity;
   for (const Piece& piece : pieces(line))
-    if (angular_frequency >= piece.band.from && angular_frequency <= piece.band.to) lowest = std::min(lowest, piece.at(angular_frequency));
+    if (angular_frequency >= piece.band.from && angular_frequency <= piece.band.to)
+      lowest = std::min(lowest, piece.at(angular_frequency));
   if (std::isinf(lowest))
-    throw foundation::InvalidInput(fmt::format("limit line \"{}\" says nothing at {:g} rad/s", line.name, angular_frequency));
+    throw foundation::InvalidInput(
+        fmt::format("limit line \"{}\" says nothing at {:g} rad/s", line.name, angular_frequency));
   return lowest;
 }
 
 LimitComparison compared_with_limit(const assembly::Assembled& assembled, const assembly::Channel& channel,
-                                    const assembly::Loading& loading,
-                                    const Eigen::VectorXcd& poles, const Peaks& peaks, const LimitLine& line, const Band& band,
-                                    const foundation::Progress& progress) {
+                                    const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
+                                    const LimitLine& line, const Band& band, const foundation::Progress& progress) {
   if (const foundation::Problems problems = check(line, "limit line"); problems.has_errors())
     throw foundation::InvalidInput(foundation::message(problems.list().front()));
   if (line.unit != channel.unit)
-    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; compare like with like", line.name, line.unit,
-                                               channel.name, channel.unit));
+    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; compare like with like",
+                                               line.name, line.unit, channel.name, channel.unit));
   LimitComparison result;
-  result.compared = {std::max(band.from, line.angular_frequency.front()), std::min(band.to, line.angular_frequency.back())};
+  result.compared = {std::max(band.from, line.angular_frequency.front()),
+                     std::min(band.to, line.angular_frequency.back())};
   if (!(result.compared.to > result.compared.from))
-    throw foundation::NotComputable(fmt::format("limit line \"{}\" runs from {:g} to {:g} rad/s, the band from {:g} to {:g} rad/s: nothing in common", line.name,
-                                                line.angular_frequency.front(), line.angular_frequency.back(), band.from, band.to));
-  const std::vector<double> grid = automatic_grid(assembled, {channel}, loading, poles, peaks, result.compared, progress);
+    throw foundation::NotComputable(fmt::format(
+        "limit line \"{}\" runs from {:g} to {:g} rad/s, the band from {:g} to {:g} rad/s: nothing in common",
+        line.name, line.angular_frequency.front(), line.angular_frequency.back(), band.from, band.to));
+  const std::vector<double> grid =
+      automatic_grid(assembled, {channel}, loading, poles, peaks, result.compared, progress);
   std::vector<Node> all;
   for (const Piece& piece : pieces(line)) {
     const Band part{std::max(piece.band.from, result.compared.from), std::min(piece.band.to, result.compared.to)};
     if (!(part.to > part.from)) continue;
     std::vector<double> omega = {part.from};
-    std::copy_if(grid.begin(), grid.end(), std::back_inserter(omega), [&](double w) { return w > part.from && w < part.to; });
+    std::copy_if(grid.begin(), grid.end(), std::back_inserter(omega),
+                 [&](double w) { return w > part.from && w < part.to; });
     omega.push_back(part.to);
     const Comparison comparison(assembled, channel, loading, piece);
     std::vector<Node> nodes = comparison.nodes(omega);

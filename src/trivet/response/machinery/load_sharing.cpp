@@ -12,15 +12,16 @@ namespace trivet::response {
 LoadSharing load_sharing(const model::System& system, const assembly::Assembled& assembled) {
   const auto& gravity = system.description().gravity;
   if (!gravity || gravity->isZero(0))
-    throw foundation::NotComputable("load sharing: without gravity no load has a direction; give gravity = [0, 0, -9.80665]");
+    throw foundation::NotComputable(
+        "load sharing: without gravity no load has a direction; give gravity = [0, 0, -9.80665]");
   LoadSharing result;
   std::vector<std::string> words;
   for (const std::size_t e : mounts(system)) {
     result.mounts.emplace_back().element = system.elements()[e].name;
     words.insert(words.end(), {result.mounts.back().element, result.mounts.back().element + ".deflection"});
   }
-  const StaticResponse rest = static_response(system, assembled,
-                                              assembly::channels(system, assembled, words, assembly::Quantity::displacement));
+  const StaticResponse rest = static_response(
+      system, assembled, assembly::channels(system, assembled, words, assembly::Quantity::displacement));
   const Eigen::Vector3d down = gravity->normalized();
   // Each mount has its six of wrench, then its six of deflection.
   double largest = 0;
@@ -36,7 +37,8 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   }
   constexpr double round_off = 1e-12;
   if (!(result.bearing_in_total > round_off * largest))
-    throw foundation::NotComputable("load sharing: the mounts bear nothing in the direction of gravity: there is nothing to share");
+    throw foundation::NotComputable(
+        "load sharing: the mounts bear nothing in the direction of gravity: there is nothing to share");
   for (MountLoad& mount : result.mounts) mount.share = mount.bearing / result.bearing_in_total;
   return result;
 }

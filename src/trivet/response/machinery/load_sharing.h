@@ -20,8 +20,8 @@ struct MountLoad {
 };
 
 struct LoadSharing {
-  std::vector<MountLoad> mounts;   ///< elements whose end N stands on the ground or on a foundation
-  double bearing_in_total = 0;     ///< [N]
+  std::vector<MountLoad> mounts;  ///< elements whose end N stands on the ground or on a foundation
+  double bearing_in_total = 0;    ///< [N]
 };
 
 /// Which mount carries how much of the weight and the constant forces.

@@ -18,18 +18,20 @@ std::vector<excitation::Order> orders_of(const model::Excitation& excitation) {
 }
 
 /// `factor` (iω)^power times the force of the action.
-void add_force(const assembly::Assembled& assembled, model::Action action, const excitation::ComplexVector6& amplitude, int power,
-               double factor,
-               assembly::Loading& total) {
+void add_force(const assembly::Assembled& assembled, model::Action action, const excitation::ComplexVector6& amplitude,
+               int power, double factor, assembly::Loading& total) {
   action.amplitude = factor * amplitude;
   const assembly::Loading one = assembly::loading(assembled, action);
-  for (const numerics::LoadTerm& term : one.force.terms()) total.force.add({term.power + power, term.delay, term.value});
+  for (const numerics::LoadTerm& term : one.force.terms())
+    total.force.add({term.power + power, term.delay, term.value});
 }
 
 OrderLoading& entry_of(std::vector<OrderLoading>& list, double order, const assembly::Assembled& assembled) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const OrderLoading& entry) { return entry.order == order; });
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const OrderLoading& entry) { return entry.order == order; });
   if (found != list.end()) return *found;
-  return list.emplace_back(OrderLoading{order, {numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())}, {}});
+  return list.emplace_back(
+      OrderLoading{order, {numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())}, {}});
 }
 
 }  // namespace
@@ -38,22 +40,25 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
                                          const std::vector<std::string>& selected) {
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
-    if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return e.name == name &&
-        !orders_of(e).empty(); }))
+    if (std::none_of(excitations.begin(), excitations.end(),
+                     [&](const model::Excitation& e) { return e.name == name && !orders_of(e).empty(); }))
       throw foundation::InvalidInput("\"" + name + "\" names no orders and no unbalance of this model");
   std::vector<OrderLoading> result;
   for (const model::Excitation& excitation : excitations) {
     if (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()) continue;
     for (const excitation::Order& order : orders_of(excitation)) {
-      if (!(order.order > 0)) throw foundation::InvalidInput("\"" + excitation.name + "\" has an order that is not > 0");
+      if (!(order.order > 0))
+        throw foundation::InvalidInput("\"" + excitation.name + "\" has an order that is not > 0");
       OrderLoading& entry = entry_of(result, order.order, assembled);
       // Ω² = −s²/order²
-      add_force(assembled, excitation.action, order.per_speed_squared, 2, -1 / (order.order * order.order), entry.loading);
+      add_force(assembled, excitation.action, order.per_speed_squared, 2, -1 / (order.order * order.order),
+                entry.loading);
       add_force(assembled, excitation.action, order.fixed, 0, 1, entry.loading);
       entry.excitations.push_back(excitation.name);
     }
   }
-  std::sort(result.begin(), result.end(), [](const OrderLoading& a, const OrderLoading& b) { return a.order < b.order; });
+  std::sort(result.begin(), result.end(),
+            [](const OrderLoading& a, const OrderLoading& b) { return a.order < b.order; });
   return result;
 }
 

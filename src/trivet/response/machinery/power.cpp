@@ -25,8 +25,9 @@ struct SystemDamping {
 SystemDamping system_damping(const model::System& system, const assembly::Assembled& assembled) {
   if (std::holds_alternative<std::monostate>(system.description().damping)) return {};
   const Eigen::Index n = assembled.layout.before_last();
-  SystemDamping rest{(assembled.frequency_dependent() ? assembled.constant.B : assembled.matrices.B).topLeftCorner(n, n),
-                     assembled.ground.B.topRows(n)};
+  SystemDamping rest{
+      (assembled.frequency_dependent() ? assembled.constant.B : assembled.matrices.B).topLeftCorner(n, n),
+      assembled.ground.B.topRows(n)};
   for (const assembly::ElementMap& map : assembled.elements) {
     if (map.frequency_dependent()) continue;
     const Eigen::MatrixXd force = map.ends.transpose() * map.matrices.damping;
@@ -48,8 +49,8 @@ double foundation_power(const model::System& system, const assembly::Assembled& 
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
     const model::Foundation& foundation = system.description().foundations[f];
     const Eigen::VectorXcd p = motion.free.segment(assembled.layout.foundation_row(f), foundation.mass.rows());
-    const Eigen::VectorXcd force = (foundation.stiffness - omega * omega * foundation.mass) * p +
-        Complex(0, omega) * (foundation.damping * p);
+    const Eigen::VectorXcd force =
+        (foundation.stiffness - omega * omega * foundation.mass) * p + Complex(0, omega) * (foundation.damping * p);
     sum += mean_power(force, p, omega);
   }
   return sum;
@@ -57,15 +58,24 @@ double foundation_power(const model::System& system, const assembly::Assembled& 
 
 }  // namespace
 
-PowerFlow power_flow(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
-                     const std::vector<double>& angular_frequency, const foundation::Progress& progress) {
+PowerFlow power_flow(const model::System& system, const assembly::Assembled& assembled,
+                     const assembly::Loading& loading, const std::vector<double>& angular_frequency,
+                     const foundation::Progress& progress) {
   const std::vector<std::size_t> standing = mounts(system);
   const SystemDamping of_system = system_damping(system, assembled);
   const auto count = static_cast<Eigen::Index>(angular_frequency.size());
   const auto rows = [](const auto& list) { return static_cast<Eigen::Index>(list.size()); };
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(count);
-  PowerFlow flow{angular_frequency, {}, Eigen::MatrixXd::Zero(rows(standing), count), none, none, none, {},
-                 Eigen::MatrixXd::Zero(rows(system.elements()), count), none, none};
+  PowerFlow flow{angular_frequency,
+                 {},
+                 Eigen::MatrixXd::Zero(rows(standing), count),
+                 none,
+                 none,
+                 none,
+                 {},
+                 Eigen::MatrixXd::Zero(rows(system.elements()), count),
+                 none,
+                 none};
   for (const std::size_t e : standing) flow.mounts.push_back(system.elements()[e].name);
   for (const model::Element& element : system.elements()) flow.elements.push_back(element.name);
   const std::vector<SteadyMotion> motions = steady_motions(assembled, loading, angular_frequency);
@@ -81,11 +91,13 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
       flow.dissipated(static_cast<Eigen::Index>(e), i) = mean_power(wrench, d, omega);
       flow.by_ground(i) += mean_power(wrench, map.moved_by_ground(motion.ground).head(wrench.size()), omega);
       for (std::size_t m = 0; m < standing.size(); ++m)
-        if (standing[m] == e) flow.into_ground(static_cast<Eigen::Index>(m), i) = -mean_power(wrench.head<6>(), d.head<6>(), omega);
+        if (standing[m] == e)
+          flow.into_ground(static_cast<Eigen::Index>(m), i) = -mean_power(wrench.head<6>(), d.head<6>(), omega);
     }
     flow.dissipated_by_foundations(i) = foundation_power(system, assembled, motion);
     if (of_system.free.size() > 0) {
-      const Eigen::VectorXcd held = Complex(0, omega) * (of_system.free * motion.free + of_system.ground * motion.ground);
+      const Eigen::VectorXcd held =
+          Complex(0, omega) * (of_system.free * motion.free + of_system.ground * motion.ground);
       flow.dissipated_by_system(i) = mean_power(held, motion.free, omega);
     }
   }

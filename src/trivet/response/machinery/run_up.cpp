@@ -18,18 +18,21 @@ using foundation::infinity;
 void sort_apart(std::vector<double>& speed) {
   constexpr double same = 1e-13;
   std::sort(speed.begin(), speed.end());
-  speed.erase(std::unique(speed.begin(), speed.end(), [](double a, double b) { return b - a <= same * b; }), speed.end());
+  speed.erase(std::unique(speed.begin(), speed.end(), [](double a, double b) { return b - a <= same * b; }),
+              speed.end());
 }
 
 void note_critical(const Peaks& found, double order, std::vector<CriticalSpeed>& critical) {
   for (const Peak& peak : found.list)
-    critical.push_back({peak.curve, order, peak.angular_frequency / order, peak.angular_frequency, peak.amplitude, peak.prominence, 0, peak.nearest_mode});
+    critical.push_back({peak.curve, order, peak.angular_frequency / order, peak.angular_frequency, peak.amplitude,
+                        peak.prominence, 0, peak.nearest_mode});
 }
 
 void set_relative_heights(std::size_t curves, std::vector<CriticalSpeed>& critical) {
   std::vector<double> highest(curves, 0);
   for (const CriticalSpeed& c : critical) highest[c.curve] = std::max(highest[c.curve], c.amplitude);
-  for (CriticalSpeed& c : critical) c.relative_height = c.amplitude == highest[c.curve] ? 1 : c.amplitude / highest[c.curve];
+  for (CriticalSpeed& c : critical)
+    c.relative_height = c.amplitude == highest[c.curve] ? 1 : c.amplitude / highest[c.curve];
 }
 
 /// Speeds around a resonance, in widths of its root.
@@ -41,8 +44,8 @@ void add_around(const CriticalSpeed& critical, const Eigen::VectorXcd& poles, st
     for (const int side : {-1, 1}) speed.push_back((poles(nearest).imag() + side * t * width) / critical.order);
 }
 
-OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const OrderLoading& order,
-                         RunUp& result) {
+OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                         const OrderLoading& order, RunUp& result) {
   std::vector<double> omega;
   for (const double speed : result.speed) omega.push_back(order.order * speed);
   FrequencyResponse response = frequency_response(assembled, channels, order.loading, omega);
@@ -54,7 +57,8 @@ OrderCurves order_curves(const assembly::Assembled& assembled, const std::vector
 Overall overall(const RunUp& run_up, std::size_t curve) {
   const Curve& first = run_up.orders.front().curves[curve];
   const Eigen::Index count = first.value.size();
-  Overall sum{first.name, first.unit, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), 0, run_up.speed.front()};
+  Overall sum{first.name, first.unit,          Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
+              0,          run_up.speed.front()};
   for (const OrderCurves& order : run_up.orders) {
     const Eigen::VectorXd amplitude = order.curves[curve].value.cwiseAbs();
     sum.rms += 0.5 * amplitude.cwiseAbs2();
@@ -75,17 +79,21 @@ Overall overall(const RunUp& run_up, std::size_t curve) {
 }  // namespace
 
 RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-             const std::vector<OrderLoading>& order_loadings,
-             const modal::Modes& modes, const modal::Roots& roots, const RunUpOptions& options, const foundation::Progress& progress) {
+             const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,
+             const RunUpOptions& options, const foundation::Progress& progress) {
   const Band& speed = options.speed;
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
     throw foundation::InvalidInput("run-up: a range of speed needs 0 ≤ from < to");
-  if (order_loadings.empty()) throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
+  if (order_loadings.empty())
+    throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
   if (options.points < 2) throw foundation::InvalidInput("run-up: fewer than two speeds");
   RunUp result;
   for (const OrderLoading& order : order_loadings) {
-    Peaks found = peaks(assembled, channels, order.loading, modes, roots, {options.min_prominence, order.order * speed.to, false}, progress);
-    std::erase_if(found.list, [&](const Peak& peak) { return peak.angular_frequency < order.order * speed.from || peak.angular_frequency > order.order * speed.to; });
+    Peaks found = peaks(assembled, channels, order.loading, modes, roots,
+                        {options.min_prominence, order.order * speed.to, false}, progress);
+    std::erase_if(found.list, [&](const Peak& peak) {
+      return peak.angular_frequency < order.order * speed.from || peak.angular_frequency > order.order * speed.to;
+    });
     set_nearest_modes(assembled, channels, order.loading, modes, found);
     note_critical(found, order.order, result.critical);
   }
@@ -98,11 +106,12 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
   }
   std::erase_if(result.speed, [&](double at) { return at < speed.from || at > speed.to; });
   sort_apart(result.speed);
-  std::stable_sort(result.critical.begin(), result.critical.end(),
-                   [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.curve != b.curve
-                       ? a.curve < b.curve : a.speed < b.speed; });
+  std::stable_sort(result.critical.begin(), result.critical.end(), [](const CriticalSpeed& a, const CriticalSpeed& b) {
+    return a.curve != b.curve ? a.curve < b.curve : a.speed < b.speed;
+  });
   for (std::size_t k = 0; k < order_loadings.size(); ++k) {
-    foundation::report_progress(progress, "run-up", static_cast<double>(k) / static_cast<double>(order_loadings.size()));
+    foundation::report_progress(progress, "run-up",
+                                static_cast<double>(k) / static_cast<double>(order_loadings.size()));
     result.orders.push_back(order_curves(assembled, channels, order_loadings[k], result));
   }
   sort_apart(result.undefined_at);

@@ -25,17 +25,20 @@ using foundation::infinity;
 /// Components x … z or rx … rz of a unit length along the direction, in axes turned by `rotation` against the ground.
 spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rotation) {
   const double length = direction.axis.norm();
-  if (!(length > 0 && std::isfinite(length))) throw foundation::InvalidInput("transmissibility: a direction needs a finite length > 0");
+  if (!(length > 0 && std::isfinite(length)))
+    throw foundation::InvalidInput("transmissibility: a direction needs a finite length > 0");
   spatial::Vector6 six = spatial::Vector6::Zero();
   six.segment<3>(direction.rotation ? 3 : 0) = rotation.transpose() * direction.axis / length;
   return six;
 }
 
-Direction like(const Direction& applied, const std::optional<Direction>& wanted, const char* translation, const char* rotation) {
+Direction like(const Direction& applied, const std::optional<Direction>& wanted, const char* translation,
+               const char* rotation) {
   if (wanted && wanted->rotation != applied.rotation)
-    throw foundation::InvalidInput(fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; compare like with like",
-                                               wanted->rotation ? rotation : translation, applied.rotation ? rotation : translation,
-                                               wanted->rotation == (std::string(translation) == "force") ? "m" : "1/m"));
+    throw foundation::InvalidInput(
+        fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; compare like with like",
+                    wanted->rotation ? rotation : translation, applied.rotation ? rotation : translation,
+                    wanted->rotation == (std::string(translation) == "force") ? "m" : "1/m"));
   return wanted.value_or(applied);
 }
 
@@ -43,24 +46,35 @@ Direction like(const Direction& applied, const std::optional<Direction>& wanted,
 Eigen::Index component(const std::string& name, bool of_force) {
   const std::string last = name.substr(name.rfind('.') + 1);
   for (std::size_t j = 0; j < 6; ++j)
-    if (last == model::coordinate_names[j]) return static_cast<Eigen::Index>(j) + (of_force && name.ends_with(".moment." + last) ? 3 : 0);
+    if (last == model::coordinate_names[j])
+      return static_cast<Eigen::Index>(j) + (of_force && name.ends_with(".moment." + last) ? 3 : 0);
   return 0;
 }
 
 /// Σ weight · channel over the components of one word.
-assembly::Channel combined(const std::vector<assembly::Channel>& parts, const spatial::Vector6& weights, const std::string& name) {
-  assembly::Channel sum{{Eigen::VectorXcd::Zero(parts.front().on_displacement.size()), Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
-                         Eigen::VectorXd::Zero(parts.front().on_acceleration.size())}, name, "1", 0, {}, {}, 0};
+assembly::Channel combined(const std::vector<assembly::Channel>& parts, const spatial::Vector6& weights,
+                           const std::string& name) {
+  assembly::Channel sum{{Eigen::VectorXcd::Zero(parts.front().on_displacement.size()),
+                         Eigen::VectorXd::Zero(parts.front().on_velocity.size()),
+                         Eigen::VectorXd::Zero(parts.front().on_acceleration.size())},
+                        name,
+                        "1",
+                        0,
+                        {},
+                        {},
+                        0};
   for (const assembly::Channel& part : parts) {
     const double weight = weights(component(part.name, part.unit.starts_with("N")));
     if (weight == 0) continue;
     sum.on_displacement += weight * part.on_displacement;
     sum.on_velocity += weight * part.on_velocity;
     sum.on_acceleration += weight * part.on_acceleration;
-    for (const assembly::DynamicForce& force : part.dynamic_forces) sum.dynamic_forces.push_back({force.element, weight * force.row});
+    for (const assembly::DynamicForce& force : part.dynamic_forces)
+      sum.dynamic_forces.push_back({force.element, weight * force.row});
     if (part.ground.empty()) continue;
     const Eigen::Index size = part.ground.on_displacement.size();
-    if (sum.ground.empty()) sum.ground = {Eigen::VectorXcd::Zero(size), Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
+    if (sum.ground.empty())
+      sum.ground = {Eigen::VectorXcd::Zero(size), Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
     sum.ground.on_displacement += weight * part.ground.on_displacement;
     sum.ground.on_velocity += weight * part.ground.on_velocity;
     sum.ground.on_acceleration += weight * part.ground.on_acceleration;
@@ -97,12 +111,15 @@ double root_between(double above, double below, const Size& size) {
 
 AppliedForce applied_force(const model::System& system, const std::string& excitation) {
   const auto& all = system.description().excitations;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
   if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
-    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" names no harmonic excitation of this model");
+    throw foundation::InvalidInput("transmissibility: \"" + excitation +
+                                   "\" names no harmonic excitation of this model");
   const model::Action& action = found->action;
   if (!action.body)
-    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" moves the ground; force transmissibility needs a force on a body");
+    throw foundation::InvalidInput("transmissibility: \"" + excitation +
+                                   "\" moves the ground; force transmissibility needs a force on a body");
   const Eigen::Vector3cd force = action.amplitude.head<3>(), moment = action.amplitude.tail<3>();
   if (force.isZero(0) == moment.isZero(0))
     throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
@@ -120,10 +137,11 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
   return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), rotation}};
 }
 
-Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled, const AppliedForce& applied,
-                                const std::optional<Direction>& transmitted) {
+Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
+                                const AppliedForce& applied, const std::optional<Direction>& transmitted) {
   const Direction out = like(applied.direction, transmitted, "force", "moment");
-  if (applied.body >= system.bodies().size()) throw foundation::InvalidInput("transmissibility: the force acts on no body of this model");
+  if (applied.body >= system.bodies().size())
+    throw foundation::InvalidInput("transmissibility: the force acts on no body of this model");
   model::Action action;
   action.body = applied.body;
   action.at = applied.at;
@@ -138,8 +156,8 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
 }
 
 Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
-                                       const std::vector<std::string>& of,
-                                       const Direction& moved, const std::optional<Direction>& answered, const Eigen::Vector3d& base_at) {
+                                       const std::vector<std::string>& of, const Direction& moved,
+                                       const std::optional<Direction>& answered, const Eigen::Vector3d& base_at) {
   const Direction out = like(moved, answered, "translation", "rotation");
   model::Action action;
   action.at = base_at;
@@ -153,12 +171,15 @@ Transmission displacement_transmission(const model::System& system, const assemb
   return result;
 }
 
-std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Transmission& transmission, const Peaks& peaks) {
-  constexpr double far_above = 1e6;  // beyond the last extremum a curve is monotonic: there it shows whether it grows past 1
+std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Transmission& transmission,
+                                  const Peaks& peaks) {
+  constexpr double far_above =
+      1e6;  // beyond the last extremum a curve is monotonic: there it shows whether it grows past 1
   std::vector<Crossover> result;
   for (std::size_t c = 0; c < transmission.channels.size(); ++c) {
     const auto size = [&](double omega) {
-      return std::abs(frequency_response(assembled, {transmission.channels[c]}, transmission.loading, {omega}).curves[0].value(0));
+      return std::abs(
+          frequency_response(assembled, {transmission.channels[c]}, transmission.loading, {omega}).curves[0].value(0));
     };
     Crossover& crossover = result.emplace_back(Crossover{transmission.channels[c].name, 0.0, peaks.searched_to});
     if (peaks.curves[c].vanishes) continue;
@@ -167,14 +188,18 @@ std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Tr
     double far = peaks.searched_to;
     if (std::isinf(far)) far = far_above * std::max({places.back().first, peaks.searched_from, 1.0});
     places.emplace_back(far, size(far));
-    const auto last = std::find_if(places.rbegin(), places.rend(), [](const auto& place) { return place.second > 1 + like_one; });
+    const auto last =
+        std::find_if(places.rbegin(), places.rend(), [](const auto& place) { return place.second > 1 + like_one; });
     if (!(places.back().second < 1 - like_one)) crossover.angular_frequency.reset();
-    else if (last != places.rend()) crossover.angular_frequency = root_between(last->first, std::prev(last)->first, size);
+    else if (last != places.rend())
+      crossover.angular_frequency = root_between(last->first, std::prev(last)->first, size);
   }
   return result;
 }
 
-double transmissibility_level(double transmissibility) { return transmissibility == 0 ? -infinity : 20 * std::log10(std::abs(transmissibility)); }
+double transmissibility_level(double transmissibility) {
+  return transmissibility == 0 ? -infinity : 20 * std::log10(std::abs(transmissibility));
+}
 
 double isolation_efficiency(double transmissibility) { return 1 - std::abs(transmissibility); }
 

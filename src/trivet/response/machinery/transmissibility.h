@@ -13,7 +13,7 @@ namespace trivet::response {
 /// Along which axis two like quantities are compared, ground axes.
 struct Direction {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length > 0
-  bool rotation = false;                            ///< moment about the axis, or rotation, instead of force and translation
+  bool rotation = false;  ///< moment about the axis, or rotation, instead of force and translation
 };
 
 /// A force (or moment) with which force transmissibility is measured.
@@ -24,7 +24,8 @@ struct AppliedForce {
 };
 
 /// The place and direction of a harmonic force excitation of the model.
-/// @throws foundation::InvalidInput in words if it names none, or is a base motion, force and moment at once, or turns (phases that differ)
+/// @throws foundation::InvalidInput in words if it names none, or is a base motion, force and moment at once, or turns
+/// (phases that differ)
 [[nodiscard]] AppliedForce applied_force(const model::System& system, const std::string& excitation);
 
 /// Like per like as a load and the channels to look at, unit "1".
@@ -33,11 +34,14 @@ struct Transmission {
   std::vector<assembly::Channel> channels;
 };
 
-/// Force on the ground in total ("ground"), then by each mount that stands on it (its name), in the direction of a unit force. Moments of
-/// the total are about the ground origin, of a mount about its foot. On a foundation that gives, the force on that foundation.
-/// @throws foundation::InvalidInput for a direction of no length, or if `transmitted` is a moment and the force is none: the units differ
+/// Force on the ground in total ("ground"), then by each mount that stands on it (its name), in the direction of a unit
+/// force. Moments of the total are about the ground origin, of a mount about its foot. On a foundation that gives, the
+/// force on that foundation.
+/// @throws foundation::InvalidInput for a direction of no length, or if `transmitted` is a moment and the force is
+/// none: the units differ
 [[nodiscard]] Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
-                                              const AppliedForce& applied, const std::optional<Direction>& transmitted = {});
+                                              const AppliedForce& applied,
+                                              const std::optional<Direction>& transmitted = {});
 
 /// Absolute motion of bodies (at their poles) and of their points over a unit rigid motion of the whole ground about
 /// `base_at` (ground frame).
@@ -58,7 +62,8 @@ struct Crossover {
 };
 
 /// One entry per channel. `peaks` of the same channels and loading.
-[[nodiscard]] std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Transmission& transmission, const Peaks& peaks);
+[[nodiscard]] std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Transmission& transmission,
+                                                const Peaks& peaks);
 
 /// 20 lg |T| [dB]; −∞ for 0.
 [[nodiscard]] double transmissibility_level(double transmissibility);

@@ -57,11 +57,12 @@ Eigen::MatrixXd BasisIntegrals::coefficients(const PoleExpansion& part) const {
   for (std::size_t f = 0; f < basis_.size(); ++f) {
     const Function& function = basis_[f];
     const Eigen::Index k = function.first;
-    const Eigen::VectorXcd plain =
-        k < poles_.size() ? Eigen::VectorXcd(part.residue.col(k))
-                          : Eigen::VectorXcd(part.power.col(powers_[static_cast<std::size_t>(k - poles_.size())] - lowest_power));
+    const Eigen::VectorXcd plain = k < poles_.size()
+        ? Eigen::VectorXcd(part.residue.col(k))
+        : Eigen::VectorXcd(part.power.col(powers_[static_cast<std::size_t>(k - poles_.size())] - lowest_power));
     const bool imaginary = function.factor.imag() != 0;
-    for (Eigen::Index c = 0; c < plain.size(); ++c) result(c, static_cast<Eigen::Index>(f)) = imaginary ? plain(c).imag() : plain(c).real();
+    for (Eigen::Index c = 0; c < plain.size(); ++c)
+      result(c, static_cast<Eigen::Index>(f)) = imaginary ? plain(c).imag() : plain(c).real();
   }
   return result;
 }
@@ -117,8 +118,10 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
         result(a, b) = -(j(a, 0) + std::conj(j(b, 1))) / sum;
         continue;
       }
-      const Eigen::ArrayXd re = real_.col(a).array() * real_.col(b).array() + imag_.col(a).array() * imag_.col(b).array();
-      const Eigen::ArrayXd im = imag_.col(a).array() * real_.col(b).array() - real_.col(a).array() * imag_.col(b).array();
+      const Eigen::ArrayXd re =
+          real_.col(a).array() * real_.col(b).array() + imag_.col(a).array() * imag_.col(b).array();
+      const Eigen::ArrayXd im =
+          imag_.col(a).array() * real_.col(b).array() - real_.col(a).array() * imag_.col(b).array();
       result(a, b) = Complex((re * weight.real().array() - im * weight.imag().array()).sum(),
                              (im * weight.real().array() + re * weight.imag().array()).sum());
     }
@@ -135,12 +138,14 @@ Eigen::MatrixXd BasisIntegrals::real_products(const Eigen::VectorXcd& weight) co
   Eigen::MatrixXcd half(plain.rows(), count);
   for (Eigen::Index f = 0; f < count; ++f) {
     const Function& function = basis_[static_cast<std::size_t>(f)];
-    half.col(f) = std::conj(function.factor) * plain.col(function.first) + std::conj(function.second_factor) * plain.col(function.second);
+    half.col(f) = std::conj(function.factor) * plain.col(function.first) +
+        std::conj(function.second_factor) * plain.col(function.second);
   }
   Eigen::MatrixXd result(count, count);
   for (Eigen::Index f = 0; f < count; ++f) {
     const Function& function = basis_[static_cast<std::size_t>(f)];
-    result.row(f) = (function.factor * half.row(function.first) + function.second_factor * half.row(function.second)).real();
+    result.row(f) =
+        (function.factor * half.row(function.first) + function.second_factor * half.row(function.second)).real();
   }
   return result;
 }

@@ -13,9 +13,9 @@ namespace trivet::response {
 /// Share of √(I_jj I_kk) to which every integral of a product is held.
 inline constexpr double fraction_accuracy = 1e-14;
 
-/// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. An answer is a sum of real coefficients times basis
-/// functions: for a conjugate pair 1/(s − λ) + 1/(s − λ̄) and i/(s − λ) − i/(s − λ̄), the powers themselves; with complex residues each
-/// function and i times it.
+/// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. An answer is a sum of real coefficients
+/// times basis functions: for a conjugate pair 1/(s − λ) + 1/(s − λ̄) and i/(s − λ) − i/(s − λ̄), the powers themselves;
+/// with complex residues each function and i times it.
 class BasisIntegrals {
  public:
   BasisIntegrals(const PoleExpansions& expansions, IntegrationNodes nodes);
@@ -37,11 +37,11 @@ class BasisIntegrals {
   [[nodiscard]] Eigen::MatrixXcd products(const Eigen::VectorXcd& weight) const;
 
   Eigen::VectorXcd poles_;
-  std::vector<int> powers_;        ///< that any part has
+  std::vector<int> powers_;  ///< that any part has
   std::vector<Function> basis_;
   IntegrationNodes nodes_;
-  Eigen::MatrixXd real_, imag_;    ///< nodes × plain functions: the poles, then the powers
-  Eigen::MatrixXd square_;         ///< |1/(iω − λ)|²
+  Eigen::MatrixXd real_, imag_;  ///< nodes × plain functions: the poles, then the powers
+  Eigen::MatrixXd square_;       ///< |1/(iω − λ)|²
 };
 
 }  // namespace trivet::response

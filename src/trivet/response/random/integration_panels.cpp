@@ -25,7 +25,8 @@ constexpr double most_turns_in_all = 1e6;
 
 double sum_of_distances(const Eigen::VectorXcd& poles, double from, double to) {
   const Eigen::ArrayXd real = poles.real().array().square();
-  return ((real + (poles.imag().array() - from).square()).sqrt() + (real + (poles.imag().array() - to).square()).sqrt()).minCoeff();
+  return ((real + (poles.imag().array() - from).square()).sqrt() + (real + (poles.imag().array() - to).square()).sqrt())
+      .minCoeff();
 }
 
 double half_width(const Eigen::VectorXcd& poles, double from) {
@@ -42,17 +43,20 @@ struct GaussRule {
   std::array<double, 8> node, weight;
 };
 /// Positive half of the 16-point rule. [Abramowitz and Stegun, table 25.4]
-constexpr GaussRule gauss16{{0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863, 0.6178762444026437484,
-                             0.7554044083550030339, 0.8656312023878317439, 0.9445750230732325761, 0.9894009349916499326},
-                            {0.1894506104550684963, 0.1826034150449235889, 0.1691565193950025382, 0.1495959888165767321,
-                             0.1246289712555338720, 0.0951585116824927848, 0.0622535239386478929, 0.0271524594117540949}};
+constexpr GaussRule gauss16{
+    {0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863, 0.6178762444026437484, 0.7554044083550030339,
+     0.8656312023878317439, 0.9445750230732325761, 0.9894009349916499326},
+    {0.1894506104550684963, 0.1826034150449235889, 0.1691565193950025382, 0.1495959888165767321, 0.1246289712555338720,
+     0.0951585116824927848, 0.0622535239386478929, 0.0271524594117540949}};
 
 }  // namespace
 
 std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, double to, double longest_delay) {
   if (const double turns = (to - from) * longest_delay / (2 * std::numbers::pi); turns > most_turns_in_all)
-    throw foundation::NotComputable(fmt::format("random response: a delay of {:.4g} s between inputs turns their phase {:.3g} times over the band; at most {:.0f} turns are integrated",
-                                                longest_delay, turns, most_turns_in_all));
+    throw foundation::NotComputable(
+        fmt::format("random response: a delay of {:.4g} s between inputs turns their phase {:.3g} times over the band; "
+                    "at most {:.0f} turns are integrated",
+                    longest_delay, turns, most_turns_in_all));
   const double most = longest_delay > 0 ? most_turn / longest_delay : std::numeric_limits<double>::infinity();
   std::vector<double> ends = {from};
   while (ends.back() < to) {
@@ -74,10 +78,11 @@ IntegrationNodes gauss_nodes(const std::vector<double>& ends) {
   const auto panels = static_cast<Eigen::Index>(std::max<std::size_t>(ends.size(), 1) - 1);
   IntegrationNodes nodes{Eigen::VectorXd(16 * panels), Eigen::VectorXd(16 * panels)};
   for (Eigen::Index p = 0; p < panels; ++p) {
-    const double from = ends[static_cast<std::size_t>(p)], to = ends[static_cast<std::size_t>(p) + 1], h = 0.5 * (to - from),
-                 centre = from + h;
+    const double from = ends[static_cast<std::size_t>(p)], to = ends[static_cast<std::size_t>(p) + 1],
+                 h = 0.5 * (to - from), centre = from + h;
     for (Eigen::Index i = 0; i < 8; ++i) {
-      const double reach = h * gauss16.node[static_cast<std::size_t>(i)], weight = h * gauss16.weight[static_cast<std::size_t>(i)];
+      const double reach = h * gauss16.node[static_cast<std::size_t>(i)],
+                   weight = h * gauss16.weight[static_cast<std::size_t>(i)];
       nodes.omega(16 * p + 7 - i) = centre - reach;
       nodes.omega(16 * p + 8 + i) = centre + reach;
       nodes.weight(16 * p + 7 - i) = nodes.weight(16 * p + 8 + i) = weight;

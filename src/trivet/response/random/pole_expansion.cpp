@@ -35,7 +35,8 @@ std::array<Complex, powers> powers_of(Complex lambda) {
 }
 
 /// P(s)/(s − λ) = P(λ)/(s − λ) + powers of s.
-void add_fraction(const Laurent& p, const std::array<Complex, powers>& of_pole, Eigen::Index c, Eigen::Index k, PoleExpansion& to) {
+void add_fraction(const Laurent& p, const std::array<Complex, powers>& of_pole, Eigen::Index c, Eigen::Index k,
+                  PoleExpansion& to) {
   for (int m = lowest_power; m <= highest_power; ++m) {
     const Complex value = p.value[index_of(m)];
     const double possible = p.possible[index_of(m)];
@@ -108,7 +109,8 @@ Laurent laurent(const Projection& projection, Eigen::Index column, int power, Co
   return p;
 }
 
-PoleExpansion& part(std::vector<PoleExpansion>& parts, std::size_t load, double delay, Eigen::Index channels, Eigen::Index poles) {
+PoleExpansion& part(std::vector<PoleExpansion>& parts, std::size_t load, double delay, Eigen::Index channels,
+                    Eigen::Index poles) {
   for (PoleExpansion& p : parts)
     if (p.load == load && p.delay == delay) return p;
   constexpr auto count = static_cast<Eigen::Index>(powers);
@@ -132,11 +134,13 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   std::vector<LoadColumn> columns;
   std::vector<Eigen::VectorXcd> sides;
   std::vector<GroupedLoad> grouped;
-  std::vector<std::vector<std::size_t>> group_of(loads.size(), std::vector<std::size_t>(channels.size(), 0));  // load, channel
+  std::vector<std::vector<std::size_t>> group_of(loads.size(),
+                                                 std::vector<std::size_t>(channels.size(), 0));  // load, channel
   PoleExpansions result;
   result.real = !assembled.matrices.lossy();
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, *loads[i]);
+    const std::vector<assembly::AnsweredTogether> groups =
+        assembly::by_coordinates(assembled.ground, channels, *loads[i]);
     for (std::size_t g = 0; g < groups.size(); ++g) {
       for (const std::size_t c : groups[g].which) group_of[i][c] = g;
       const numerics::Load side = assembly::right_side(assembled, groups[g].loading);
@@ -145,7 +149,8 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
         sides.push_back(term.value);
         result.real = result.real && term.value.imag().isZero(0);
       }
-      for (const numerics::LoadTerm& term : groups[g].loading.motion.terms()) result.real = result.real && term.value.imag().isZero(0);
+      for (const numerics::LoadTerm& term : groups[g].loading.motion.terms())
+        result.real = result.real && term.value.imag().isZero(0);
       grouped.push_back({i, g, groups[g].loading});
     }
   }
@@ -165,7 +170,8 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   for (Eigen::Index c = 0; c < count; ++c) {
     const ChannelTerms& channel = terms[static_cast<std::size_t>(c)];
     const Projection shapes = projected(channel.free, form.shapes);
-    const Projection drifting = projected(channel.free, form.free_motion), statics = projected(channel.free, form.static_part);
+    const Projection drifting = projected(channel.free, form.free_motion),
+                     statics = projected(channel.free, form.static_part);
     for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
       const LoadColumn& column = columns[static_cast<std::size_t>(j)];
       if (column.group != group_of[column.load][static_cast<std::size_t>(c)]) continue;

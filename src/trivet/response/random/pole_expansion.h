@@ -10,8 +10,8 @@
 
 namespace trivet::response {
 
-/// Lowest and highest power of s that an expansion keeps: two for a motion given by its acceleration and two for a free motion, times what
-/// forces of elements with mass, driven through elements with mass, bring for an acceleration.
+/// Lowest and highest power of s that an expansion keeps: two for a motion given by its acceleration and two for a free
+/// motion, times what forces of elements with mass, driven through elements with mass, bring for an acceleration.
 inline constexpr int lowest_power = -4, highest_power = 8;
 
 /// All answers to one part of a load: H_c(s) = e^{−s delay} (Σ_k residue_ck/(s − λ_k) + Σ_m power_cm s^m).
@@ -31,10 +31,12 @@ struct PoleExpansions {
 };
 
 /// For constant matrices. Residues may be infinite or NaN where poles are defective.
-[[nodiscard]] PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+[[nodiscard]] PoleExpansions pole_expansions(const assembly::Assembled& assembled,
+                                             const std::vector<assembly::Channel>& channels,
                                              const std::vector<const assembly::Loading*>& loads);
 
-/// Of the derivative: s H(s), again over poles. So its integrals converge as fast as it falls, which ω² times those of H would not.
+/// Of the derivative: s H(s), again over poles. So its integrals converge as fast as it falls, which ω² times those of
+/// H would not.
 [[nodiscard]] PoleExpansion differentiated(const PoleExpansion& part, const Eigen::VectorXcd& poles);
 
 }  // namespace trivet::response

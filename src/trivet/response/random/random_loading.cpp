@@ -6,7 +6,8 @@
 
 namespace trivet::response {
 
-RandomLoading random_loading(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& selected) {
+RandomLoading random_loading(const model::System& system, const assembly::Assembled& assembled,
+                             const std::vector<std::string>& selected) {
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
     if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& excitation) {
@@ -17,15 +18,17 @@ RandomLoading random_loading(const model::System& system, const assembly::Assemb
   std::vector<const model::Random*> courses;
   for (const model::Excitation& excitation : excitations) {
     const auto* random = std::get_if<model::Random>(&excitation.course);
-    if (!random || (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end())) continue;
+    if (!random ||
+        (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()))
+      continue;
     result.inputs.push_back({excitation.name, assembly::loading(assembled, excitation.action), random->spectrum});
     courses.push_back(random);
   }
   for (std::size_t i = 0; i < courses.size(); ++i)
     for (const model::Random::Partner& partner : courses[i]->partners)
       for (std::size_t k = 0; k < result.inputs.size(); ++k) {
-        const bool known =
-            std::any_of(result.pairs.begin(), result.pairs.end(), [&](const auto& pair) { return pair.first == k && pair.second == i; });
+        const bool known = std::any_of(result.pairs.begin(), result.pairs.end(),
+                                       [&](const auto& pair) { return pair.first == k && pair.second == i; });
         if (result.inputs[k].name == partner.other && !known) result.pairs.push_back({i, k, partner.coherence, 0});
       }
   return result;

@@ -13,7 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A coefficient below this share of its terms stands for a zero: at an undamped pole, or at rest for a spectrum that begins there.
+/// A coefficient below this share of its terms stands for a zero: at an undamped pole, or at rest for a spectrum that
+/// begins there.
 constexpr double negligible_share = 1e-9;
 /// Frequencies at which the form is held to direct solutions: about as many poles, and points between.
 constexpr int checked_frequencies = 16;
@@ -23,8 +24,8 @@ constexpr Eigen::Index most_numbers = 6'000'000;
 bool significant(const Complex& value, double possible) { return std::abs(value) > negligible_share * possible; }
 
 /// Marks what is infinite, and takes it and its round-off out of the expansions.
-void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMoment>& moments, PoleExpansions& expansions,
-                       RandomVariances& result) {
+void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMoment>& moments,
+                       PoleExpansions& expansions, RandomVariances& result) {
   const std::vector<Eigen::Index> undamped = undamped_poles_in_band(expansions.poles, loading);
   for (PoleExpansion& part : expansions.parts) {
     const std::optional<int> of_spectrum = order_at_rest(loading.inputs[part.load].spectrum);
@@ -32,7 +33,8 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
       std::vector<std::string>& reason = result.reason[static_cast<std::size_t>(c)];
       for (const Eigen::Index k : undamped) {
         if (significant(part.residue(c, k), part.possible_residue(c, k)))
-          for (std::string& r : reason) r = "an undamped natural frequency lies in the band of \"" + loading.inputs[part.load].name + "\"";
+          for (std::string& r : reason)
+            r = "an undamped natural frequency lies in the band of \"" + loading.inputs[part.load].name + "\"";
         part.residue(c, k) = 0;
       }
       for (int m = lowest_power; m < 0 && of_spectrum; ++m) {
@@ -41,8 +43,8 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
         if (!matters) coefficient = 0;
         for (std::size_t i = 0; i < moments.size() && matters; ++i)
           if (2 * m + *of_spectrum + order_at_rest(moments[i]) <= -1 && reason[i].empty())
-            reason[i] =
-                "the spectrum of \"" + loading.inputs[part.load].name + "\" begins at 0 Hz, toward which the answer grows without bound";
+            reason[i] = "the spectrum of \"" + loading.inputs[part.load].name +
+                "\" begins at 0 Hz, toward which the answer grows without bound";
       }
     }
   }
@@ -62,7 +64,8 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
   }
 }
 
-/// Frequencies at which a pole shows, ascending by how near, relative, its nearest neighbour stands: near-defective ones first.
+/// Frequencies at which a pole shows, ascending by how near, relative, its nearest neighbour stands: near-defective
+/// ones first.
 std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
   std::vector<std::pair<double, double>> by_distance;
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
@@ -78,11 +81,13 @@ std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
   return frequencies;
 }
 
-/// Nodes at which to compare: at the poles nearest to each other, at some spread over all poles, and spread over all nodes.
+/// Nodes at which to compare: at the poles nearest to each other, at some spread over all poles, and spread over all
+/// nodes.
 IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorXd& omega) {
   std::vector<double> in_band = frequencies_of_poles(poles);
   std::erase_if(in_band, [&](double w) { return !(w >= omega(0) && w <= omega(omega.size() - 1)); });
-  std::vector<double> wanted(in_band.begin(), in_band.begin() + std::min<std::ptrdiff_t>(checked_frequencies / 4, std::ssize(in_band)));
+  std::vector<double> wanted(in_band.begin(),
+                             in_band.begin() + std::min<std::ptrdiff_t>(checked_frequencies / 4, std::ssize(in_band)));
   std::sort(in_band.begin(), in_band.end());
   for (int i = 0; i < checked_frequencies / 4 && !in_band.empty(); ++i)
     wanted.push_back(in_band[static_cast<std::size_t>(i) * (in_band.size() - 1) / (checked_frequencies / 4 - 1)]);
@@ -90,7 +95,8 @@ IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorX
     wanted.push_back(omega(i * (omega.size() - 1) / (checked_frequencies / 2 - 1)));
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  const Eigen::VectorXd points = Eigen::Map<const Eigen::VectorXd>(wanted.data(), static_cast<Eigen::Index>(wanted.size()));
+  const Eigen::VectorXd points =
+      Eigen::Map<const Eigen::VectorXd>(wanted.data(), static_cast<Eigen::Index>(wanted.size()));
   return {points, Eigen::VectorXd::Ones(points.size())};
 }
 
@@ -109,11 +115,11 @@ double conditioning(const Eigen::VectorXcd& poles, double omega) {
   return 16 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs2().maxCoeff() / (omega * distance);
 }
 
-/// The form against direct solutions of each input within its spectrum, weighed by the root of the density: sets `error`, `misfit`,
-/// `vanishes`.
+/// The form against direct solutions of each input within its spectrum, weighed by the root of the density: sets
+/// `error`, `misfit`, `vanishes`.
 void compare_with_solutions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                            const RandomLoading& loading, const PoleExpansions& expansions, const Eigen::VectorXd& all_nodes,
-                            RandomVariances& result) {
+                            const RandomLoading& loading, const PoleExpansions& expansions,
+                            const Eigen::VectorXd& all_nodes, RandomVariances& result) {
   const auto count = static_cast<Eigen::Index>(channels.size());
   Eigen::VectorXd miss = Eigen::VectorXd::Zero(count), unexplained = miss, largest = miss, possible = miss;
   for (std::size_t i = 0; i < loading.inputs.size(); ++i) {
@@ -127,9 +133,10 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
       Eigen::VectorXcd value = Eigen::VectorXcd::Zero(count);
       for (const PoleExpansion& part : expansions.parts)
         if (part.load == i) value += std::polar(1.0, -omega[f] * part.delay) * basis.value(part, column);
-      const Eigen::VectorXd size = direct.value.col(column).cwiseAbs(), difference = (value - direct.value.col(column)).cwiseAbs();
-      const Eigen::VectorXd noise =
-          conditioning(expansions.poles, omega[f]) * size + 1024 * std::numeric_limits<double>::epsilon() * direct.possible.col(column);
+      const Eigen::VectorXd size = direct.value.col(column).cwiseAbs(),
+                            difference = (value - direct.value.col(column)).cwiseAbs();
+      const Eigen::VectorXd noise = conditioning(expansions.poles, omega[f]) * size +
+          1024 * std::numeric_limits<double>::epsilon() * direct.possible.col(column);
       miss = miss.cwiseMax(amplitude * difference);
       unexplained = unexplained.cwiseMax(amplitude * (difference - noise));
       largest = largest.cwiseMax(amplitude * size);
@@ -152,8 +159,9 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
 using Parts = std::vector<std::vector<PoleExpansion>>;
 
 /// What one pair of parts adds to a moment, and to what its terms could make of it.
-void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansion& of_a, const PoleExpansion& of_b, bool same,
-              const BasisIntegrals& basis, const Eigen::MatrixXd& products, RandomVariances& result, Eigen::MatrixXd& possible) {
+void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansion& of_a, const PoleExpansion& of_b,
+              bool same, const BasisIntegrals& basis, const Eigen::MatrixXd& products, RandomVariances& result,
+              Eigen::MatrixXd& possible) {
   const Eigen::MatrixXd a = basis.coefficients(of_a)(moment.channels, Eigen::all),
                         b = basis.coefficients(of_b)(moment.channels, Eigen::all);
   const Eigen::VectorXd value = (a * products).cwiseProduct(b).rowwise().sum();
@@ -179,17 +187,20 @@ void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMome
       Eigen::VectorXcd density = cross_density(loading, parts[0][b].load, parts[0][a].load, basis.omega());
       if (density.size() == 0) continue;
       const double later = parts[0][a].delay - parts[0][b].delay;
-      if (later != 0) density = density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return std::polar(1.0, -w * later); })).eval();
+      if (later != 0)
+        density =
+            density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return std::polar(1.0, -w * later); })).eval();
       const Eigen::MatrixXd plain = basis.real_products(density);
       for (std::size_t i = 0; i < moments.size(); ++i) {
         const auto derivative = static_cast<std::size_t>(moments[i].derivative);
         const auto add = [&](const Eigen::MatrixXd& products) {
-          add_pair(moments[i], static_cast<Eigen::Index>(i), parts[derivative][a], parts[derivative][b], a == b, basis, products, result,
-                   possible);
+          add_pair(moments[i], static_cast<Eigen::Index>(i), parts[derivative][a], parts[derivative][b], a == b, basis,
+                   products, result, possible);
         };
         if (!moments[i].weighting) add(plain);
         else
-          add(basis.real_products(density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return Complex(weight(moments[i], w)); }))));
+          add(basis.real_products(
+              density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return Complex(weight(moments[i], w)); }))));
       }
     }
 }
@@ -197,9 +208,10 @@ void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMome
 }  // namespace
 
 RandomVariances variances_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                   const RandomLoading& loading, const std::vector<RandomMoment>& moments, const PoleExpansions& given,
-                                   const foundation::Progress& progress) {
-  RandomVariances result = no_variances(static_cast<Eigen::Index>(channels.size()), moments.size(), loading.inputs.size());
+                                   const RandomLoading& loading, const std::vector<RandomMoment>& moments,
+                                   const PoleExpansions& given, const foundation::Progress& progress) {
+  RandomVariances result =
+      no_variances(static_cast<Eigen::Index>(channels.size()), moments.size(), loading.inputs.size());
   if (!std::all_of(given.parts.begin(), given.parts.end(),
                    [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
     result.misfit.setConstant(std::numeric_limits<double>::infinity());
@@ -221,7 +233,8 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
   Eigen::MatrixXd possible = Eigen::MatrixXd::Zero(result.mean_square.rows(), result.mean_square.cols());
   const Eigen::Index portion = std::max<Eigen::Index>(16, most_numbers / (expansions.poles.size() + 1));
   for (Eigen::Index first = 0; first < nodes.omega.size(); first += portion) {
-    foundation::report_progress(progress, "random response", static_cast<double>(first) / static_cast<double>(nodes.omega.size()));
+    foundation::report_progress(progress, "random response",
+                                static_cast<double>(first) / static_cast<double>(nodes.omega.size()));
     const Eigen::Index count = std::min(portion, nodes.omega.size() - first);
     const BasisIntegrals basis(expansions, {nodes.omega.segment(first, count), nodes.weight.segment(first, count)});
     add_mean_squares(loading, moments, parts, basis, result, possible);

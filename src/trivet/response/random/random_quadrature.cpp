@@ -25,17 +25,20 @@ constexpr double near_rest = 1e-3;
 
 struct Panel {
   double from = 0, to = 0;
-  Eigen::MatrixXd mean_square;   ///< channels × moments
-  Eigen::MatrixXd difference;    ///< of the two rules
-  Eigen::MatrixXd share;         ///< channels × inputs
+  Eigen::MatrixXd mean_square;  ///< channels × moments
+  Eigen::MatrixXd difference;   ///< of the two rules
+  Eigen::MatrixXd share;        ///< channels × inputs
 };
 
 /// Solves the panels of one round together and keeps what the answers could be.
 class Solver {
  public:
-  Solver(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-         const std::vector<RandomMoment>& moments)
-      : assembled_(assembled), channels_(channels), loading_(loading), moments_(moments),
+  Solver(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+         const RandomLoading& loading, const std::vector<RandomMoment>& moments)
+      : assembled_(assembled),
+        channels_(channels),
+        loading_(loading),
+        moments_(moments),
         possible_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(channels.size()))) {}
 
   [[nodiscard]] int solutions() const { return solutions_; }
@@ -47,7 +50,8 @@ class Solver {
     const Eigen::VectorXd omega = centre + h * rule_.node;
     const std::vector<double> points(omega.begin(), omega.end());
     std::vector<AnswerSamples> samples;
-    for (const RandomInput& input : loading_.inputs) samples.push_back(answer_samples(assembled_, channels_, input.loading, points));
+    for (const RandomInput& input : loading_.inputs)
+      samples.push_back(answer_samples(assembled_, channels_, input.loading, points));
     solutions_ += static_cast<int>(points.size() * loading_.inputs.size());
     const auto count = static_cast<Eigen::Index>(channels_.size()), inputs = static_cast<Eigen::Index>(samples.size());
     panel.mean_square = panel.difference = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(moments_.size()));
@@ -57,12 +61,14 @@ class Solver {
       for (std::size_t k = 0; k <= j; ++k) {
         const Eigen::VectorXcd cross = cross_density(loading_, k, j, omega);
         if (cross.size() == 0) continue;
-        Eigen::MatrixXd part = (samples[j].value.cwiseProduct(samples[k].value.conjugate()) * cross.asDiagonal()).real();
+        Eigen::MatrixXd part =
+            (samples[j].value.cwiseProduct(samples[k].value.conjugate()) * cross.asDiagonal()).real();
         density += j == k ? part : Eigen::MatrixXd(2 * part);
         const Eigen::VectorXd integral = part * Eigen::VectorXd(h * rule_.kronrod);
         panel.share.col(static_cast<Eigen::Index>(j)) += integral;
         if (j != k) panel.share.col(static_cast<Eigen::Index>(k)) += integral;
-        if (j == k) possible_ += samples[j].possible.cwiseAbs2() * cross.real().cwiseProduct(Eigen::VectorXd(h * rule_.kronrod));
+        if (j == k)
+          possible_ += samples[j].possible.cwiseAbs2() * cross.real().cwiseProduct(Eigen::VectorXd(h * rule_.kronrod));
       }
     for (std::size_t m = 0; m < moments_.size(); ++m) {
       const Eigen::VectorXd factor = h * omega.unaryExpr([&](double w) { return multiplier(moments_[m], w); });
@@ -86,10 +92,12 @@ class Solver {
   int solutions_ = 0;
 };
 
-/// |H| at two frequencies of each channel, and a reason for all moments where `infinite` says so of the pair and the moment.
+/// |H| at two frequencies of each channel, and a reason for all moments where `infinite` says so of the pair and the
+/// moment.
 template <typename Infinite>
-void mark_growth(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomInput& input,
-                 double nearer, double farther, const std::string& reason, const Infinite& infinite, RandomVariances& result) {
+void mark_growth(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                 const RandomInput& input, double nearer, double farther, const std::string& reason,
+                 const Infinite& infinite, RandomVariances& result) {
   const AnswerSamples samples = answer_samples(assembled, channels, input.loading, {nearer, farther});
   for (Eigen::Index c = 0; c < samples.value.rows(); ++c) {
     const double a = std::abs(samples.value(c, 0)), b = std::abs(samples.value(c, 1));
@@ -100,13 +108,15 @@ void mark_growth(const assembly::Assembled& assembled, const std::vector<assembl
   }
 }
 
-void mark_infinite(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-                   const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles, RandomVariances& result) {
+void mark_infinite(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                   const RandomLoading& loading, const std::vector<RandomMoment>& moments,
+                   const Eigen::VectorXcd& poles, RandomVariances& result) {
   for (const Eigen::Index k : undamped_poles_in_band(poles, loading))
     for (const RandomInput& input : loading.inputs)
-      mark_growth(assembled, channels, input, poles(k).imag() * (1 + gap), poles(k).imag() * (1 + 1e3 * gap),
-                  "an undamped natural frequency lies in the band of \"" + input.name + "\"",
-                  [](double nearer, double farther, std::size_t) { return nearer > 100 * farther; }, result);
+      mark_growth(
+          assembled, channels, input, poles(k).imag() * (1 + gap), poles(k).imag() * (1 + 1e3 * gap),
+          "an undamped natural frequency lies in the band of \"" + input.name + "\"",
+          [](double nearer, double farther, std::size_t) { return nearer > 100 * farther; }, result);
   double slowest = std::numeric_limits<double>::infinity();
   for (const Complex& pole : poles)
     if (std::abs(pole) > 1e-9 * poles.cwiseAbs().maxCoeff()) slowest = std::min(slowest, std::abs(pole));
@@ -118,24 +128,28 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
         assembled, channels, input, at, 2 * at,
         "the spectrum of \"" + input.name + "\" begins at 0 Hz, toward which the answer grows without bound",
         [&](double nearer, double farther, std::size_t m) {
-          return nearer > 0 && 2 * std::round(std::log2(farther / nearer)) + *of_spectrum + order_at_rest(moments[m]) <= -1;
+          return nearer > 0 &&
+              2 * std::round(std::log2(farther / nearer)) + *of_spectrum + order_at_rest(moments[m]) <= -1;
         },
         result);
   }
 }
 
-/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole of constant matrices.
+/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole of
+/// constant matrices.
 std::vector<Panel> first_panels(const assembly::Assembled& assembled, const RandomLoading& loading,
                                 const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles) {
   const bool exact = !assembled.frequency_dependent();
-  const std::vector<Eigen::Index> undamped = exact ? undamped_poles_in_band(poles, loading) : std::vector<Eigen::Index>{};
+  const std::vector<Eigen::Index> undamped =
+      exact ? undamped_poles_in_band(poles, loading) : std::vector<Eigen::Index>{};
   Eigen::VectorXcd graded = poles;
   for (Complex& pole : graded)
     if (!exact) pole = Complex(-std::max(std::abs(pole.real()), near_pole * std::abs(pole)), pole.imag());
   for (const Eigen::Index k : undamped) graded(k) = Complex(-gap * poles(k).imag(), poles(k).imag());
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
   for (Complex& pole : graded)
-    if (std::abs(pole) <= 1e-9 * fastest) pole = fastest > 0 ? -near_rest * fastest : -1;  // at rest: judged by `mark_infinite`
+    if (std::abs(pole) <= 1e-9 * fastest)
+      pole = fastest > 0 ? -near_rest * fastest : -1;  // at rest: judged by `mark_infinite`
   std::vector<double> ends = panel_ends(graded, loading, moments);
   const auto inside = [&](double omega) { return !ends.empty() && omega > ends.front() && omega < ends.back(); };
   std::vector<double> more;
@@ -155,7 +169,8 @@ std::vector<Panel> first_panels(const assembly::Assembled& assembled, const Rand
   std::vector<Panel> panels;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double centre = 0.5 * (ends[i - 1] + ends[i]);
-    const bool left_out = std::any_of(gaps.begin(), gaps.end(), [&](const auto& g) { return centre > g.first && centre < g.second; });
+    const bool left_out =
+        std::any_of(gaps.begin(), gaps.end(), [&](const auto& g) { return centre > g.first && centre < g.second; });
     if (!left_out) panels.push_back({ends[i - 1], ends[i], {}, {}, {}});
   }
   return panels;
@@ -163,9 +178,10 @@ std::vector<Panel> first_panels(const assembly::Assembled& assembled, const Rand
 
 }  // namespace
 
-RandomVariances variances_by_quadrature(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                        const RandomLoading& loading, const std::vector<RandomMoment>& moments,
-                                        const Eigen::VectorXcd& poles, const RandomOptions& options, const foundation::Progress& progress) {
+RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
+                                        const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
+                                        const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles,
+                                        const RandomOptions& options, const foundation::Progress& progress) {
   const auto count = static_cast<Eigen::Index>(channels.size());
   RandomVariances result = no_variances(count, moments.size(), loading.inputs.size());
   mark_infinite(assembled, channels, loading, moments, poles, result);
@@ -174,7 +190,8 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled, co
   const double needed = 15.0 * static_cast<double>(open.size() * loading.inputs.size());
   if (needed > options.most_solutions)
     throw foundation::NotComputable(
-        fmt::format("random response: {:.0f} solutions are needed for its panels alone, {} are allowed; delays of {:.3g} s turn too often "
+        fmt::format("random response: {:.0f} solutions are needed for its panels alone, {} are allowed; delays of "
+                    "{:.3g} s turn too often "
                     "within the band",
                     needed, options.most_solutions, longest_delay(loading)));
   Eigen::MatrixXd difference = result.mean_square;
@@ -194,9 +211,10 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled, co
       for (Eigen::Index c = 0; c < count && !rough; ++c)
         for (std::size_t m = 0; m < moments.size() && !rough; ++m) {
           const auto i = static_cast<Eigen::Index>(m);
-          const double noise = std::pow(vanishing_answer, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
+          const double noise =
+              std::pow(vanishing_answer, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
           rough = result.reason[static_cast<std::size_t>(c)][m].empty() &&
-                  panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
+              panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
         }
       const double middle = 0.5 * (panel.from + panel.to);
       if (rough && solver.solutions() < options.most_solutions && panel.from < middle && middle < panel.to) {

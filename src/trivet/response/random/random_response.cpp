@@ -19,8 +19,8 @@ namespace {
 /// Above this estimated error of the quadrature a number is not given.
 constexpr double hopeless = 1e-2;
 
-void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
-                   const RandomOptions& options) {
+void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                   const RandomLoading& loading, const RandomOptions& options) {
   const foundation::Problems problems = check(loading, "random response");
   for (const foundation::Problem& problem : problems.list())
     if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
@@ -29,7 +29,8 @@ void refuse_errors(const assembly::Assembled& assembled, const std::vector<assem
       throw foundation::InvalidInput(fmt::format("random input \"{}\": its load belongs to another model", input.name));
   for (const WeightedChannel& weighted : options.weighted) {
     if (weighted.channel >= channels.size())
-      throw foundation::InvalidInput(fmt::format("weighted channel {}: there are {} channels", weighted.channel, channels.size()));
+      throw foundation::InvalidInput(
+          fmt::format("weighted channel {}: there are {} channels", weighted.channel, channels.size()));
     const std::string& unit = channels[weighted.channel].unit;
     if (!unit.starts_with("m") && !unit.starts_with("rad"))
       throw foundation::InvalidInput(
@@ -47,8 +48,8 @@ bool grows(const assembly::Assembled& assembled, const Eigen::VectorXcd& poles) 
   });
 }
 
-RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& found, const std::vector<RandomMoment>& moments,
-                    Eigen::Index c) {
+RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& found,
+                    const std::vector<RandomMoment>& moments, Eigen::Index c) {
   RandomAnswer result;
   result.name = channel.name;
   result.unit = channel.unit;
@@ -59,7 +60,8 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   for (const std::string& r : reason)
     if (result.reason.empty()) result.reason = r;
   if (!(result.estimated_error <= hopeless)) {
-    result.reason = fmt::format("the integral did not settle: its error is estimated as {:.2g} of its value", result.estimated_error);
+    result.reason = fmt::format("the integral did not settle: its error is estimated as {:.2g} of its value",
+                                result.estimated_error);
     return result;
   }
   const auto root = [&](std::size_t moment) -> std::optional<double> {
@@ -75,17 +77,21 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
       result.weighted_rms = root(m);
       result.infinite_weighted_rms = !result.weighted_rms;
     }
-  if (!result.rms && !result.rms_of_derivative && !result.weighted_rms) result.estimated_error = std::numeric_limits<double>::quiet_NaN();
+  if (!result.rms && !result.rms_of_derivative && !result.weighted_rms)
+    result.estimated_error = std::numeric_limits<double>::quiet_NaN();
   if (!result.rms) return result;
   result.three_sigma = 3 * *result.rms;
   if (*result.rms == 0) return result;
-  if (result.rms_of_derivative) result.zero_crossings = *result.rms_of_derivative / (2 * std::numbers::pi * *result.rms);
+  if (result.rms_of_derivative)
+    result.zero_crossings = *result.rms_of_derivative / (2 * std::numbers::pi * *result.rms);
   const double variance = found.mean_square(c, 0);
   for (Eigen::Index i = 0; i < found.share.cols(); ++i) result.variance_share.push_back(found.share(c, i) / variance);
   return result;
 }
 
-bool poles_hold(const RandomVariances& found, double accuracy) { return found.misfit.size() == 0 || found.misfit.maxCoeff() <= accuracy; }
+bool poles_hold(const RandomVariances& found, double accuracy) {
+  return found.misfit.size() == 0 || found.misfit.maxCoeff() <= accuracy;
+}
 
 }  // namespace
 
@@ -94,20 +100,23 @@ const char* name(RandomMethod method) { return method == RandomMethod::poles ? "
 foundation::Problems check(const RandomLoading& loading, const std::string& subject) {
   foundation::Problems problems;
   if (loading.inputs.empty())
-    problems.error(subject, "no random excitation", "something must drive the system", "add an excitation of type \"random\"");
+    problems.error(subject, "no random excitation", "something must drive the system",
+                   "add an excitation of type \"random\"");
   excitation::RandomInputs inputs{{}, loading.pairs};
   for (const RandomInput& input : loading.inputs) {
     inputs.spectra.push_back(input.spectrum);
     const std::string of_input = subject + "." + input.name;
     if (input.loading.vanishes())
-      problems.error(of_input, "acts on no free coordinate", "an excitation moves something", "give it a direction that is free");
+      problems.error(of_input, "acts on no free coordinate", "an excitation moves something",
+                     "give it a direction that is free");
     if (input.spectrum.pieces.empty())
       problems.error(of_input, "no spectrum", "a random excitation has a power spectral density", "add psd");
     for (const excitation::SpectrumPiece& p : input.spectrum.pieces)
       if (!(p.from >= 0 && p.from < p.to && p.density_from >= 0 && p.density_to >= 0) ||
           !std::isfinite(p.to + p.density_from + p.density_to))
         problems.error(of_input,
-                       fmt::format("density {:.6g} … {:.6g} from {:.6g} to {:.6g} rad/s", p.density_from, p.density_to, p.from, p.to),
+                       fmt::format("density {:.6g} … {:.6g} from {:.6g} to {:.6g} rad/s", p.density_from, p.density_to,
+                                   p.from, p.to),
                        "frequencies ascend, and densities are finite and not negative", "correct the table");
   }
   if (!problems.has_errors()) problems.add(excitation::check(inputs, subject));
@@ -115,7 +124,8 @@ foundation::Problems check(const RandomLoading& loading, const std::string& subj
 }
 
 RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                               const RandomLoading& loading, const RandomOptions& options, const foundation::Progress& progress) {
+                               const RandomLoading& loading, const RandomOptions& options,
+                               const foundation::Progress& progress) {
   refuse_errors(assembled, channels, loading, options);
   const std::vector<RandomMoment> moments = random_moments(channels, options);
   std::vector<const assembly::Loading*> loads;
@@ -146,9 +156,11 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
     result.solutions = found.solutions;
     const double misfit = 0.5 * found.misfit.maxCoeff();
     if (!poles_hold(found, options.accuracy))
-      result.remark = std::isfinite(misfit)
-                          ? fmt::format("two poles stand together with one shape between them, as at critical damping: their fractions miss the response by {:.1g} of it", misfit)
-                          : "the poles lie too far apart for partial fractions";
+      result.remark = std::isfinite(misfit) ? fmt::format(
+                                                  "two poles stand together with one shape between them, as at "
+                                                  "critical damping: their fractions miss the response by {:.1g} of it",
+                                                  misfit)
+                                            : "the poles lie too far apart for partial fractions";
   }
   if (!result.remark.empty()) {
     result.method = RandomMethod::quadrature;

@@ -20,8 +20,8 @@ namespace trivet::response {
 /// One stationary random input of zero mean: an action of amplitude 1, and the one-sided spectrum of its course.
 struct RandomInput {
   std::string name;
-  assembly::Loading loading;       ///< may hold powers of s and delays (a wave under several ground points)
-  excitation::Spectrum spectrum;   ///< [unit²/(rad/s)], where `unit` is that of the action: N, m, m/s², …
+  assembly::Loading loading;      ///< may hold powers of s and delays (a wave under several ground points)
+  excitation::Spectrum spectrum;  ///< [unit²/(rad/s)], where `unit` is that of the action: N, m, m/s², …
 };
 
 /// Inputs that act together. Pairs that are not named are uncorrelated.
@@ -38,7 +38,8 @@ struct RandomLoading {
 /// Errors: no input, an input that acts on nothing or has an empty spectrum, pairs that no random process has.
 [[nodiscard]] foundation::Problems check(const RandomLoading& loading, const std::string& subject);
 
-/// A motion whose acceleration is to be weighted for people; the channel may be a displacement, velocity or acceleration.
+/// A motion whose acceleration is to be weighted for people; the channel may be a displacement, velocity or
+/// acceleration.
 struct WeightedChannel {
   std::size_t channel = 0;
   excitation::Weighting weighting = excitation::Weighting::Wk;
@@ -46,7 +47,8 @@ struct WeightedChannel {
 
 struct RandomOptions {
   std::vector<WeightedChannel> weighted;
-  double accuracy = 1e-8;     ///< relative, of each variance: what the pole–residue form must hold, and what the quadrature works to
+  double accuracy =
+      1e-8;  ///< relative, of each variance: what the pole–residue form must hold, and what the quadrature works to
   int most_solutions = 200000;  ///< of the quadrature, over all inputs
 };
 
@@ -54,17 +56,20 @@ struct RandomOptions {
 struct RandomAnswer {
   std::string name;
   std::string unit;
-  bool vanishes = false;                         ///< below round-off of what the coordinates could make of it: all numbers are 0 or none
-  std::optional<double> rms;                     ///< σ_y; none where it is infinite or undefined, see `reason`
-  std::optional<double> three_sigma;             ///< 3 σ_y
-  std::optional<double> rms_of_derivative;       ///< σ_ẏ [unit/s]
-  std::optional<double> zero_crossings;          ///< ν₀ = σ_ẏ/(2π σ_y), crossings of zero from below per second
-  std::optional<double> weighted_rms;  ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
-  std::vector<double> variance_share;  ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
-  bool infinite_rms = false, infinite_rms_of_derivative = false, infinite_weighted_rms = false;  ///< rather than undefined
+  bool vanishes = false;      ///< below round-off of what the coordinates could make of it: all numbers are 0 or none
+  std::optional<double> rms;  ///< σ_y; none where it is infinite or undefined, see `reason`
+  std::optional<double> three_sigma;        ///< 3 σ_y
+  std::optional<double> rms_of_derivative;  ///< σ_ẏ [unit/s]
+  std::optional<double> zero_crossings;     ///< ν₀ = σ_ẏ/(2π σ_y), crossings of zero from below per second
+  std::optional<double>
+      weighted_rms;  ///< of the weighted acceleration [m/s² or rad/s²], where `RandomOptions::weighted` asks for it
+  std::vector<double>
+      variance_share;  ///< per input, sums to 1; with coherent inputs single shares may leave 0 … 1; empty without rms
+  bool infinite_rms = false, infinite_rms_of_derivative = false,
+       infinite_weighted_rms = false;  ///< rather than undefined
   /// Relative, of the variance; NaN where no number is finite.
   double estimated_error = std::numeric_limits<double>::quiet_NaN();
-  std::string reason;                            ///< why a number is missing
+  std::string reason;  ///< why a number is missing
 };
 
 /// How the variances were found.
@@ -75,31 +80,34 @@ enum class RandomMethod {
 [[nodiscard]] const char* name(RandomMethod method);
 
 struct RandomResponse {
-  std::vector<RandomAnswer> answers;   ///< one per channel
+  std::vector<RandomAnswer> answers;  ///< one per channel
   RandomMethod method = RandomMethod::poles;
-  std::string remark;                  ///< why the quadrature was taken, else empty
-  int solutions = 0;                   ///< direct solutions Z q = h, for the check or the quadrature
-  double from = 0, to = 0;             ///< band of the spectra together [rad/s]
+  std::string remark;       ///< why the quadrature was taken, else empty
+  int solutions = 0;        ///< direct solutions Z q = h, for the check or the quadrature
+  double from = 0, to = 0;  ///< band of the spectra together [rad/s]
 };
 
-/// Variances ∫ Σ_jk H_j* S_jk H_k dω of every channel, of its derivative, and of its weighted acceleration, within the band of the spectra.
-/// Nothing is read off a grid: docs/random.md.
-/// @throws foundation::InvalidInput for what `check` calls an error, a weighted channel that does not exist or is no motion
+/// Variances ∫ Σ_jk H_j* S_jk H_k dω of every channel, of its derivative, and of its weighted acceleration, within the
+/// band of the spectra. Nothing is read off a grid: docs/random.md.
+/// @throws foundation::InvalidInput for what `check` calls an error, a weighted channel that does not exist or is no
+/// motion
 /// @throws foundation::NotComputable where the quadrature would need more than `most_solutions` for its first panels
-[[nodiscard]] RandomResponse random_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+[[nodiscard]] RandomResponse random_response(const assembly::Assembled& assembled,
+                                             const std::vector<assembly::Channel>& channels,
                                              const RandomLoading& loading, const RandomOptions& options = {},
                                              const foundation::Progress& progress = {});
 
 /// One-sided power spectral densities of the channels, [unit²/(rad/s)]; times 2π per hertz.
 struct RandomCurves {
-  std::vector<double> angular_frequency;         ///< [rad/s]
-  std::vector<std::vector<double>> density;      ///< per channel; NaN where the dynamic stiffness is singular
+  std::vector<double> angular_frequency;     ///< [rad/s]
+  std::vector<std::vector<double>> density;  ///< per channel; NaN where the dynamic stiffness is singular
 };
 
-/// Over the given ω, or, if there are none, over a grid of the spectra's band that is dense around the poles and holds every breakpoint.
-/// For pictures: the variances come from `random_response`.
-[[nodiscard]] RandomCurves random_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                         const RandomLoading& loading, std::vector<double> angular_frequency = {},
+/// Over the given ω, or, if there are none, over a grid of the spectra's band that is dense around the poles and holds
+/// every breakpoint. For pictures: the variances come from `random_response`.
+[[nodiscard]] RandomCurves random_curves(const assembly::Assembled& assembled,
+                                         const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
+                                         std::vector<double> angular_frequency = {},
                                          const foundation::Progress& progress = {});
 
 }  // namespace trivet::response

@@ -49,7 +49,8 @@ std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& c
   std::iota(all.begin(), all.end(), 0);
   std::vector<RandomMoment> moments = {{all, 0, {}}, {all, 1, {}}};
   for (const WeightedChannel& weighted : options.weighted)
-    moments.push_back({{static_cast<Eigen::Index>(weighted.channel)}, 2 - channels[weighted.channel].derivative, weighted.weighting});
+    moments.push_back(
+        {{static_cast<Eigen::Index>(weighted.channel)}, 2 - channels[weighted.channel].derivative, weighted.weighting});
   return moments;
 }
 
@@ -72,14 +73,16 @@ std::optional<int> order_at_rest(const excitation::Spectrum& spectrum) {
   return first.factor + (first.density_from == 0 ? 1 : 0);
 }
 
-Eigen::VectorXcd cross_density(const RandomLoading& loading, std::size_t j, std::size_t k, const Eigen::VectorXd& omega) {
+Eigen::VectorXcd cross_density(const RandomLoading& loading, std::size_t j, std::size_t k,
+                               const Eigen::VectorXd& omega) {
   const excitation::Spectrum &first = loading.inputs[j].spectrum, &second = loading.inputs[k].spectrum;
   if (j == k) return omega.unaryExpr([&](double w) { return Complex(excitation::density(first, w)); });
   const excitation::InputPair* pair = pair_of(loading, j, k);
   if (!pair) return {};
   const double delay = pair->first == j ? pair->delay : -pair->delay;
   return omega.unaryExpr([&](double w) {
-    return std::polar(std::sqrt(excitation::coherence(pair->coherence, w) * excitation::density(first, w) * excitation::density(second, w)),
+    return std::polar(std::sqrt(excitation::coherence(pair->coherence, w) * excitation::density(first, w) *
+                                excitation::density(second, w)),
                       -w * delay);
   });
 }
@@ -91,8 +94,9 @@ double longest_delay(const RandomLoading& loading) {
       for (const numerics::LoadTerm& term : load->terms())
         shortest = std::min(shortest, term.delay), longest = std::max(longest, term.delay);
   for (const excitation::InputPair& pair : loading.pairs) {
-    const double decay =
-        pair.coherence.decay == 0 ? 0 : pair.coherence.decay * pair.coherence.distance / (2 * std::numbers::pi * pair.coherence.speed);
+    const double decay = pair.coherence.decay == 0
+        ? 0
+        : pair.coherence.decay * pair.coherence.distance / (2 * std::numbers::pi * pair.coherence.speed);
     of_pairs = std::max(of_pairs, std::abs(pair.delay) + decay);
   }
   return std::max(0.0, longest - shortest) + of_pairs;
@@ -103,14 +107,16 @@ Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const Random
   std::vector<Complex> all(poles.begin(), poles.end());
   for (const RandomMoment& moment : moments)
     if (moment.weighting)
-      for (const Complex& root : numerics::polynomial_roots(excitation::rational_transfer(*moment.weighting).denominator))
+      for (const Complex& root :
+           numerics::polynomial_roots(excitation::rational_transfer(*moment.weighting).denominator))
         all.push_back(root);
   if (!loading.pairs.empty())
     for (const double omega : zeros_of_density(loading)) all.emplace_back(0, omega);
   return Eigen::Map<const Eigen::VectorXcd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoading& loading, const std::vector<RandomMoment>& moments) {
+std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoading& loading,
+                               const std::vector<RandomMoment>& moments) {
   const Eigen::VectorXcd smooth = with_poles_of_input(poles, loading, moments);
   Eigen::VectorXcd with_rest(smooth.size() + 1);
   with_rest << smooth, 0.0;
@@ -128,7 +134,8 @@ std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoadin
 }
 
 bool is_undamped(const Complex& pole, double fastest) {
-  return std::abs(pole.real()) <= 64 * std::numeric_limits<double>::epsilon() * std::abs(pole) || std::abs(pole.real()) <= 1e-15 * fastest;
+  return std::abs(pole.real()) <= 64 * std::numeric_limits<double>::epsilon() * std::abs(pole) ||
+      std::abs(pole.real()) <= 1e-15 * fastest;
 }
 
 std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles, const RandomLoading& loading) {

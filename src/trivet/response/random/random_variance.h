@@ -12,15 +12,16 @@
 /// What both ways to the variances of random vibration share.
 namespace trivet::response {
 
-/// A mean square ∫ ω^(2 derivative) |W|² S_yy dω wanted of some channels. The first moment is the variance of all channels, the second that
-/// of their derivatives.
+/// A mean square ∫ ω^(2 derivative) |W|² S_yy dω wanted of some channels. The first moment is the variance of all
+/// channels, the second that of their derivatives.
 struct RandomMoment {
   std::vector<Eigen::Index> channels;
   int derivative = 0;
   std::optional<excitation::Weighting> weighting;
 };
 
-[[nodiscard]] std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& channels, const RandomOptions& options);
+[[nodiscard]] std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& channels,
+                                                       const RandomOptions& options);
 /// |W|², or 1.
 [[nodiscard]] double weight(const RandomMoment& moment, double angular_frequency);
 /// ω^(2 derivative) |W|².
@@ -31,24 +32,27 @@ struct RandomMoment {
 [[nodiscard]] int order_at_rest(const RandomMoment& moment);
 
 /// S_jk(ω) [unit²/(rad/s)], see excitation::density_matrix; no entries if the two inputs have nothing in common.
-[[nodiscard]] Eigen::VectorXcd cross_density(const RandomLoading& loading, std::size_t j, std::size_t k, const Eigen::VectorXd& omega);
+[[nodiscard]] Eigen::VectorXcd cross_density(const RandomLoading& loading, std::size_t j, std::size_t k,
+                                             const Eigen::VectorXd& omega);
 /// Its largest delay, as panels of integration see it: with that of the pairs and the decay of coherence [s].
 [[nodiscard]] double longest_delay(const RandomLoading& loading);
 /// Power of ω with which a spectrum starts at 0; none if it starts later.
 [[nodiscard]] std::optional<int> order_at_rest(const excitation::Spectrum& spectrum);
 
-/// Where S or a weighting is not smooth besides the poles of the response: the poles of the weightings, and 0 for power laws.
+/// Where S or a weighting is not smooth besides the poles of the response: the poles of the weightings, and 0 for power
+/// laws.
 [[nodiscard]] Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const RandomLoading& loading,
                                                    const std::vector<RandomMoment>& moments);
-/// Ends of graded panels over the band of all spectra; every breakpoint is one. Gaps where no spectrum holds are left out by their weight
-/// 0.
+/// Ends of graded panels over the band of all spectra; every breakpoint is one. Gaps where no spectrum holds are left
+/// out by their weight 0.
 [[nodiscard]] std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoading& loading,
                                              const std::vector<RandomMoment>& moments);
 
 /// A pole so near the axis that a double cannot tell its damping.
 [[nodiscard]] bool is_undamped(const std::complex<double>& pole, double fastest);
 /// Undamped poles at ω > 0 within the band of the spectra.
-[[nodiscard]] std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles, const RandomLoading& loading);
+[[nodiscard]] std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles,
+                                                               const RandomLoading& loading);
 
 /// Below this share of what its terms could make, an answer is nothing but round-off.
 inline constexpr double vanishing_answer = 1e-12;

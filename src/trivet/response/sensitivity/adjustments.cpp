@@ -23,7 +23,9 @@ void scale_stiffness_by_direction(Description& description, std::size_t element,
   changed.law.nominal_stiffness += between_ends(directions, gained) / changed.law.scale;
 }
 
-bool has_plain_stiffness(const model::Element& element) { return !element.law.inertia && !element.law.frequency_dependence; }
+bool has_plain_stiffness(const model::Element& element) {
+  return !element.law.inertia && !element.law.frequency_dependence;
+}
 
 bool has_damping(const model::Element& element) {
   const elements::Damping& damping = element.law.damping;
@@ -61,7 +63,9 @@ void move_element(Description& description, std::size_t element, const Eigen::Ve
       joint.n.at = joint.k.at = moved.n.at;
 }
 
-void scale_mass(Description& description, std::size_t body, double factor) { description.bodies[body].mass.mass *= factor; }
+void scale_mass(Description& description, std::size_t body, double factor) {
+  description.bodies[body].mass.mass *= factor;
+}
 
 void move_center_of_mass(Description& description, std::size_t body, const Eigen::Vector3d& by) {
   description.bodies[body].mass.centre += by;

@@ -17,7 +17,8 @@ using model::Description;
 using spatial::Matrix6;
 
 constexpr double one_percent = 0.01, one_millimetre = 1e-3;
-constexpr double relative_step = 1e-3;  // fourth-order differences leave 1e-12 of what is not polynomial, and 1e-13 of round-off
+constexpr double relative_step =
+    1e-3;  // fourth-order differences leave 1e-12 of what is not polynomial, and 1e-13 of round-off
 
 class List {
  public:
@@ -46,12 +47,17 @@ class List {
     const Matrix6 k = element_directions(system_.bodies(), element).stiffness;
     if (!k.isZero(0)) {
       if (element.law.preload)
-        relative(path + ".stiffness_factor.all", [e](Description& d, double amount) { add_deformation_stiffness(d, e, amount); }).law = e;
+        relative(path + ".stiffness_factor.all", [e](Description& d, double amount) {
+          add_deformation_stiffness(d, e, amount);
+        }).law = e;
       else
-        relative(path + ".scale", [e](Description& d, double amount) { d.elements[e].law.scale *= 1 + amount; }).law = e;
+        relative(path + ".scale", [e](Description& d, double amount) { d.elements[e].law.scale *= 1 + amount; }).law =
+            e;
       if (has_plain_stiffness(element)) add_directions(e, path, k);
     }
-    if (has_damping(element)) relative(path + ".damping_factor", [e](Description& d, double amount) { scale_damping(d, e, 1 + amount); }).law = e;
+    if (has_damping(element))
+      relative(path + ".damping_factor", [e](Description& d, double amount) { scale_damping(d, e, 1 + amount); }).law =
+          e;
     const double length = std::max(0.1, std::max(element.k.at.norm(), element.n.at.norm()));
     for (int j = 0; j < 3; ++j)
       place(fmt::format("{}.moved.{}", path, "xyz"[j]), length,
@@ -68,7 +74,8 @@ class List {
                  spatial::Vector6 factors = spatial::Vector6::Ones();
                  factors(j) = 1 + amount;
                  scale_stiffness_by_direction(d, e, factors);
-               }).law = e;
+               })
+          .law = e;
     }
   }
 
@@ -76,7 +83,8 @@ class List {
     const model::Body& body = system_.bodies()[b];
     const std::string path = "bodies." + foundation::path_key(body.name);
     const bool turns = body.free[3] || body.free[4] || body.free[5];
-    relative(path + (turns ? ".mass_about_center" : ".mass"), [b](Description& d, double amount) { scale_mass(d, b, 1 + amount); });
+    relative(path + (turns ? ".mass_about_center" : ".mass"),
+             [b](Description& d, double amount) { scale_mass(d, b, 1 + amount); });
     if (!turns) return;
     const Eigen::Matrix3d j = body.mass.inertia_about_centre;
     const double length = std::max(0.1, std::sqrt(std::abs(j.trace() / body.mass.mass)));
@@ -86,8 +94,9 @@ class List {
     for (int row = 0; row < 3; ++row)
       for (int column = row; column < 3; ++column) {
         if (j(row, row) * j(column, column) == 0) continue;
-        Parameter& parameter = relative(fmt::format("{}.inertia_about_center.{}{}", path, "xyz"[row], "xyz"[column]),
-                                        [b, row, column](Description& d, double amount) { change_inertia(d, b, row, column, amount); });
+        Parameter& parameter =
+            relative(fmt::format("{}.inertia_about_center.{}{}", path, "xyz"[row], "xyz"[column]),
+                     [b, row, column](Description& d, double amount) { change_inertia(d, b, row, column, amount); });
         if (row != column) parameter.change = fmt::format("+1 % of √(J{0}{0} J{1}{1})", "xyz"[row], "xyz"[column]);
       }
   }
@@ -98,8 +107,9 @@ class List {
         relative("damping.rayleigh.mass",
                  [](Description& d, double amount) { std::get<model::RayleighDamping>(d.damping).mass *= 1 + amount; });
       if (rayleigh->stiffness > 0)
-        relative("damping.rayleigh.stiffness",
-                 [](Description& d, double amount) { std::get<model::RayleighDamping>(d.damping).stiffness *= 1 + amount; });
+        relative("damping.rayleigh.stiffness", [](Description& d, double amount) {
+          std::get<model::RayleighDamping>(d.damping).stiffness *= 1 + amount;
+        });
     }
     if (std::holds_alternative<model::ModalDamping>(system_.description().damping))
       relative("damping.modal_factor", [](Description& d, double amount) { scale_modal_damping(d, 1 + amount); });

@@ -31,7 +31,8 @@ struct Asked {
         load(question.load(given, assembled)) {}
 
   [[nodiscard]] Dynamics at(const PeakPlace& peak, const ElementJets& jets) const {
-    return body_dynamics(dynamics(assembled, channels[peak.channel], load, peak.angular_frequency, jets), assembled.layout.of_bodies());
+    return body_dynamics(dynamics(assembled, channels[peak.channel], load, peak.angular_frequency, jets),
+                         assembled.layout.of_bodies());
   }
 };
 
@@ -39,11 +40,11 @@ struct Asked {
 class PeakOfModel {
  public:
   PeakOfModel(const Asked& asked, const PeakPlace& place, const modal::Modes& modes, std::vector<std::string>& notes)
-      : place_(place), jets_(element_jets(asked.assembled, place.angular_frequency)), dynamics_(asked.at(place, jets_)) {
-    if (place.unbounded_mode)
-      take_mode(asked, modes, notes);
-    else
-      take_maximum(notes);
+      : place_(place),
+        jets_(element_jets(asked.assembled, place.angular_frequency)),
+        dynamics_(asked.at(place, jets_)) {
+    if (place.unbounded_mode) take_mode(asked, modes, notes);
+    else take_maximum(notes);
   }
 
   [[nodiscard]] const PeakPlace& place() const { return place_; }
@@ -58,10 +59,12 @@ class PeakOfModel {
  private:
   void take_mode(const Asked& asked, const modal::Modes& modes, std::vector<std::string>& notes) {
     notes.emplace_back(
-        "the amplitude is infinite without damping: it has no height to be sensitive; its frequency is that of the undamped mode");
+        "the amplitude is infinite without damping: it has no height to be sensitive; its frequency is that of the "
+        "undamped mode");
     const modal::Mode& mode = modes.list.at(static_cast<std::size_t>(*place_.unbounded_mode - 1));
     if (mode.repeated) {
-      notes.emplace_back("its mode is one of a repeated root, which a change may split: no derivative of the frequency");
+      notes.emplace_back(
+          "its mode is one of a repeated root, which a change may split: no derivative of the frequency");
       return;
     }
     VectorXcd shape(asked.assembled.layout.of_bodies());
@@ -83,12 +86,14 @@ class PeakOfModel {
     const double width = std::sqrt(std::norm(y[0]) / std::abs(curvature_));
     is_maximum_ = curvature_ < 0 && std::abs(slope / curvature_) < stationary * width;
     if (!is_maximum_)
-      notes.emplace_back("this is no maximum of the curve: heights are those at this fixed frequency, and no frequency moves");
+      notes.emplace_back(
+          "this is no maximum of the curve: heights are those at this fixed frequency, and no frequency moves");
   }
 
   Sensitivity of_mode(const Dynamics& change) const {
     Sensitivity result;
-    if (shape_.size() > 0) result.frequency = -with(shape_, change.stiffness[0] * shape_).real() / place_.angular_frequency;
+    if (shape_.size() > 0)
+      result.frequency = -with(shape_, change.stiffness[0] * shape_).real() / place_.angular_frequency;
     return result;
   }
 
@@ -99,11 +104,12 @@ class PeakOfModel {
     const VectorXcd slope_of_force = change.load[1] - change.stiffness[1] * q[0] - change.stiffness[0] * q[1];
     const Complex by_parameter = with(adjoint_[0], force) + with(change.channel[0], q[0]) + change.direct[0];
     const Complex mixed = with(adjoint_[1], force) + with(adjoint_[0], slope_of_force) + with(change.channel[1], q[0]) +
-                          with(change.channel[0], q[1]) + change.direct[1];
+        with(change.channel[0], q[1]) + change.direct[1];
     Sensitivity result;
     result.height = (std::conj(y[0]) * by_parameter).real() / std::norm(y[0]);
     if (is_maximum_)
-      result.frequency = -2 * (std::conj(y[1]) * by_parameter + std::conj(y[0]) * mixed).real() / curvature_ / place_.angular_frequency;
+      result.frequency = -2 * (std::conj(y[1]) * by_parameter + std::conj(y[0]) * mixed).real() / curvature_ /
+          place_.angular_frequency;
     return result;
   }
 
@@ -126,9 +132,10 @@ ElementJets changed_jets(const Asked& asked, const PeakOfModel& peak, const Para
 }
 
 /// (8(f(h) − f(−h)) − (f(2h) − f(−2h)))/12h of every peak's dynamics: exact for polynomials up to the fourth degree.
-std::vector<Dynamics> derivatives(const model::System& system, const Question& question, const std::vector<PeakOfModel>& peaks,
-                                  const Parameter& parameter) {
-  constexpr std::array<std::pair<double, double>, 4> nodes = {{{1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}}};
+std::vector<Dynamics> derivatives(const model::System& system, const Question& question,
+                                  const std::vector<PeakOfModel>& peaks, const Parameter& parameter) {
+  constexpr std::array<std::pair<double, double>, 4> nodes = {
+      {{1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}}};
   std::vector<Dynamics> result;
   for (const PeakOfModel& peak : peaks) {
     result.push_back(peak.dynamics());
@@ -145,21 +152,24 @@ std::vector<Dynamics> derivatives(const model::System& system, const Question& q
 
 }  // namespace
 
-SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled, const Question& question,
-                                    const std::vector<PeakPlace>& places, const foundation::Progress& progress) {
+SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled,
+                                    const Question& question, const std::vector<PeakPlace>& places,
+                                    const foundation::Progress& progress) {
   for (const PeakPlace& place : places)
     if (!(place.angular_frequency > 0) || !std::isfinite(place.angular_frequency))
       throw foundation::InvalidInput("peak_sensitivities: a peak stands at a finite frequency above 0");
   SensitivityTable table;
   table.parameters = model_parameters(system);
   table.peaks.resize(places.size());
-  const bool any_mode = std::any_of(places.begin(), places.end(), [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
+  const bool any_mode = std::any_of(places.begin(), places.end(),
+                                    [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
   const modal::Modes modes = any_mode ? modal::modes(system, assembled) : modal::Modes{};
   const Asked asked(system, question);
   std::vector<PeakOfModel> peaks;
   for (std::size_t i = 0; i < places.size(); ++i) peaks.emplace_back(asked, places[i], modes, table.peaks[i].notes);
   for (std::size_t p = 0; p < table.parameters.size(); ++p) {
-    foundation::report_progress(progress, "sensitivities", static_cast<double>(p) / static_cast<double>(table.parameters.size()));
+    foundation::report_progress(progress, "sensitivities",
+                                static_cast<double>(p) / static_cast<double>(table.parameters.size()));
     try {
       const std::vector<Dynamics> change = derivatives(system, question, peaks, table.parameters[p]);
       for (std::size_t i = 0; i < peaks.size(); ++i) table.peaks[i].list.push_back(peaks[i].sensitivity(change[i]));

@@ -48,11 +48,12 @@ struct SensitivityTable {
   std::vector<PeakSensitivities> peaks;
 };
 
-/// Sensitivities of every peak to every parameter. At a maximum the height changes as |y| at fixed ω (the shift of the maximum is of
-/// second order); y = cᵀq, Zq = h gives dy = λᵀ(dh − dZ q) + dcᵀq with Zᵀλ = c. The frequency moves by −F_ωp/F_ωω of F = |y|². An
-/// unbounded peak moves with its mode: dω = −φᵀ dZ φ / φᵀ Z_ω φ. dZ, dc, dh are fourth-order differences of the assembled model, to which
-/// all parameters but system damping and the mass of elements contribute as polynomials: there they are exact to round-off.
-/// Only the first derivative of the model is taken numerically, never that of the resonance, so light damping costs nothing.
+/// Sensitivities of every peak to every parameter. At a maximum the height changes as |y| at fixed ω (the shift of the
+/// maximum is of second order); y = cᵀq, Zq = h gives dy = λᵀ(dh − dZ q) + dcᵀq with Zᵀλ = c. The frequency moves by
+/// −F_ωp/F_ωω of F = |y|². An unbounded peak moves with its mode: dω = −φᵀ dZ φ / φᵀ Z_ω φ. dZ, dc, dh are fourth-order
+/// differences of the assembled model, to which all parameters but system damping and the mass of elements contribute
+/// as polynomials: there they are exact to round-off. Only the first derivative of the model is taken numerically,
+/// never that of the resonance, so light damping costs nothing.
 [[nodiscard]] SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled,
                                                   const Question& question, const std::vector<PeakPlace>& peaks,
                                                   const foundation::Progress& progress = {});

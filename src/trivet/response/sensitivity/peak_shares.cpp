@@ -80,25 +80,28 @@ struct ElementEnergy {
 
 /// `ground`: motion of the ground, no rows if it rests.
 ElementEnergy energy(const model::System& system, std::size_t e, const assembly::ElementMap& map,
-                     const std::optional<Jet<elements::Matrix12c>>& jet, const VectorXcd& q, const VectorXcd& ground, double omega) {
+                     const std::optional<Jet<elements::Matrix12c>>& jet, const VectorXcd& q, const VectorXcd& ground,
+                     double omega) {
   ElementEnergy result;
   ElementDirections directions = element_directions(system.bodies(), system.elements()[e]);
   Vector12c ends = Vector12c::Zero();
-  for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[static_cast<std::size_t>(j)]);
+  for (Eigen::Index j = 0; j < map.end_columns; ++j)
+    ends += map.ends.col(j).head<12>() * q(map.rows[static_cast<std::size_t>(j)]);
   if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();
   if (jet) {
     const elements::Matrix12c& d = (*jet)[0];
     result.stored = 0.25 * form(ends, d.real());
     result.dissipated = 0.5 * omega * ends.dot(d * ends).imag();
     // Its stiffness in vibration, seen at the same centre.
-    const Eigen::Matrix<double, 6, 6> from_centre = numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));
+    const Eigen::Matrix<double, 6, 6> from_centre =
+        numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));
     directions.stiffness = from_centre.transpose() * d.bottomRightCorner<6, 6>().real() * from_centre;
   } else {
     VectorXcd all = map.coordinates(q);
     all.head<12>() = ends;
     result.stored = 0.25 * form(all, map.matrices.stiffness);
-    result.dissipated =
-        0.5 * omega * (map.matrices.loss_factor * form(all, map.matrices.stiffness) + omega * form(all, map.matrices.damping));
+    result.dissipated = 0.5 * omega *
+        (map.matrices.loss_factor * form(all, map.matrices.stiffness) + omega * form(all, map.matrices.damping));
   }
   const Eigen::Matrix<Complex, 6, 1> deformation = directions.deformation.cast<Complex>() * ends,
                                      force = directions.stiffness.cast<Complex>() * deformation;
@@ -107,7 +110,8 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
 }
 
 /// Stored energy [J] and dissipated power [W] of the foundations' own springs and dashpots.
-std::array<double, 2> foundation_energy(const model::System& system, const assembly::Layout& layout, const VectorXcd& q, double omega) {
+std::array<double, 2> foundation_energy(const model::System& system, const assembly::Layout& layout, const VectorXcd& q,
+                                        double omega) {
   std::array<double, 2> sum = {0, 0};
   const auto& foundations = system.description().foundations;
   for (std::size_t i = 0; i < foundations.size(); ++i) {
@@ -118,9 +122,10 @@ std::array<double, 2> foundation_energy(const model::System& system, const assem
   return sum;
 }
 
-/// Power of Rayleigh or modal damping, ½ω² vᴴBv of the motion v = q + x beyond that with which the system follows the ground, B x = B_g g.
-double system_damping_power(const model::System& system, const assembly::Assembled& assembled, const VectorXcd& q, const VectorXcd& ground,
-                            double omega) {
+/// Power of Rayleigh or modal damping, ½ω² vᴴBv of the motion v = q + x beyond that with which the system follows the
+/// ground, B x = B_g g.
+double system_damping_power(const model::System& system, const assembly::Assembled& assembled, const VectorXcd& q,
+                            const VectorXcd& ground, double omega) {
   if (std::holds_alternative<std::monostate>(system.description().damping)) return 0;
   model::Description without = system.description();
   without.damping = std::monostate{};
@@ -143,21 +148,25 @@ struct Answer {
 
 Answer moved(const assembly::Assembled& assembled, const Dynamics& dynamics, const PeakPlace& place) {
   if (place.unbounded_mode)
-    return {all_modes(assembled).shapes.col(*place.unbounded_mode - 1).head(dynamics.load[0].size()).cast<Complex>(), 0};
+    return {all_modes(assembled).shapes.col(*place.unbounded_mode - 1).head(dynamics.load[0].size()).cast<Complex>(),
+            0};
   const Motion found = motion(dynamics);
   return {found.coordinates[0], found.value[0]};
 }
 
-Dynamics looked_at(const model::System& system, const assembly::Assembled& assembled, const Question& question, const PeakPlace& place,
-                   const ElementJets& jets) {
+Dynamics looked_at(const model::System& system, const assembly::Assembled& assembled, const Question& question,
+                   const PeakPlace& place, const ElementJets& jets) {
   if (!(place.angular_frequency > 0)) throw foundation::InvalidInput("peak_shares: the angular frequency must be > 0");
-  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, question.channels, question.quantity);
-  return dynamics(assembled, channels.at(place.channel), question.load(system, assembled), place.angular_frequency, jets);
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(system, assembled, question.channels, question.quantity);
+  return dynamics(assembled, channels.at(place.channel), question.load(system, assembled), place.angular_frequency,
+                  jets);
 }
 
 }  // namespace
 
-double alignment(const model::System& system, const assembly::Assembled& assembled, const Question& question, const PeakPlace& place) {
+double alignment(const model::System& system, const assembly::Assembled& assembled, const Question& question,
+                 const PeakPlace& place) {
   const Dynamics at = looked_at(system, assembled, question, place, element_jets(assembled, place.angular_frequency));
   const VectorXcd q = moved(assembled, at, place).coordinates;
   const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(q.size());

@@ -75,7 +75,8 @@ Factors factors(const MatrixXcd& z) {
 }  // namespace
 
 Jet<elements::Matrix12c> element_jet(const assembly::ElementMap& map, double omega) {
-  // Taylor coefficients from a circle around ω: eight points leave (radius / distance of the next pole)^8 and little round-off.
+  // Taylor coefficients from a circle around ω: eight points leave (radius / distance of the next pole)^8 and little
+  // round-off.
   constexpr int points = 8;
   const double radius = 1e-3 * omega;
   Jet<elements::Matrix12c> sum;
@@ -106,8 +107,8 @@ void Dynamics::add(double weight, const Dynamics& other) {
   }
 }
 
-Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading, double omega,
-                  const ElementJets& jets) {
+Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel& channel,
+                  const assembly::Loading& loading, double omega, const ElementJets& jets) {
   const numerics::DynamicMatrices& m = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
   const Eigen::Index n = m.size();
   Dynamics result;
@@ -169,7 +170,8 @@ Dynamics body_dynamics(const Dynamics& all, Eigen::Index kept) {
     inner_channel[k] = all.channel[k].tail(inner);
   }
   // Inner coordinates that a load moves by themselves while the bodies stand.
-  const Jet<Complex> direct = numerics::dot<double>(inner_channel, solution(Factors(inner_stiffness[0]), inner_stiffness, inner_load));
+  const Jet<Complex> direct =
+      numerics::dot<double>(inner_channel, solution(Factors(inner_stiffness[0]), inner_stiffness, inner_load));
   const auto channel = product(row, right);
   Dynamics result;
   result.stiffness = product(upper, right);

@@ -20,8 +20,8 @@ using ElementJets = std::vector<std::optional<Jet<elements::Matrix12c>>>;
 [[nodiscard]] Jet<elements::Matrix12c> element_jet(const assembly::ElementMap& map, double omega);
 [[nodiscard]] ElementJets element_jets(const assembly::Assembled& assembled, double omega);
 
-/// One answer as the system sees it at ω: Z q = h, y = cᵀq + direct, the time derivatives of the channel included. A moving ground is part
-/// of h and of `direct`.
+/// One answer as the system sees it at ω: Z q = h, y = cᵀq + direct, the time derivatives of the channel included. A
+/// moving ground is part of h and of `direct`.
 struct Dynamics {
   Jet<Eigen::MatrixXcd> stiffness;  ///< Z
   Jet<Eigen::VectorXcd> load;       ///< h
@@ -33,11 +33,11 @@ struct Dynamics {
 };
 
 /// In all coordinates, those of frequency-dependent elements left out (rows before `Layout::before_last`).
-[[nodiscard]] Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel& channel, const assembly::Loading& loading,
-                                double omega, const ElementJets& jets);
+[[nodiscard]] Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel& channel,
+                                const assembly::Loading& loading, double omega, const ElementJets& jets);
 
-/// The same in the coordinates of the bodies alone, the inner coordinates of elements eliminated with all derivatives. Elements may
-/// choose the basis of their inner coordinates as they like: this does not change with it.
+/// The same in the coordinates of the bodies alone, the inner coordinates of elements eliminated with all derivatives.
+/// Elements may choose the basis of their inner coordinates as they like: this does not change with it.
 /// @param of_bodies  number of leading rows to keep, Layout::of_bodies
 [[nodiscard]] Dynamics body_dynamics(const Dynamics& all, Eigen::Index of_bodies);
 

@@ -12,7 +12,8 @@ namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
-/// Callers take an answer below 1e-12 of `possible` for 0. Of the largest coordinate 1e-14 is the round-off of a solution.
+/// Callers take an answer below 1e-12 of `possible` for 0. Of the largest coordinate 1e-14 is the round-off of a
+/// solution.
 constexpr double round_off_share = 1e-2;
 
 std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
@@ -24,15 +25,17 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
   return terms;
 }
 
-/// What an answer would be if all coordinates moved as much as the largest, as a share that is round-off of every solution: an answer that
-/// vanishes by symmetry is as small as its own terms.
-Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const Eigen::MatrixXcd& q,
-                          const Eigen::RowVectorXd& omega) {
-  const Eigen::VectorXd unit = numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices).head(q.rows());
+/// What an answer would be if all coordinates moved as much as the largest, as a share that is round-off of every
+/// solution: an answer that vanishes by symmetry is as small as its own terms.
+Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                          const Eigen::MatrixXcd& q, const Eigen::RowVectorXd& omega) {
+  const Eigen::VectorXd unit =
+      numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices).head(q.rows());
   const Eigen::MatrixXd alike = unit * (unit.cwiseInverse().asDiagonal() * q.cwiseAbs()).colwise().maxCoeff();
   Eigen::MatrixXd result(std::ssize(channels), q.cols());
   for (Eigen::Index c = 0; c < result.rows(); ++c)
-    result.row(c) = round_off_share * numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, omega);
+    result.row(c) = round_off_share *
+        numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, omega);
   return result;
 }
 
@@ -76,8 +79,9 @@ AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector
 std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& channels) {
   std::vector<ChannelTerms> result;
   for (const assembly::Channel& channel : channels)
-    result.push_back({channel.derivative, nonzero_terms(channel.on_displacement, channel.on_velocity, channel.on_acceleration),
-                      nonzero_terms(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration)});
+    result.push_back(
+        {channel.derivative, nonzero_terms(channel.on_displacement, channel.on_velocity, channel.on_acceleration),
+         nonzero_terms(channel.ground.on_displacement, channel.ground.on_velocity, channel.ground.on_acceleration)});
   return result;
 }
 
@@ -85,7 +89,8 @@ AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::ve
                              const assembly::Loading& loading, const std::vector<double>& omega) {
   const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
   if (groups.size() == 1) return samples_in(assembled, channels, groups[0].loading, omega);
-  AnswerSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)), Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
+  AnswerSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)),
+                       Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
   for (const assembly::AnsweredTogether& group : groups) {
     const AnswerSamples part = samples_in(assembled, group.channels, group.loading, omega);
     for (Eigen::Index k = 0; k < std::ssize(group.which); ++k) {

@@ -14,7 +14,7 @@ namespace trivet::response {
 /// What one coordinate adds to an answer: (displacement + s velocity + s² acceleration) · coordinate.
 struct ChannelTerm {
   Eigen::Index row = 0;
-  std::array<std::complex<double>, 3> by_power;   ///< of s⁰, s¹, s²
+  std::array<std::complex<double>, 3> by_power;  ///< of s⁰, s¹, s²
 };
 
 /// A channel by its nonzero terms only.
@@ -27,12 +27,14 @@ struct ChannelTerms {
 
 /// All answers at some frequencies, from direct solutions.
 struct AnswerSamples {
-  Eigen::MatrixXcd value;      ///< channels × frequencies; NaN where Z is singular
-  Eigen::MatrixXd possible;    ///< the same if all terms worked together: what is far below is round-off
+  Eigen::MatrixXcd value;    ///< channels × frequencies; NaN where Z is singular
+  Eigen::MatrixXd possible;  ///< the same if all terms worked together: what is far below is round-off
 };
 
 /// At ω > 0 [rad/s], also with frequency-dependent elements.
-[[nodiscard]] AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                           const assembly::Loading& loading, const std::vector<double>& angular_frequency);
+[[nodiscard]] AnswerSamples answer_samples(const assembly::Assembled& assembled,
+                                           const std::vector<assembly::Channel>& channels,
+                                           const assembly::Loading& loading,
+                                           const std::vector<double>& angular_frequency);
 
 }  // namespace trivet::response

@@ -10,9 +10,10 @@
 namespace trivet::response {
 namespace {
 
-constexpr double near = 1e3, far = 1e5;  // times the outermost root: the powers of ω there are pure, and their smallest share, 1e-10, is still far above round-off
-constexpr double falls = 0.1;            // from near to far; the slowest power that vanishes, the first, falls to 0.01
-constexpr double aside = 1.13;           // of the middle between the roots, where a single undamped root would stand
+constexpr double near = 1e3, far = 1e5;  // times the outermost root: the powers of ω there are pure, and their smallest
+                                         // share, 1e-10, is still far above round-off
+constexpr double falls = 0.1;   // from near to far; the slowest power that vanishes, the first, falls to 0.01
+constexpr double aside = 1.13;  // of the middle between the roots, where a single undamped root would stand
 
 struct RootRange {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
@@ -20,19 +21,24 @@ struct RootRange {
 
 RootRange range_of(const modal::Roots& roots) {
   RootRange range;
-  for (const modal::Root& root : roots.list) range = {std::min(range.lowest, std::abs(root.eigenvalue)), std::max(range.highest, std::abs(root.eigenvalue))};
+  for (const modal::Root& root : roots.list)
+    range = {std::min(range.lowest, std::abs(root.eigenvalue)), std::max(range.highest, std::abs(root.eigenvalue))};
   return range.highest > 0 ? range : RootRange{1, 1};
 }
 
 }  // namespace
 
-std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading, const modal::Roots& roots) {
+std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled,
+                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                      const modal::Roots& roots) {
   std::vector<bool> vanish(channels.size(), false);
-  const bool free = std::any_of(roots.list.begin(), roots.list.end(), [](const modal::Root& root) { return root.kind == modal::RootKind::rigid; });
+  const bool free = std::any_of(roots.list.begin(), roots.list.end(),
+                                [](const modal::Root& root) { return root.kind == modal::RootKind::rigid; });
   if (assembled.frequency_dependent() || loading.longest_delay() > 0 || loading.vanishes() || free) return vanish;
   const RootRange range = range_of(roots);
   const auto at = [&](double omega) { return visible_amplitudes(assembled, channels, loading, omega); };
-  const Eigen::VectorXd at_rest = at(range.lowest / far), low = at(range.lowest / near), between = at(aside * std::sqrt(range.lowest * range.highest)), high = at(range.highest * near),
+  const Eigen::VectorXd at_rest = at(range.lowest / far), low = at(range.lowest / near),
+                        between = at(aside * std::sqrt(range.lowest * range.highest)), high = at(range.highest * near),
                         beyond = at(range.highest * far);
   for (Eigen::Index c = 0; c < between.size(); ++c) {
     const bool still = low(c) == 0 && between(c) == 0 && high(c) == 0;

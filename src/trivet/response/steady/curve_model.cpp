@@ -13,16 +13,20 @@
 namespace trivet::response {
 namespace {
 
-constexpr double fit_tolerance = 1e-6;      // above the round-off of a solve at a resonance with damping ratios down to 1e-9
-constexpr double floor_share = 1e-10;       // of a curve's largest value, or of the largest of its unit at the same ω: below, errors are absolute
-constexpr double near_zero_share = 1e-3;    // of the neighbours of a zero, beside which a curve's own value is no scale
+constexpr double fit_tolerance =
+    1e-6;  // above the round-off of a solve at a resonance with damping ratios down to 1e-9
+constexpr double floor_share =
+    1e-10;  // of a curve's largest value, or of the largest of its unit at the same ω: below, errors are absolute
+constexpr double near_zero_share = 1e-3;  // of the neighbours of a zero, beside which a curve's own value is no scale
 constexpr std::size_t solves_per_round = 8;
 constexpr std::size_t most_corners = 42;
-constexpr std::size_t most_samples = 100;   // of one piece: with those of its tests, 120 solves
-constexpr double apart = 1e-10;             // of ω: nearer frequencies are one
+constexpr std::size_t most_samples = 100;  // of one piece: with those of its tests, 120 solves
+constexpr double apart = 1e-10;            // of ω: nearer frequencies are one
 
 /// A fit with a pole at the very frequency gives no number: nothing could be worse.
-double as_error(double difference) { return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference; }
+double as_error(double difference) {
+  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
 
 using Samples = std::map<double, Eigen::VectorXcd>;  // ω → a value per delay and curve
 
@@ -31,7 +35,9 @@ std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const Band&
   constexpr int spread = 9, decades = 4;
   constexpr double undamped = 1e-9;
   std::vector<double> omega;
-  for (int i = 0; spread_too && i < spread; ++i) omega.push_back(0.5 * (band.from + band.to - (band.to - band.from) * std::cos(std::numbers::pi * i / (spread - 1))));
+  for (int i = 0; spread_too && i < spread; ++i)
+    omega.push_back(0.5 *
+                    (band.from + band.to - (band.to - band.from) * std::cos(std::numbers::pi * i / (spread - 1))));
   for (int k = 1; spread_too && k <= decades; ++k) omega.push_back(band.to * std::pow(10.0, -k));
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
     const double centre = poles(k).imag(), width = std::max(std::abs(poles(k).real()), 1e-6 * centre);
@@ -46,21 +52,27 @@ std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const Band&
 
 class Modelling {
  public:
-  Modelling(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-            const Peaks& peaks, const CurveModelOptions& options, const foundation::Progress& progress, CurveModel& model)
+  Modelling(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+            const assembly::Loading& loading, const Peaks& peaks, const CurveModelOptions& options,
+            const foundation::Progress& progress, CurveModel& model)
       : assembled_(assembled), channels_(channels), options_(options), progress_(progress), model_(model) {
     for (const double delay : model.delays) loadings_.push_back(undelayed(loading, delay));
     extrema_ = extrema(peaks, model.band);
     for (const Peak& peak : peaks.list)
-      if (std::isinf(peak.amplitude) && peak.angular_frequency >= model.band.from && peak.angular_frequency <= model.band.to)
+      if (std::isinf(peak.amplitude) && peak.angular_frequency >= model.band.from &&
+          peak.angular_frequency <= model.band.to)
         model.check.undefined_at.push_back(peak.angular_frequency);
-    for (const assembly::ElementMap& map : assembled.elements) knots_.insert(knots_.end(), map.knots.begin(), map.knots.end());
+    for (const assembly::ElementMap& map : assembled.elements)
+      knots_.insert(knots_.end(), map.knots.begin(), map.knots.end());
     std::sort(knots_.begin(), knots_.end());
     for (const assembly::Channel& channel : channels)
-      same_unit_.push_back(std::find_if(channels.begin(), channels.end(), [&](const assembly::Channel& c) { return c.unit == channel.unit; }) - channels.begin());
+      same_unit_.push_back(std::find_if(channels.begin(), channels.end(),
+                                        [&](const assembly::Channel& c) { return c.unit == channel.unit; }) -
+                           channels.begin());
     largest_ = Eigen::VectorXd::Zero(std::ssize(model.delays) * std::ssize(channels));
     idle_ = Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(std::ssize(channels), false);
-    for (std::size_t c = 0; c < peaks.curves.size() && c < channels.size(); ++c) idle_(static_cast<Eigen::Index>(c)) = peaks.curves[c].vanishes;
+    for (std::size_t c = 0; c < peaks.curves.size() && c < channels.size(); ++c)
+      idle_(static_cast<Eigen::Index>(c)) = peaks.curves[c].vanishes;
   }
 
   void solve(std::vector<double> omega) {
@@ -71,7 +83,8 @@ class Modelling {
     if (fresh.empty()) return;
     foundation::report_progress(progress_, "curves", static_cast<double>(model_.solves) / options_.most_solves);
     std::vector<FrequencyResponse> parts;
-    for (const assembly::Loading& loading : loadings_) parts.push_back(frequency_response(assembled_, channels_, loading, fresh));
+    for (const assembly::Loading& loading : loadings_)
+      parts.push_back(frequency_response(assembled_, channels_, loading, fresh));
     model_.solves += static_cast<int>(fresh.size());
     for (const FrequencyResponse& part : parts) add(part.check);
     for (std::size_t i = 0; i < fresh.size(); ++i) {
@@ -119,7 +132,8 @@ class Modelling {
       for (const double w : wanted)
         if (const auto found = samples_.find(w); found != samples_.end())
           if (const double off = error_of(fit, w, found->second); off > error) error = off, error_at = w;
-      const bool exhausted = model_.solves >= options_.most_solves, settled = samples_.size() == before && error > options_.tolerance;
+      const bool exhausted = model_.solves >= options_.most_solves,
+                 settled = samples_.size() == before && error > options_.tolerance;
       if (error <= options_.tolerance || exhausted || settled) {
         model_.tests += tests_;
         model_.tests += model_.solves - tests_before;
@@ -147,17 +161,20 @@ class Modelling {
   [[nodiscard]] bool is_known(double w) const {
     const auto above = samples_.lower_bound(w * (1 - apart));
     return (above != samples_.end() && above->first <= w * (1 + apart)) ||
-           std::any_of(model_.check.undefined_at.begin(), model_.check.undefined_at.end(), [&](double u) { return std::abs(u - w) <= apart * w; });
+        std::any_of(model_.check.undefined_at.begin(), model_.check.undefined_at.end(),
+                    [&](double u) { return std::abs(u - w) <= apart * w; });
   }
 
   /// Where a piece is cut: at the corner of a table nearest to the middle of its samples, or there.
   double cut(const Band& band) {
     std::vector<double> inside;
-    for (auto s = samples_.lower_bound(band.from); s != samples_.end() && s->first <= band.to; ++s) inside.push_back(s->first);
+    for (auto s = samples_.lower_bound(band.from); s != samples_.end() && s->first <= band.to; ++s)
+      inside.push_back(s->first);
     const double middle = inside[inside.size() / 2];
     double place = middle, distance = std::numeric_limits<double>::infinity();
     for (const double knot : knots_)
-      if (knot > band.from && knot < band.to && std::abs(knot - middle) < distance) place = knot, distance = std::abs(knot - middle);
+      if (knot > band.from && knot < band.to && std::abs(knot - middle) < distance)
+        place = knot, distance = std::abs(knot - middle);
     solve({place});
     return place;
   }
@@ -186,19 +203,23 @@ class Modelling {
       most = std::max(most, std::abs(values(i)));
     }
     Eigen::VectorXd floor = floor_share * largest_.head(values.size());
-    for (Eigen::Index i = 0; i < values.size(); ++i) floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[static_cast<std::size_t>(i % curves)]));
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[static_cast<std::size_t>(i % curves)]));
     return floor;
   }
 
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXcd& values) const {
     Eigen::VectorXd scale = values.cwiseAbs().cwiseMax(floors(values));
     for (Eigen::Index i = 0; i < scale.size(); ++i)
-      if (idle_(i % idle_.size()) || !(scale(i) > 0)) scale(i) = std::numeric_limits<double>::max() / 4;  // zero but for round-off
+      if (idle_(i % idle_.size()) || !(scale(i) > 0))
+        scale(i) = std::numeric_limits<double>::max() / 4;  // zero but for round-off
     return scale;
   }
 
-  /// Middles of the gaps between samples and real poles of the fit, where it changes most when its last node is left out.
-  [[nodiscard]] std::vector<double> doubtful(const Band& band, const numerics::RationalFit& fit, std::size_t known) const {
+  /// Middles of the gaps between samples and real poles of the fit, where it changes most when its last node is left
+  /// out.
+  [[nodiscard]] std::vector<double> doubtful(const Band& band, const numerics::RationalFit& fit,
+                                             std::size_t known) const {
     std::vector<double> places, gaps;
     auto s = samples_.lower_bound(band.from);
     double before = band.from;
@@ -255,7 +276,9 @@ class Modelling {
 
   /// The lesser amplitude of each curve at the samples on either side.
   [[nodiscard]] Eigen::VectorXd beside(double w) const {
-    const auto amplitudes = [&](Samples::const_iterator s) { return Eigen::VectorXd(summed(s->second, model_.delays, s->first).cwiseAbs()); };
+    const auto amplitudes = [&](Samples::const_iterator s) {
+      return Eigen::VectorXd(summed(s->second, model_.delays, s->first).cwiseAbs());
+    };
     const auto above = samples_.upper_bound(w), at = samples_.lower_bound(w);
     if (above == samples_.end() || at == samples_.begin()) return Eigen::VectorXd::Zero(idle_.size());
     return amplitudes(above).cwiseMin(amplitudes(std::prev(at)));
@@ -263,7 +286,8 @@ class Modelling {
 
   /// Of the curves, relative to their values or, near a zero, to their neighbours.
   [[nodiscard]] double error_of(const numerics::RationalFit& fit, double w, const Eigen::VectorXcd& truth) const {
-    const Eigen::VectorXcd y = summed(truth, model_.delays, w), model = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
+    const Eigen::VectorXcd y = summed(truth, model_.delays, w),
+                           model = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
     const Eigen::VectorXd neighbours = beside(w);
     const Eigen::VectorXd floor = floors(y);
     double worst = 0;
@@ -300,7 +324,7 @@ class Modelling {
   std::vector<assembly::Loading> loadings_;  // one for each delay, taken out of it
   std::vector<std::vector<Extremum>> extrema_;
   std::vector<double> knots_;
-  std::vector<std::ptrdiff_t> same_unit_;    // of each curve: the first of its unit
+  std::vector<std::ptrdiff_t> same_unit_;  // of each curve: the first of its unit
   Samples samples_;
   Eigen::VectorXd largest_;
   Eigen::Array<bool, Eigen::Dynamic, 1> idle_;
@@ -310,9 +334,9 @@ class Modelling {
 
 }  // namespace
 
-CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                       const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band, const CurveModelOptions& options,
-                       const foundation::Progress& progress) {
+CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                       const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
+                       const Band& band, const CurveModelOptions& options, const foundation::Progress& progress) {
   CurveModel model;
   model.band = band;
   model.curves = std::ssize(channels);

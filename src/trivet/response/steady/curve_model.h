@@ -22,18 +22,19 @@ struct ModelPiece {
   numerics::RationalFit fit;
 };
 
-/// All curves of a loading over a band, to be evaluated anywhere in it, from few solves. What a delayed load does is kept apart:
-/// y_c(ω) = Σ_d e^{−iωd} r_{d,c}(ω).
+/// All curves of a loading over a band, to be evaluated anywhere in it, from few solves. What a delayed load does is
+/// kept apart: y_c(ω) = Σ_d e^{−iωd} r_{d,c}(ω).
 struct CurveModel {
   Band band;
   Eigen::Index curves = 0;
-  std::vector<double> delays;             ///< [s], at least one
-  std::vector<ModelPiece> pieces;         ///< ascending, end to end; none where nothing could be solved
-  SolutionCheck check;                    ///< of the solves; `undefined_at`: where they found no answer
-  int solves = 0;                         ///< frequencies at which the dynamic stiffness was solved
-  int tests = 0;                          ///< solves and extrema that the fits did not know when they were compared with them
-  double worst_error = 0;                 ///< there: |model − truth| over |truth|, or near a zero of the curve over a thousandth of its neighbours
-  double worst_error_at = 0;              ///< [rad/s]
+  std::vector<double> delays;      ///< [s], at least one
+  std::vector<ModelPiece> pieces;  ///< ascending, end to end; none where nothing could be solved
+  SolutionCheck check;             ///< of the solves; `undefined_at`: where they found no answer
+  int solves = 0;                  ///< frequencies at which the dynamic stiffness was solved
+  int tests = 0;                   ///< solves and extrema that the fits did not know when they were compared with them
+  double worst_error =
+      0;  ///< there: |model − truth| over |truth|, or near a zero of the curve over a thousandth of its neighbours
+  double worst_error_at = 0;  ///< [rad/s]
 
   /// Curves × points. NaN outside the band and where undefined.
   [[nodiscard]] Eigen::MatrixXcd at(const std::vector<double>& angular_frequency) const;
@@ -44,20 +45,21 @@ struct CurveModelOptions {
   int most_solves = 3000;   ///< then the worst error says how far the model is good
 };
 
-/// Solves around the poles and over the band, fits, compares the fit with new solves where it is least sure of itself and with the extrema of
-/// `peaks`, and goes on with what disagrees. A band whose curves no rational function of few poles follows (corners of tables, very many
-/// resonances) is cut in two, and each half modelled by itself.
+/// Solves around the poles and over the band, fits, compares the fit with new solves where it is least sure of itself
+/// and with the extrema of `peaks`, and goes on with what disagrees. A band whose curves no rational function of few
+/// poles follows (corners of tables, very many resonances) is cut in two, and each half modelled by itself.
 /// @param poles  of the response at iω = λ, as far as they are known: they only guide the first solves
 /// @param peaks  of the same curves; may be empty
-[[nodiscard]] CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
+[[nodiscard]] CurveModel curve_model(const assembly::Assembled& assembled,
+                                     const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                     const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
                                      const CurveModelOptions& options = {}, const foundation::Progress& progress = {});
 
 /// Per curve, ascending: all finite extrema inside a band, with the refined frequencies and heights of the peaks.
 [[nodiscard]] std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band);
 
 /// The curves of a model on a grid, with the exact amplitudes at the maxima.
-[[nodiscard]] FrequencyResponse interpolated(const CurveModel& model, const std::vector<assembly::Channel>& channels, const Peaks& peaks,
-                                             const std::vector<double>& angular_frequency);
+[[nodiscard]] FrequencyResponse interpolated(const CurveModel& model, const std::vector<assembly::Channel>& channels,
+                                             const Peaks& peaks, const std::vector<double>& angular_frequency);
 
 }  // namespace trivet::response

@@ -17,41 +17,47 @@ Eigen::MatrixXcd CurveModel::at(const std::vector<double>& omega) const {
     std::vector<Eigen::Index> columns;
     for (std::size_t i = 0; i < omega.size(); ++i) {
       if (!(omega[i] >= piece.band.from && omega[i] <= piece.band.to)) continue;
-      if (std::find(check.undefined_at.begin(), check.undefined_at.end(), omega[i]) != check.undefined_at.end()) continue;
+      if (std::find(check.undefined_at.begin(), check.undefined_at.end(), omega[i]) != check.undefined_at.end())
+        continue;
       inside.push_back(omega[i]);
       columns.push_back(static_cast<Eigen::Index>(i));
     }
     if (inside.empty()) continue;
     const Eigen::MatrixXcd parts = piece.fit.at(Eigen::Map<const Eigen::VectorXd>(inside.data(), std::ssize(inside)));
-    for (std::size_t k = 0; k < inside.size(); ++k) result.col(columns[k]) = summed(parts.col(static_cast<Eigen::Index>(k)), delays, inside[k]);
+    for (std::size_t k = 0; k < inside.size(); ++k)
+      result.col(columns[k]) = summed(parts.col(static_cast<Eigen::Index>(k)), delays, inside[k]);
   }
   return result;
 }
 
 std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band) {
   std::vector<std::vector<Extremum>> result(peaks.turnings.size());
-  const auto inside = [&](double w, double amplitude) { return w >= band.from && w <= band.to && std::isfinite(amplitude); };
+  const auto inside = [&](double w, double amplitude) {
+    return w >= band.from && w <= band.to && std::isfinite(amplitude);
+  };
   for (std::size_t c = 0; c < peaks.turnings.size(); ++c)
     for (const Extremum& t : peaks.turnings[c]) {
       Extremum extremum = t;
       for (const Peak& peak : peaks.list)
-        if (peak.curve == c && t.maximum && std::abs(peak.angular_frequency - t.angular_frequency) <= t.reach && std::isfinite(peak.amplitude) &&
-            std::abs(peak.amplitude - t.amplitude) <= 1e-6 * t.amplitude)
+        if (peak.curve == c && t.maximum && std::abs(peak.angular_frequency - t.angular_frequency) <= t.reach &&
+            std::isfinite(peak.amplitude) && std::abs(peak.amplitude - t.amplitude) <= 1e-6 * t.amplitude)
           extremum = {peak.angular_frequency, peak.amplitude, true, t.reach, peak.frequency_uncertainty};
       if (inside(extremum.angular_frequency, extremum.amplitude)) result[c].push_back(extremum);
     }
   return result;
 }
 
-FrequencyResponse interpolated(const CurveModel& model, const std::vector<assembly::Channel>& channels, const Peaks& peaks,
-                               const std::vector<double>& angular_frequency) {
+FrequencyResponse interpolated(const CurveModel& model, const std::vector<assembly::Channel>& channels,
+                               const Peaks& peaks, const std::vector<double>& angular_frequency) {
   const Eigen::MatrixXcd values = model.at(angular_frequency);
   const std::vector<std::vector<Extremum>> exact = extrema(peaks, model.band);
   FrequencyResponse result{angular_frequency, {}, model.check, model.solves, model.worst_error};
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    Curve& curve = result.curves.emplace_back(Curve{channels[c].name, channels[c].unit, values.row(static_cast<Eigen::Index>(c)).transpose()});
+    Curve& curve = result.curves.emplace_back(
+        Curve{channels[c].name, channels[c].unit, values.row(static_cast<Eigen::Index>(c)).transpose()});
     for (std::size_t k = 0; c < exact.size() && k < exact[c].size(); ++k) {
-      const auto at = std::lower_bound(angular_frequency.begin(), angular_frequency.end(), exact[c][k].angular_frequency);
+      const auto at =
+          std::lower_bound(angular_frequency.begin(), angular_frequency.end(), exact[c][k].angular_frequency);
       if (!exact[c][k].maximum || at == angular_frequency.end() || *at != exact[c][k].angular_frequency) continue;
       std::complex<double>& value = curve.value(at - angular_frequency.begin());
       if (std::abs(value) > 0) value *= exact[c][k].amplitude / std::abs(value);

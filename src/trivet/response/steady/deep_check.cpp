@@ -21,7 +21,8 @@ using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
 using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What the damping of the system as a whole brings into the free rows where the ground moves; it has no second derivation here.
+/// What the damping of the system as a whole brings into the free rows where the ground moves; it has no second
+/// derivation here.
 Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, Eigen::Index n) {
   Eigen::MatrixXd rest = assembled.ground.B.topRows(n);
   for (const assembly::ElementMap& map : assembled.elements) {
@@ -31,9 +32,10 @@ Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, E
   return rest;
 }
 
-/// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an internal coordinate
-/// does to the coordinates of the system.
-Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal, Eigen::Index n) {
+/// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an
+/// internal coordinate does to the coordinates of the system.
+Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal,
+                Eigen::Index n) {
   Carrier t = Carrier::Zero(n, 12 + internal);
   for (Eigen::Index i = 0; i < internal; ++i) t(layout.internal_row(index) + i, 12 + i) = 1;
   int first = 0;
@@ -66,19 +68,21 @@ double allowed_difference(Eigen::Index n, double condition, Extended terms, Exte
   constexpr double per_term = 16;
   const double lost = sum > 0 ? static_cast<double>(std::max(terms, load) / sum) : 1;
   return per_term * static_cast<double>(std::max(n, least_terms)) * std::numeric_limits<double>::epsilon() * condition *
-         std::max(lost, 1.0);
+      std::max(lost, 1.0);
 }
 
 }  // namespace
 
-DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
-                     const std::vector<double>& angular_frequency, const std::vector<std::string>& excitations) {
+DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled,
+                     const assembly::Loading& loading, const std::vector<double>& angular_frequency,
+                     const std::vector<std::string>& excitations) {
   const PrescribedEnds ends(system, excitations);
   const assembly::Layout& layout = assembled.layout;
   const numerics::DynamicMatrices& constant = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
   const Eigen::Index n = constant.size();
   const Eigen::VectorXd d = numerics::unit_scale(constant);
-  ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n), mass = ExtendedMatrix::Zero(n, n);
+  ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n),
+                 mass = ExtendedMatrix::Zero(n, n);
   Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
   struct Dependent {
     std::size_t element;
@@ -98,7 +102,9 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     }
     const elements::Matrices m = elements::matrices(element.law);
     const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n);
-    const auto carried = [&](const Eigen::MatrixXd& local) -> Carrier { return t * local.cast<Extended>() * t.transpose(); };
+    const auto carried = [&](const Eigen::MatrixXd& local) -> Carrier {
+      return t * local.cast<Extended>() * t.transpose();
+    };
     stiffness += carried(m.stiffness).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor);
     mass += carried(m.mass).cast<ExtendedComplex>();
     damping += carried(m.damping).cast<ExtendedComplex>();
@@ -136,8 +142,8 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
     ExtendedMatrix z = stiffness + ExtendedComplex(0, w) * damping - w * w * mass;
-    ExtendedMatrix terms = stiffness.cwiseAbs().cast<ExtendedComplex>() + w * damping.cwiseAbs().cast<ExtendedComplex>() +
-                           w * w * mass.cwiseAbs().cast<ExtendedComplex>();
+    ExtendedMatrix terms = stiffness.cwiseAbs().cast<ExtendedComplex>() +
+        w * damping.cwiseAbs().cast<ExtendedComplex>() + w * w * mass.cwiseAbs().cast<ExtendedComplex>();
     ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<ExtendedComplex>();
     ExtendedVector load_terms = h.cwiseAbs().cast<ExtendedComplex>();
     const auto drive = [&](const ExtendedVector& load) {
@@ -145,7 +151,8 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
       load_terms += load.cwiseAbs().cast<ExtendedComplex>();
     };
     for (const auto& [element, t] : dependent) {
-      const ExtendedMatrix exact = elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<ExtendedComplex>();
+      const ExtendedMatrix exact =
+          elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<ExtendedComplex>();
       const ExtendedMatrix carried = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
       z += carried;
       terms += carried.cwiseAbs().cast<ExtendedComplex>();
@@ -153,8 +160,10 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     }
     for (const auto& [element, m] : driven) {
       const Carrier t = carrier(layout, element, system.elements()[element], m.stiffness.rows() - 12, n);
-      const ExtendedMatrix dynamic = m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) + ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
-                                     w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
+      const ExtendedMatrix dynamic =
+          m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) +
+          ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
+          w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
       drive(t.cast<ExtendedComplex>() * (dynamic * ends.at(element, angular_frequency[i])));
     }
     if (driven_damping.size() > 0 && !loading.motion.vanishes())
@@ -186,10 +195,12 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
 }
 
 std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count) {
-  constexpr double oscillating = 1e-9;  // of |λ|: complex solvers leave an imaginary part of round-off, 1e-150 even, to what only creeps
+  constexpr double oscillating =
+      1e-9;  // of |λ|: complex solvers leave an imaginary part of round-off, 1e-150 even, to what only creeps
   std::vector<double> result;
   for (Eigen::Index k = 0; k < poles.size() && static_cast<int>(result.size()) < count / 2; ++k)
-    if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k))) result.push_back(at);
+    if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k)))
+      result.push_back(at);
   const int spread = count - static_cast<int>(result.size());
   for (int i = 0; i < spread; ++i) result.push_back(from + (to - from) * (i + 0.5) / spread);
   std::sort(result.begin(), result.end());

@@ -17,7 +17,8 @@ ElementDirections element_directions(const std::vector<model::Body>& bodies, con
   ElementDirections result;
   result.centre = elements::character(stiffness).elastic_centre;
   Eigen::Matrix<double, 6, 12> of_k;
-  of_k << -spatial::rigid_motion(span.arm) * spatial::both_blocks(span.n_from_k).transpose(), spatial::Matrix6::Identity();
+  of_k << -spatial::rigid_motion(span.arm) * spatial::both_blocks(span.n_from_k).transpose(),
+      spatial::Matrix6::Identity();
   result.deformation = spatial::rigid_motion(result.centre) * of_k;
   const spatial::Matrix6 from_centre = spatial::rigid_motion(-result.centre);
   result.stiffness = from_centre.transpose() * stiffness.bottomRightCorner<6, 6>() * from_centre;
@@ -31,11 +32,13 @@ elements::Matrix12 between_ends(const ElementDirections& directions, const spati
 std::string direction_words(const model::Element& element, int direction) {
   static constexpr std::array<const char*, 5> along_z = {"coil_spring", "rubber_disc", "rubber_bush", "beam", "damper"};
   const char axis = "xyz"[direction % 3];
-  const bool has_axis = std::any_of(along_z.begin(), along_z.end(), [&](const char* type) { return element.type == type; });
+  const bool has_axis =
+      std::any_of(along_z.begin(), along_z.end(), [&](const char* type) { return element.type == type; });
   if (!has_axis) return fmt::format("stiffness {} {}", direction < 3 ? "along" : "about", axis);
   if (direction == 2) return "axial stiffness";
   if (direction == 5) return "torsional stiffness";
-  return direction < 3 ? fmt::format("lateral stiffness along {}", axis) : fmt::format("tilting stiffness about {}", axis);
+  return direction < 3 ? fmt::format("lateral stiffness along {}", axis)
+                       : fmt::format("tilting stiffness about {}", axis);
 }
 
 }  // namespace trivet::response

@@ -13,8 +13,8 @@ namespace {
 using Complex = std::complex<double>;
 
 /// A channel, and the sum of the magnitudes of its terms. `g`: motion of the ground, no rows if it rests.
-std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel, const Eigen::VectorXcd& q,
-                                 const Eigen::VectorXcd& g, Complex omega, double near) {
+std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel,
+                                 const Eigen::VectorXcd& q, const Eigen::VectorXcd& g, Complex omega, double near) {
   numerics::ObservedCurve curve = channel.curve();
   curve.derivative = 0;  // comes last, on the dynamic forces too
   const Eigen::RowVectorXcd at = Eigen::RowVectorXcd::Constant(1, omega);
@@ -23,7 +23,8 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
-    for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[static_cast<std::size_t>(j)]);
+    for (Eigen::Index j = 0; j < map.end_columns; ++j)
+      ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[static_cast<std::size_t>(j)]);
     if (g.size() > 0) ends += map.moved_by_ground(g).head<12>();
     const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
     const Eigen::Matrix<Complex, 12, 1> wrenches = stiffness * ends;
@@ -39,17 +40,20 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
 
 }  // namespace
 
-ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                         const Eigen::VectorXcd& coordinates, Complex omega, double near) {
+ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                         const assembly::Loading& loading, const Eigen::VectorXcd& coordinates, Complex omega,
+                         double near) {
   const auto count = static_cast<Eigen::Index>(channels.size());
   const Eigen::VectorXcd ground = loading.motion.vanishes() ? Eigen::VectorXcd() : loading.motion.at(omega);
   ExactValues result{Eigen::VectorXcd(count), Eigen::VectorXd(count)};
   for (Eigen::Index c = 0; c < count; ++c)
-    std::tie(result.values(c), result.possible(c)) = value(assembled, channels[static_cast<std::size_t>(c)], coordinates, ground, omega, near);
+    std::tie(result.values(c), result.possible(c)) =
+        value(assembled, channels[static_cast<std::size_t>(c)], coordinates, ground, omega, near);
   return result;
 }
 
-ExactResponse::ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading)
+ExactResponse::ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                             const assembly::Loading& loading)
     : assembled_(assembled), channels_(channels), scale_(numerics::unit_scale(assembled.constant)), loading_(loading) {}
 
 ExactSample ExactResponse::at(Complex omega, double near) const {
@@ -59,7 +63,9 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   numerics::PivotedSolution solution = numerics::pivoted_solution(z, load, true);
   const auto count = static_cast<Eigen::Index>(channels_.size());
   ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)},
-                     scale_.asDiagonal() * solution.x, solution.condition, solution.backward_error};
+                     scale_.asDiagonal() * solution.x,
+                     solution.condition,
+                     solution.backward_error};
   if (std::isnan(solution.backward_error)) return sample;
   static_cast<ExactValues&>(sample) = exact_values(assembled_, channels_, loading_, sample.coordinates, omega, near);
   return sample;

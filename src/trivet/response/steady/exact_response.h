@@ -12,29 +12,35 @@ namespace trivet::response {
 
 /// What channels tell of coordinates at one ω, elements by their exact laws.
 struct ExactValues {
-  Eigen::VectorXcd values;        ///< one per channel
-  Eigen::VectorXd possible;       ///< the same if all terms worked together: what is far below is round-off
+  Eigen::VectorXcd values;   ///< one per channel
+  Eigen::VectorXd possible;  ///< the same if all terms worked together: what is far below is round-off
 };
 
 /// @param coordinates  first rows of the layout
-[[nodiscard]] ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                       const assembly::Loading& loading, const Eigen::VectorXcd& coordinates, std::complex<double> omega, double near);
-[[nodiscard]] inline ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                              const assembly::Loading& loading, const Eigen::VectorXcd& coordinates, double omega) {
+[[nodiscard]] ExactValues exact_values(const assembly::Assembled& assembled,
+                                       const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                       const Eigen::VectorXcd& coordinates, std::complex<double> omega, double near);
+[[nodiscard]] inline ExactValues exact_values(const assembly::Assembled& assembled,
+                                              const std::vector<assembly::Channel>& channels,
+                                              const assembly::Loading& loading, const Eigen::VectorXcd& coordinates,
+                                              double omega) {
   return exact_values(assembled, channels, loading, coordinates, omega, omega);
 }
 
 /// All answers at one ω, from the exact Z(ω).
 struct ExactSample : ExactValues {
-  Eigen::VectorXcd coordinates;   ///< first rows of the layout
-  double condition = 0;           ///< of the scaled Z, estimated
-  double backward_error = 0;      ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
+  Eigen::VectorXcd coordinates;  ///< first rows of the layout
+  double condition = 0;          ///< of the scaled Z, estimated
+  double backward_error =
+      0;  ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
 };
 
-/// q(ω) = Z(ω)⁻¹ h(ω) where elements depend on ω in their own way; one pivoted factorisation a frequency. ω may be complex (Re ω ≥ 0).
+/// q(ω) = Z(ω)⁻¹ h(ω) where elements depend on ω in their own way; one pivoted factorisation a frequency. ω may be
+/// complex (Re ω ≥ 0).
 class ExactResponse {
  public:
-  ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading);
+  ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                const assembly::Loading& loading);
 
   [[nodiscard]] ExactSample at(std::complex<double> omega, double near) const;
   [[nodiscard]] ExactSample at(double omega) const { return at(omega, omega); }

@@ -16,7 +16,8 @@ constexpr double amplitude_tolerance = 7e-4;
 constexpr std::array parts = {0.25, 0.5, 0.75};  // of an interval: where a curve with a turn in it leaves its line
 constexpr double phase_step = std::numbers::pi / 9;
 constexpr double invisible = 1e-6;  // of a curve's largest amplitude: its shape there shows in no picture
-constexpr double model_round_off = 1e-10;  // of the largest curve of its unit: there a model follows no curve, only round-off
+constexpr double model_round_off =
+    1e-10;  // of the largest curve of its unit: there a model follows no curve, only round-off
 constexpr double least_step = 1e-9;
 
 void keep_inside(std::vector<double>& grid, const Band& band) {
@@ -42,14 +43,16 @@ std::vector<double> first_guess(const CurveModel& model, const Peaks& peaks) {
   return grid;
 }
 
-/// Largest finite amplitude of each curve; infinite for one that is zero but for round-off, whose shape nobody wants to see, and 0 for one that
-/// rises to infinity, of which a picture shows what it likes.
+/// Largest finite amplitude of each curve; infinite for one that is zero but for round-off, whose shape nobody wants to
+/// see, and 0 for one that rises to infinity, of which a picture shows what it likes.
 Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
-  Eigen::VectorXd top = values.cwiseAbs().unaryExpr([](double a) { return std::isfinite(a) ? a : 0.0; }).rowwise().maxCoeff();
+  Eigen::VectorXd top =
+      values.cwiseAbs().unaryExpr([](double a) { return std::isfinite(a) ? a : 0.0; }).rowwise().maxCoeff();
   const Eigen::VectorXd heights = top;
   for (std::size_t c = 0; c < peaks.curves.size(); ++c)
     for (std::size_t other = 0; other < peaks.curves.size(); ++other)
-      if (peaks.curves[other].unit == peaks.curves[c].unit && heights(static_cast<Eigen::Index>(c)) < model_round_off * heights(static_cast<Eigen::Index>(other)))
+      if (peaks.curves[other].unit == peaks.curves[c].unit &&
+          heights(static_cast<Eigen::Index>(c)) < model_round_off * heights(static_cast<Eigen::Index>(other)))
         top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
   for (const Peak& peak : peaks.list)
     if (std::isinf(peak.amplitude)) top(static_cast<Eigen::Index>(peak.curve)) = 0;
@@ -66,8 +69,11 @@ bool bends(const Column& from, const Column& between, const Column& to, double p
     const std::complex<double> a = from(c), m = between(c), b = to(c);
     const double size = std::max({std::abs(a), std::abs(b), std::abs(m)});
     if (!std::isfinite(size) || size <= invisible * top(c)) continue;
-    if (std::abs(std::abs(m) - (1 - part) * std::abs(a) - part * std::abs(b)) > amplitude_tolerance * std::max(std::abs(m), 1e-3 * size)) return true;
-    if (std::abs(std::arg(m * std::conj(a))) > phase_step || std::abs(std::arg(b * std::conj(m))) > phase_step) return true;
+    if (std::abs(std::abs(m) - (1 - part) * std::abs(a) - part * std::abs(b)) >
+        amplitude_tolerance * std::max(std::abs(m), 1e-3 * size))
+      return true;
+    if (std::abs(std::arg(m * std::conj(a))) > phase_step || std::abs(std::arg(b * std::conj(m))) > phase_step)
+      return true;
   }
   return false;
 }
@@ -82,14 +88,16 @@ struct Interval {
 
 std::vector<double> linear_grid(const Band& band, int points) {
   std::vector<double> grid;
-  for (int i = 0; i < points; ++i) grid.push_back(i + 1 == points ? band.to : band.from + (band.to - band.from) * i / (points - 1));
+  for (int i = 0; i < points; ++i)
+    grid.push_back(i + 1 == points ? band.to : band.from + (band.to - band.from) * i / (points - 1));
   return grid;
 }
 
 std::vector<double> logarithmic_grid(const Band& band, int points) {
   std::vector<double> grid;
   for (int i = 0; i < points; ++i)
-    grid.push_back(i + 1 == points ? band.to : band.from * std::pow(band.to / band.from, static_cast<double>(i) / (points - 1)));
+    grid.push_back(i + 1 == points ? band.to
+                                   : band.from * std::pow(band.to / band.from, static_cast<double>(i) / (points - 1)));
   return grid;
 }
 
@@ -100,7 +108,8 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
   const Eigen::VectorXd top = largest(values, peaks);
   std::vector<Interval> open;
   for (std::size_t i = 0; i + 1 < grid.size(); ++i)
-    open.push_back({grid[i], grid[i + 1], values.col(static_cast<Eigen::Index>(i)), values.col(static_cast<Eigen::Index>(i) + 1)});
+    open.push_back(
+        {grid[i], grid[i + 1], values.col(static_cast<Eigen::Index>(i)), values.col(static_cast<Eigen::Index>(i) + 1)});
   for (int round = 0; round < most_rounds && !open.empty() && grid.size() < most_points; ++round) {
     std::vector<double> inner;
     for (const Interval& interval : open)
@@ -111,7 +120,8 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
       const Eigen::MatrixXcd inside = found.middleCols(static_cast<Eigen::Index>(parts.size() * i), std::ssize(parts));
       bool straight = true;
       for (std::size_t k = 0; k < parts.size(); ++k)
-        straight = straight && !bends(open[i].at_from, inside.col(static_cast<Eigen::Index>(k)), open[i].at_to, parts[k], top);
+        straight =
+            straight && !bends(open[i].at_from, inside.col(static_cast<Eigen::Index>(k)), open[i].at_to, parts[k], top);
       if (straight || open[i].to - open[i].from <= least_step * open[i].to) continue;
       const double middle = inner[parts.size() * i + 1];
       grid.push_back(middle);
@@ -125,8 +135,8 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
 }
 
 std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                   const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
-                                   const foundation::Progress& progress) {
+                                   const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
+                                   const Band& band, const foundation::Progress& progress) {
   return drawing_grid(curve_model(assembled, channels, loading, poles, peaks, band, {}, progress), peaks);
 }
 

@@ -13,14 +13,17 @@ enum class Spacing { automatic, linear, logarithmic };
 /// band.from > 0.
 [[nodiscard]] std::vector<double> logarithmic_grid(const Band& band, int points);
 
-/// A grid on which straight lines between the points follow every curve of a model: with every extremum on it, and halved until
-/// amplitudes between points are right to 0.07 % and phases turn by less than 20° per step. Least steps are 1e-9 of ω; at most 20,000
-/// points beside those of the extrema. What lies below a millionth of a curve's largest amplitude does not ask for points.
+/// A grid on which straight lines between the points follow every curve of a model: with every extremum on it, and
+/// halved until amplitudes between points are right to 0.07 % and phases turn by less than 20° per step. Least steps
+/// are 1e-9 of ω; at most 20,000 points beside those of the extrema. What lies below a millionth of a curve's largest
+/// amplitude does not ask for points.
 [[nodiscard]] std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks);
 
 /// The same, with the model made on the way.
-[[nodiscard]] std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                                 const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
-                                                 const Band& band, const foundation::Progress& progress = {});
+[[nodiscard]] std::vector<double> automatic_grid(const assembly::Assembled& assembled,
+                                                 const std::vector<assembly::Channel>& channels,
+                                                 const assembly::Loading& loading, const Eigen::VectorXcd& poles,
+                                                 const Peaks& peaks, const Band& band,
+                                                 const foundation::Progress& progress = {});
 
 }  // namespace trivet::response

@@ -23,8 +23,9 @@ void note_error(double error, double omega, SolutionCheck& check) {
 }
 
 /// Of elements that depend on frequency in their own way, one column of values per ω.
-Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                              const Eigen::MatrixXcd& q, const std::vector<double>& omega) {
+Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                              const assembly::Loading& loading, const Eigen::MatrixXcd& q,
+                              const std::vector<double>& omega) {
   Eigen::MatrixXcd values(static_cast<Eigen::Index>(channels.size()), q.cols());
   for (Eigen::Index i = 0; i < q.cols(); ++i)
     values.col(i) = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]).values;
@@ -32,13 +33,15 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
 }
 
 /// All channels in the coordinates of the loading.
-FrequencyResponse answered(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                           const std::vector<double>& angular_frequency) {
+FrequencyResponse answered(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                           const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
   const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);
-  const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
+  const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(
+      angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
   Eigen::MatrixXcd ground, exact;
   const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
-  if (assembled.frequency_dependent()) exact = exact_curves(assembled, channels, loading, solved.response, angular_frequency);
+  if (assembled.frequency_dependent())
+    exact = exact_curves(assembled, channels, loading, solved.response, angular_frequency);
   else ground = given.given.at(angular_frequency);
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
@@ -63,13 +66,15 @@ void add(const SolutionCheck& part, SolutionCheck& whole) {
     whole.at_angular_frequency = part.at_angular_frequency;
   }
   for (const double omega : part.undefined_at)
-    if (std::find(whole.undefined_at.begin(), whole.undefined_at.end(), omega) == whole.undefined_at.end()) whole.undefined_at.push_back(omega);
+    if (std::find(whole.undefined_at.begin(), whole.undefined_at.end(), omega) == whole.undefined_at.end())
+      whole.undefined_at.push_back(omega);
 }
 
 }  // namespace
 
-FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
+FrequencyResponse frequency_response(const assembly::Assembled& assembled,
+                                     const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                                     const std::vector<double>& angular_frequency) {
   const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
   if (groups.size() == 1) return answered(assembled, channels, groups[0].loading, angular_frequency);
   FrequencyResponse result;

@@ -18,10 +18,11 @@ struct Curve {
 
 /// How far the solutions behind the curves may be trusted.
 struct SolutionCheck {
-  double worst_backward_error = 0;  ///< over all frequencies, in coordinates of unit mass diagonal
-  double at_angular_frequency = 0;  ///< where it is worst [rad/s]
-  int fallbacks = 0;                ///< frequencies that needed the pivoted solver
-  std::vector<double> undefined_at; ///< [rad/s] where the dynamic stiffness is singular or a motion of the ground unbounded; curves that feel it are NaN
+  double worst_backward_error = 0;   ///< over all frequencies, in coordinates of unit mass diagonal
+  double at_angular_frequency = 0;   ///< where it is worst [rad/s]
+  int fallbacks = 0;                 ///< frequencies that needed the pivoted solver
+  std::vector<double> undefined_at;  ///< [rad/s] where the dynamic stiffness is singular or a motion of the ground
+                                     ///< unbounded; curves that feel it are NaN
 };
 
 struct FrequencyResponse {
@@ -32,10 +33,13 @@ struct FrequencyResponse {
   double interpolation_error = 0;  ///< largest found, relative, of values between those; 0: every value is solved
 };
 
-/// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined where a motion in space is given by its velocity or acceleration.
-/// Answers against a ground that is given so are computed in coordinates that follow it (assembly::by_coordinates).
-[[nodiscard]] FrequencyResponse frequency_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                                   const assembly::Loading& loading, const std::vector<double>& angular_frequency);
+/// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined where a motion in space is given by its
+/// velocity or acceleration. Answers against a ground that is given so are computed in coordinates that follow it
+/// (assembly::by_coordinates).
+[[nodiscard]] FrequencyResponse frequency_response(const assembly::Assembled& assembled,
+                                                   const std::vector<assembly::Channel>& channels,
+                                                   const assembly::Loading& loading,
+                                                   const std::vector<double>& angular_frequency);
 
 /// Phase [rad] in (−π, π]; a negative real value is +π whatever the sign of its zero imaginary part, and 0 has phase 0.
 [[nodiscard]] double phase(const std::complex<double>& value);

@@ -15,6 +15,7 @@ namespace trivet::response {
 [[nodiscard]] assembly::Loading undelayed(const assembly::Loading& loading, double delay);
 
 /// Curves out of what each delayed part of the load does, one part after another: Σ_d e^{−iωd} parts_d.
-[[nodiscard]] Eigen::VectorXcd summed(const Eigen::VectorXcd& parts, const std::vector<double>& delays, double angular_frequency);
+[[nodiscard]] Eigen::VectorXcd summed(const Eigen::VectorXcd& parts, const std::vector<double>& delays,
+                                      double angular_frequency);
 
 }  // namespace trivet::response

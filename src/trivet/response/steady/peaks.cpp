@@ -20,16 +20,19 @@ using Complex = std::complex<double>;
 using foundation::infinity;
 
 bool defined_at_rest(const assembly::Assembled& assembled) {
-  return std::all_of(assembled.elements.begin(), assembled.elements.end(), [](const assembly::ElementMap& map) { return map.defined_from == 0; });
+  return std::all_of(assembled.elements.begin(), assembled.elements.end(),
+                     [](const assembly::ElementMap& map) { return map.defined_from == 0; });
 }
 
-/// Frequency-dependent elements have no last pole: the search ends where the caller says, but well above the natural frequencies. Tables
-/// (a mobility with resonances of its own) are searched to their end, unless that is far above.
-double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options) {
+/// Frequency-dependent elements have no last pole: the search ends where the caller says, but well above the natural
+/// frequencies. Tables (a mobility with resonances of its own) are searched to their end, unless that is far above.
+double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const modal::Roots& roots,
+                  const PeakOptions& options) {
   constexpr double well_above = 2, far_above = 30;
   double highest = 0;
   for (const modal::Mode& mode : modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
-  for (const modal::Root& root : roots.list) highest = std::max(highest, root.exact ? root.damped_angular_frequency.value_or(0) : 0);
+  for (const modal::Root& root : roots.list)
+    highest = std::max(highest, root.exact ? root.damped_angular_frequency.value_or(0) : 0);
   double table_end = infinity;
   for (const assembly::ElementMap& map : assembled.elements) table_end = std::min(table_end, map.defined_to);
   const double above = std::isfinite(table_end) ? far_above : well_above;
@@ -37,9 +40,11 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
 }
 
 /// Samples on circles, as far as every element is defined.
-numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                                  const Eigen::VectorXcd& near_poles, double end, const foundation::Progress& progress) {
-  constexpr double start_share = 1e-3, oscillating = 1e-9;  // the latter of |λ|: less is round-off of a root that only creeps
+numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                  const assembly::Loading& loading, const Eigen::VectorXcd& near_poles, double end,
+                                  const foundation::Progress& progress) {
+  constexpr double start_share = 1e-3,
+                   oscillating = 1e-9;  // the latter of |λ|: less is round-off of a root that only creeps
   double from = 0, smallest = end;
   std::vector<double> seams;
   for (const Complex& pole : near_poles)
@@ -54,30 +59,41 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
   const ExactResponse exact(assembled, channels, loading);
   const std::vector<numerics::ObservedCurve> observed = assembly::curves(channels);
   const Eigen::VectorXd unit = numerics::unit_scale(assembled.constant);
-  return numerics::search_by_circles([&](Complex omega, double near) {
-    ExactSample sample = exact.at(omega, near);
-    const Eigen::VectorXd together = sample.coordinates.cwiseAbs().cwiseQuotient(unit).maxCoeff() * unit;
-    const Eigen::VectorXd ground =
-        loading.motion.vanishes() ? Eigen::VectorXd() : Eigen::VectorXd(loading.motion.possible(std::abs(omega)));
-    Eigen::VectorXd alike(curves);
-    for (Eigen::Index c = 0; c < curves; ++c)
-      alike(c) = numerics::possible_amplitudes(observed[static_cast<std::size_t>(c)], together, ground,
-                                               Eigen::RowVectorXd::Constant(1, std::abs(omega))).value();
-    return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), std::move(alike), sample.condition};
-  }, curves, {from, end, std::move(seams), near_poles, progress, [&](Eigen::Index c) { return channels[static_cast<std::size_t>(c)].name; }});
+  return numerics::search_by_circles(
+      [&](Complex omega, double near) {
+        ExactSample sample = exact.at(omega, near);
+        const Eigen::VectorXd together = sample.coordinates.cwiseAbs().cwiseQuotient(unit).maxCoeff() * unit;
+        const Eigen::VectorXd ground =
+            loading.motion.vanishes() ? Eigen::VectorXd() : Eigen::VectorXd(loading.motion.possible(std::abs(omega)));
+        Eigen::VectorXd alike(curves);
+        for (Eigen::Index c = 0; c < curves; ++c)
+          alike(c) = numerics::possible_amplitudes(observed[static_cast<std::size_t>(c)], together, ground,
+                                                   Eigen::RowVectorXd::Constant(1, std::abs(omega)))
+                         .value();
+        return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), std::move(alike),
+                                     sample.condition};
+      },
+      curves, {from, end, std::move(seams), near_poles, progress, [&](Eigen::Index c) {
+                 return channels[static_cast<std::size_t>(c)].name;
+               }});
 }
 
 /// Of channels that are answered in the coordinates of the loading.
-Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-               const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
+Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+               const assembly::Loading& loading, const modal::Modes& modes, const modal::Roots& roots,
+               const PeakOptions& options, const foundation::Progress& progress) {
   const bool loaded = !loading.vanishes(), exact = assembled.frequency_dependent();
   const double end = search_end(assembled, modes, roots, options);
   const numerics::Load right_side = assembly::right_side(assembled, loading);
   const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
   const numerics::DrivenSystem system{assembled.matrices, right_side, given.given};  // constant elements
-  const foundation::Progress first_half = [&](std::string_view task, double fraction) { foundation::report_progress(progress, task, 0.5 * fraction); };
-  numerics::AxisSearch found = exact ? search_exact(assembled, channels, loading, roots.poles, end, first_half)
-                                     : numerics::search_by_discs(system, given.curves, roots.poles, {0, loading.longest_delay() > 0 ? end : infinity, first_half});
+  const foundation::Progress first_half = [&](std::string_view task, double fraction) {
+    foundation::report_progress(progress, task, 0.5 * fraction);
+  };
+  numerics::AxisSearch found = exact
+      ? search_exact(assembled, channels, loading, roots.poles, end, first_half)
+      : numerics::search_by_discs(system, given.curves, roots.poles,
+                                  {0, loading.longest_delay() > 0 ? end : infinity, first_half});
   Peaks result;
   result.searched_from = found.from;
   result.searched_to = found.to;
@@ -85,7 +101,8 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
   result.from_circles = exact;
   result.turnings.resize(channels.size());
 
-  const int lowest_power = exact ? loading.lowest_power() : std::min(right_side.lowest_power(), given.given.lowest_power());
+  const int lowest_power =
+      exact ? loading.lowest_power() : std::min(right_side.lowest_power(), given.given.lowest_power());
   const bool rigid = modal::has_rigid_motion(modes) || lowest_power < 0 || (!exact && found.from > 0);
   const bool rests = !rigid && defined_at_rest(assembled);
   if (exact && rests) {  // circles cannot reach ω = 0
@@ -93,7 +110,8 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
     for (std::size_t c = 0; c < channels.size(); ++c) found.curves[c].at_start = std::abs(still.curves[c].value(0));
   }
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    CurveSummary& summary = result.curves.emplace_back(CurveSummary{channels[c].name, channels[c].unit, {}, 0, 0, false, 0});
+    CurveSummary& summary =
+        result.curves.emplace_back(CurveSummary{channels[c].name, channels[c].unit, {}, 0, 0, false, 0});
     numerics::SearchedCurve& curve = found.curves[c];
     if (rests && std::isfinite(curve.at_start)) summary.static_amplitude = curve.at_start;
     summary.vanishes = !loaded || curve.largest_share <= numerics::vanishing_share;
@@ -105,13 +123,18 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
     for (std::size_t i = 0; i < result.turnings[c].size(); ++i) {
       const Extremum& t = result.turnings[c][i];
       if (!t.maximum) continue;
-      foundation::report_progress(progress, "peaks", 0.5 + 0.5 * static_cast<double>(c) / static_cast<double>(channels.size()));
-      Peak peak{c, t.angular_frequency, t.amplitude, numerics::prominence(heights.along, i + 1), {}, {}, t.uncertainty, 0, false};
+      foundation::report_progress(progress, "peaks",
+                                  0.5 + 0.5 * static_cast<double>(c) / static_cast<double>(channels.size()));
+      Peak peak{
+          c,    t.angular_frequency, t.amplitude, numerics::prominence(heights.along, i + 1), {}, {}, t.uncertainty, 0,
+          false};
       if (!(peak.prominence > options.min_prominence * heights.finite_top)) continue;
       if (std::isfinite(t.amplitude)) {
-        const numerics::RefinedPeak refined = exact ? numerics::RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty, numerics::circle_accuracy * t.amplitude, true}
-                                              : options.refine ? numerics::refine_peak(system, given.curves[c], t.angular_frequency, t.reach)
-                                                               : numerics::RefinedPeak{};
+        const numerics::RefinedPeak refined = exact
+            ? numerics::RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty,
+                                    numerics::circle_accuracy * t.amplitude, true}
+            : options.refine ? numerics::refine_peak(system, given.curves[c], t.angular_frequency, t.reach)
+                             : numerics::RefinedPeak{};
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;
           peak.angular_frequency = refined.angular_frequency;
@@ -124,7 +147,8 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
       } else {
         peak.refined = true;
       }
-      if (summary.static_amplitude && *summary.static_amplitude > numerics::vanishing_share * peak.amplitude) peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
+      if (summary.static_amplitude && *summary.static_amplitude > numerics::vanishing_share * peak.amplitude)
+        peak.ratio_to_static = peak.amplitude / *summary.static_amplitude;
       ++summary.peaks;
       result.list.push_back(peak);
     }
@@ -139,8 +163,9 @@ double relative_prominence(const Peak& peak) {
   return std::isinf(peak.amplitude) || !(minimum > 0) ? infinity : peak.prominence / minimum;
 }
 
-Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-            const modal::Modes& modes, const modal::Roots& roots, const PeakOptions& options, const foundation::Progress& progress) {
+Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+            const assembly::Loading& loading, const modal::Modes& modes, const modal::Roots& roots,
+            const PeakOptions& options, const foundation::Progress& progress) {
   const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
   if (groups.size() == 1) return searched(assembled, channels, groups[0].loading, modes, roots, options, progress);
   Peaks result;
@@ -161,7 +186,8 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       result.turnings[group.which[k]] = std::move(part.turnings[k]);
     }
   }
-  std::stable_sort(result.list.begin(), result.list.end(), [](const Peak& a, const Peak& b) { return a.curve < b.curve; });
+  std::stable_sort(result.list.begin(), result.list.end(),
+                   [](const Peak& a, const Peak& b) { return a.curve < b.curve; });
   return result;
 }
 

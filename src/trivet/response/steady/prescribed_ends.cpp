@@ -23,33 +23,42 @@ Matrix beyond(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
 
 }  // namespace
 
-PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<std::string>& excitations) : description_(system.description()) {
+PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<std::string>& excitations)
+    : description_(system.description()) {
   for (const model::Excitation& excitation : description_.excitations) {
-    const bool wanted = excitations.empty() || std::find(excitations.begin(), excitations.end(), excitation.name) != excitations.end();
-    if (wanted && !excitation.action.body && std::holds_alternative<model::Harmonic>(excitation.course)) moving_.push_back(&excitation);
+    const bool wanted =
+        excitations.empty() || std::find(excitations.begin(), excitations.end(), excitation.name) != excitations.end();
+    if (wanted && !excitation.action.body && std::holds_alternative<model::Harmonic>(excitation.course))
+      moving_.push_back(&excitation);
   }
   impedance_of_.assign(description_.foundations.size(), -1);
   for (std::size_t e = 0; e < description_.elements.size(); ++e) {
     const model::Element& element = description_.elements[e];
-    if (element.is_foundation && element.k.foundation) impedance_of_[element.k.foundation->foundation] = static_cast<int>(e);
+    if (element.is_foundation && element.k.foundation)
+      impedance_of_[element.k.foundation->foundation] = static_cast<int>(e);
   }
 }
 
 /// Six components in ground axes; `element`: whose ground end is at this place.
-PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, std::size_t element, Extended omega) const {
+PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, std::size_t element,
+                                                 Extended omega) const {
   Motion sum = Motion::Zero();
   const ExtendedComplex s(0, omega);
   for (const model::Excitation* excitation : moving_) {
     const model::Action& action = excitation->action;
     const bool as_one = action.elements.empty() && !action.wave;
-    if (!action.elements.empty() && std::find(action.elements.begin(), action.elements.end(), element) == action.elements.end()) continue;
+    if (!action.elements.empty() &&
+        std::find(action.elements.begin(), action.elements.end(), element) == action.elements.end())
+      continue;
     Motion motion = action.amplitude.cast<ExtendedComplex>();
     Extended later = action.delay;
     if (as_one) {  // u + θ × (r − at)
       using Vector3 = Eigen::Matrix<Extended, 3, 1>;
-      const Vector3 arm = (place - action.at).cast<Extended>(), real = motion.tail<3>().real(), imaginary = motion.tail<3>().imag();
+      const Vector3 arm = (place - action.at).cast<Extended>(), real = motion.tail<3>().real(),
+                    imaginary = motion.tail<3>().imag();
       // Part by part: Eigen's product of complex vectors is the conjugate one.
-      motion.head<3>() += real.cross(arm).cast<ExtendedComplex>() + ExtendedComplex(0, 1) * imaginary.cross(arm).cast<ExtendedComplex>();
+      motion.head<3>() += real.cross(arm).cast<ExtendedComplex>() +
+          ExtendedComplex(0, 1) * imaginary.cross(arm).cast<ExtendedComplex>();
     } else if (action.wave) {
       later += action.wave->direction.dot(place) / action.wave->speed;
     }
@@ -75,7 +84,8 @@ PrescribedEnds::Vector PrescribedEnds::at(std::size_t index, double angular_freq
     if (end->on_ground()) motion = ground_at(end->at, index, angular_frequency);
     if (end->foundation && impedance_of_[end->foundation->foundation] >= 0) {
       const auto joint = static_cast<std::size_t>(impedance_of_[end->foundation->foundation]);
-      motion = beyond(end->foundation->shape).cast<ExtendedComplex>() * ground_at(description_.elements[joint].n.at, joint, angular_frequency);
+      motion = beyond(end->foundation->shape).cast<ExtendedComplex>() *
+          ground_at(description_.elements[joint].n.at, joint, angular_frequency);
     }
     const Eigen::Matrix<ExtendedComplex, 3, 3> local = end->axes.transpose().cast<ExtendedComplex>();
     ends.segment<3>(first) = local * motion.head<3>();

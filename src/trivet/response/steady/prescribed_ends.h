@@ -10,8 +10,9 @@
 
 namespace trivet::response {
 
-/// Motion of both ends of each element that the harmonic excitations prescribe at ω through the ground, with all free coordinates at rest: 12 per
-/// element (end N, end K), in the element's local axes. Taken from the description alone, without `assembly::Ground`: the second solver's own way.
+/// Motion of both ends of each element that the harmonic excitations prescribe at ω through the ground, with all free
+/// coordinates at rest: 12 per element (end N, end K), in the element's local axes. Taken from the description alone,
+/// without `assembly::Ground`: the second solver's own way.
 class PrescribedEnds {
  public:
   using Vector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;

@@ -10,7 +10,8 @@ namespace trivet::response {
 namespace {
 
 /// @throws NotComputable on a resonance that is undamped but for round-off
-std::optional<int> most_bent(const assembly::Assembled& assembled, const modal::Modes& modes, const Dynamics& dynamics) {
+std::optional<int> most_bent(const assembly::Assembled& assembled, const modal::Modes& modes,
+                             const Dynamics& dynamics) {
   constexpr double enough = 0.5;
   const Eigen::VectorXcd bend = motion(dynamics).coordinates[2];  // d²q/dω²
   const Eigen::VectorXcd& channel = dynamics.channel[0];
@@ -30,15 +31,16 @@ std::optional<int> most_bent(const assembly::Assembled& assembled, const modal::
 
 }  // namespace
 
-void set_nearest_modes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                       const modal::Modes& modes, Peaks& peaks) {
+void set_nearest_modes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                       const assembly::Loading& loading, const modal::Modes& modes, Peaks& peaks) {
   const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(assembled.matrices.A).size());
   for (Peak& peak : peaks.list) {
     const double omega = peak.angular_frequency;
     peak.nearest_mode = modal::nearest_mode(modes, omega, massive);
     if (std::isinf(peak.amplitude)) continue;
     try {
-      peak.nearest_mode = most_bent(assembled, modes, dynamics(assembled, channels[peak.curve], loading, omega, element_jets(assembled, omega)));
+      peak.nearest_mode = most_bent(
+          assembled, modes, dynamics(assembled, channels[peak.curve], loading, omega, element_jets(assembled, omega)));
     } catch (const foundation::NotComputable&) {  // so narrow that the nearest frequency is beyond doubt
     }
   }

@@ -10,14 +10,18 @@ namespace trivet::response {
 std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, const assembly::Loading& loading,
                                          const std::vector<double>& angular_frequency) {
   for (const double omega : angular_frequency)
-    if (!(omega > 0)) throw foundation::InvalidInput(fmt::format("steady motion: {:g} rad/s; the angular frequency must be > 0", omega));
+    if (!(omega > 0))
+      throw foundation::InvalidInput(
+          fmt::format("steady motion: {:g} rad/s; the angular frequency must be > 0", omega));
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, angular_frequency).response;
   std::vector<SteadyMotion> result;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
-    SteadyMotion motion{angular_frequency[i], q.col(static_cast<Eigen::Index>(i)), Eigen::VectorXcd::Zero(assembled.ground.size())};
+    SteadyMotion motion{angular_frequency[i], q.col(static_cast<Eigen::Index>(i)),
+                        Eigen::VectorXcd::Zero(assembled.ground.size())};
     if (!motion.free.allFinite())
-      throw foundation::NotComputable(fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion has no bound",
-                                                  motion.angular_frequency));
+      throw foundation::NotComputable(
+          fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion has no bound",
+                      motion.angular_frequency));
     if (!loading.motion.vanishes()) motion.ground = loading.motion.at(motion.angular_frequency);
     result.push_back(std::move(motion));
   }
@@ -33,11 +37,12 @@ Eigen::VectorXcd element_motion(const assembly::ElementMap& map, const SteadyMot
   return d;
 }
 
-Eigen::VectorXcd element_wrenches(const assembly::ElementMap& map, const Eigen::VectorXcd& element_motion, double angular_frequency) {
+Eigen::VectorXcd element_wrenches(const assembly::ElementMap& map, const Eigen::VectorXcd& element_motion,
+                                  double angular_frequency) {
   if (map.frequency_dependent()) return map.dynamic_stiffness(angular_frequency, angular_frequency) * element_motion;
   const elements::Matrices& m = map.matrices;
   const Eigen::MatrixXcd d = m.stiffness.cast<std::complex<double>>() * std::complex<double>(1, m.loss_factor) +
-                             std::complex<double>(0, angular_frequency) * m.damping - angular_frequency * angular_frequency * m.mass;
+      std::complex<double>(0, angular_frequency) * m.damping - angular_frequency * angular_frequency * m.mass;
   return d * element_motion;
 }
 

@@ -17,11 +17,12 @@ struct SteadyMotion {
 
 /// At the given ω > 0 [rad/s], frequency-dependent elements by their exact laws.
 /// @throws foundation::NotComputable where Z(ω) is singular: an undamped resonance
-[[nodiscard]] std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, const assembly::Loading& loading,
+[[nodiscard]] std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled,
+                                                       const assembly::Loading& loading,
                                                        const std::vector<double>& angular_frequency);
 
-/// End displacements (12, local frame) and internal coordinates of an element in a steady motion; of a frequency-dependent one
-/// the 12 alone.
+/// End displacements (12, local frame) and internal coordinates of an element in a steady motion; of a
+/// frequency-dependent one the 12 alone.
 [[nodiscard]] Eigen::VectorXcd element_motion(const assembly::ElementMap& map, const SteadyMotion& motion);
 
 /// What moves the ends so: wrenches on the element at N and K (first 12), local frame; behind them forces on internal

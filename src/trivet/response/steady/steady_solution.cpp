@@ -3,7 +3,8 @@
 
 namespace trivet::response {
 
-numerics::SweepResult steady_solution(const assembly::Assembled& assembled, const assembly::Loading& loading, const std::vector<double>& angular_frequency,
+numerics::SweepResult steady_solution(const assembly::Assembled& assembled, const assembly::Loading& loading,
+                                      const std::vector<double>& angular_frequency,
                                       const numerics::SweepOptions& options) {
   const numerics::Load load = assembly::right_side(assembled, loading);
   if (!assembled.frequency_dependent()) return numerics::sweep(assembled.matrices, load, angular_frequency, options);

@@ -13,19 +13,22 @@ namespace trivet::response {
 namespace {
 
 /// Of channels that are answered in the coordinates of the loading.
-Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                           double omega) {
+Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                           const assembly::Loading& loading, double omega) {
   const Eigen::MatrixXcd stiffness = assembled.dynamic_stiffness(omega, omega);
   const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(stiffness.rows());
   const Eigen::VectorXcd load = unit.asDiagonal() * assembly::exact_right_side(assembled, loading, omega, omega);
-  const Eigen::VectorXcd scaled = numerics::pivoted_solution(unit.asDiagonal() * stiffness * unit.asDiagonal(), load, false).x;
+  const Eigen::VectorXcd scaled =
+      numerics::pivoted_solution(unit.asDiagonal() * stiffness * unit.asDiagonal(), load, false).x;
   const Eigen::VectorXd together = scaled.cwiseAbs().maxCoeff() * unit;
   const ExactValues exact = exact_values(assembled, channels, loading, unit.asDiagonal() * scaled, omega);
   const Eigen::VectorXd ground = loading.motion.vanishes() ? Eigen::VectorXd() : loading.motion.possible(omega);
   Eigen::VectorXd amplitudes = exact.values.cwiseAbs();
   for (Eigen::Index c = 0; c < amplitudes.size(); ++c) {
     const auto curve = channels[static_cast<std::size_t>(c)].curve();
-    const double possible = std::max(exact.possible(c), numerics::possible_amplitudes(curve, together, ground, Eigen::RowVectorXd::Constant(1, omega)).value());
+    const double possible = std::max(
+        exact.possible(c),
+        numerics::possible_amplitudes(curve, together, ground, Eigen::RowVectorXd::Constant(1, omega)).value());
     if (amplitudes(c) <= numerics::vanishing_share * possible) amplitudes(c) = 0;
   }
   return amplitudes;
@@ -33,11 +36,13 @@ Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vect
 
 }  // namespace
 
-Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const assembly::Loading& loading, double omega) {
+Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                   const assembly::Loading& loading, double omega) {
   Eigen::VectorXd result(std::ssize(channels));
   for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
     const Eigen::VectorXd part = visible_in(assembled, group.channels, group.loading, omega);
-    for (Eigen::Index k = 0; k < part.size(); ++k) result(static_cast<Eigen::Index>(group.which[static_cast<std::size_t>(k)])) = part(k);
+    for (Eigen::Index k = 0; k < part.size(); ++k)
+      result(static_cast<Eigen::Index>(group.which[static_cast<std::size_t>(k)])) = part(k);
   }
   return result;
 }

@@ -30,7 +30,8 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
   const numerics::MassiveSystem massive = numerics::massive_system(m);
   const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, m.symmetric);
   if (!m.symmetric || modes.route != numerics::ModeRoute::definite_mass)
-    throw foundation::NotComputable("earthquake: modal maxima need symmetric matrices and a positive definite mass; take a time history instead");
+    throw foundation::NotComputable(
+        "earthquake: modal maxima need symmetric matrices and a positive definite mass; take a time history instead");
   Eigen::VectorXd g = Eigen::VectorXd::Zero(assembled.ground.size());
   g.head<6>() = direction;
   const Eigen::VectorXd stiffness_load = assembled.ground.K * g, mass_load = assembled.ground.A * g;
@@ -45,7 +46,8 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
     if (m.lossy()) lost += shape.dot(m.K_loss * shape) / modes.lambda(i);
     // φᵀA r = φᵀK r/ω² and K r = −K_fg e: the motion r need not be known.
     const double participation = shape.dot(mass_load) - shape.dot(stiffness_load) / modes.lambda(i);
-    result.shares.push_back({omega, lost / 2, participation, participation * participation, std::numeric_limits<double>::quiet_NaN()});
+    result.shares.push_back(
+        {omega, lost / 2, participation, participation * participation, std::numeric_limits<double>::quiet_NaN()});
     result.shapes.col(count++) = shape;
   }
   result.shapes.conservativeResize(Eigen::NoChange, count);
@@ -55,16 +57,21 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
 /// Gives each mode its S_a and returns those that have one.
 std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spectrum, EarthquakeResponse& result) {
   std::vector<Eigen::Index> reached;
-  constexpr double negligible = 1e-3;  // of the moving mass: a mode that does not oscillate and has less is left out like one beyond the spectrum
+  constexpr double negligible =
+      1e-3;  // of the moving mass: a mode that does not oscillate and has less is left out like one beyond the spectrum
   double all = 0, told = 0;
   for (const ModalShare& mode : result.modes) all += mode.effective_mass;
   for (std::size_t i = 0; i < result.modes.size(); ++i) {
     ModalShare& mode = result.modes[i];
     if (!(mode.damping_ratio < 1) && mode.effective_mass < negligible * all) continue;
-    if (mode.angular_frequency < spectrum.angular_frequencies.front() || mode.angular_frequency > spectrum.angular_frequencies.back()) continue;
+    if (mode.angular_frequency < spectrum.angular_frequencies.front() ||
+        mode.angular_frequency > spectrum.angular_frequencies.back())
+      continue;
     if (!(mode.damping_ratio < 1))
-      throw foundation::NotComputable(fmt::format("earthquake: the mode at {:.4g} Hz does not oscillate (damping ratio {:.3g}), so a response spectrum says nothing of it",
-                                                  mode.angular_frequency / two_pi, mode.damping_ratio));
+      throw foundation::NotComputable(
+          fmt::format("earthquake: the mode at {:.4g} Hz does not oscillate (damping ratio {:.3g}), so a response "
+                      "spectrum says nothing of it",
+                      mode.angular_frequency / two_pi, mode.damping_ratio));
     mode.spectral_acceleration = excitation::spectral_acceleration(spectrum, mode.angular_frequency);
     told += mode.effective_mass;
     reached.push_back(static_cast<Eigen::Index>(i));
@@ -73,12 +80,16 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
   return reached;
 }
 
-void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vector<Eigen::Index>& reached, EarthquakeResponse& result) {
-  constexpr double enough_mass = 0.9;       // the usual requirement of building codes
-  constexpr double damping_tolerance = 0.2; // S_a goes about with the square root of the damping ratio or less
+void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vector<Eigen::Index>& reached,
+                  EarthquakeResponse& result) {
+  constexpr double enough_mass = 0.9;        // the usual requirement of building codes
+  constexpr double damping_tolerance = 0.2;  // S_a goes about with the square root of the damping ratio or less
   if (result.effective_mass_share < enough_mass)
-    result.warnings.warning("earthquake", fmt::format("the spectrum reaches modes with {:.0f} % of the mass that is shaken", 100 * result.effective_mass_share),
-                            "modes outside its table are left out; 90 % are usually asked for", "extend the table, to short periods above all");
+    result.warnings.warning("earthquake",
+                            fmt::format("the spectrum reaches modes with {:.0f} % of the mass that is shaken",
+                                        100 * result.effective_mass_share),
+                            "modes outside its table are left out; 90 % are usually asked for",
+                            "extend the table, to short periods above all");
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Eigen::Index i : reached) {
     const ModalShare& mode = result.modes[static_cast<std::size_t>(i)];
@@ -86,17 +97,25 @@ void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vecto
     lowest = std::min(lowest, mode.damping_ratio);
     highest = std::max(highest, mode.damping_ratio);
   }
-  if (reached.empty() || (lowest >= (1 - damping_tolerance) * spectrum.damping_ratio && highest <= (1 + damping_tolerance) * spectrum.damping_ratio)) return;
-  result.warnings.warning("earthquake", fmt::format("modal damping ratios {:.3g} … {:.3g}, spectrum for {:.3g}", lowest, highest, spectrum.damping_ratio),
-                          "the spectrum is taken as it stands, not converted to other damping", "give a spectrum for the damping of the model");
+  if (reached.empty() ||
+      (lowest >= (1 - damping_tolerance) * spectrum.damping_ratio &&
+       highest <= (1 + damping_tolerance) * spectrum.damping_ratio))
+    return;
+  result.warnings.warning(
+      "earthquake",
+      fmt::format("modal damping ratios {:.3g} … {:.3g}, spectrum for {:.3g}", lowest, highest, spectrum.damping_ratio),
+      "the spectrum is taken as it stands, not converted to other damping",
+      "give a spectrum for the damping of the model");
 }
 
 }  // namespace
 
 EarthquakeResponse earthquake_response(const assembly::Assembled& given, const std::vector<assembly::Channel>& channels,
-                                       const excitation::ResponseSpectrum& spectrum, const spatial::Vector6& direction) {
+                                       const excitation::ResponseSpectrum& spectrum,
+                                       const spatial::Vector6& direction) {
   excitation::refuse_errors(excitation::check(spectrum, "response spectrum"));
-  if (!direction.allFinite() || direction.isZero(0)) throw foundation::InvalidInput("earthquake: the direction must be finite and not zero");
+  if (!direction.allFinite() || direction.isZero(0))
+    throw foundation::InvalidInput("earthquake: the direction must be finite and not zero");
   const assembly::Assembled assembled = nearest_linear(given);
   const ShakenModes modes = shaken_modes(assembled, direction);
   EarthquakeResponse result;
@@ -104,7 +123,9 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   const std::vector<Eigen::Index> reached = read_spectrum(spectrum, result);
   add_warnings(spectrum, reached, result);
   if (given.frequency_dependent())
-    result.warnings.warning("earthquake", "elements whose stiffness depends on frequency are taken by their nearest linear system", "modes need constant matrices", "compare with a time history");
+    result.warnings.warning("earthquake",
+                            "elements whose stiffness depends on frequency are taken by their nearest linear system",
+                            "modes need constant matrices", "compare with a time history");
   const auto count = static_cast<Eigen::Index>(reached.size());
   Eigen::VectorXd omega(count), zeta(count);
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -115,14 +136,16 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   for (const assembly::Channel& each : channels) {
     const assembly::Channel channel = nearest_linear(given, each);
     if (channel.on_displacement.isZero(0) && !channel.ground.empty())
-      throw foundation::NotComputable(fmt::format("earthquake: \"{}\" is a motion of the ground alone, of which a response spectrum knows nothing", channel.name));
+      throw foundation::NotComputable(
+          fmt::format("earthquake: \"{}\" is a motion of the ground alone, of which a response spectrum knows nothing",
+                      channel.name));
     CombinedAnswer answer{channel.name, channel.unit, Eigen::VectorXd(count), 0, 0};
     for (Eigen::Index k = 0; k < count; ++k) {
       const ModalShare& mode = result.modes[static_cast<std::size_t>(reached[static_cast<std::size_t>(k)])];
       const Eigen::VectorXd shape = modes.shapes.col(reached[static_cast<std::size_t>(k)]);
       const double squared = omega(k) * omega(k), motion = mode.participation * mode.spectral_acceleration / squared;
-      answer.modal_maxima(k) =
-          std::pow(omega(k), channel.derivative) * motion * (channel.on_displacement.real().dot(shape) - squared * channel.on_acceleration.dot(shape));
+      answer.modal_maxima(k) = std::pow(omega(k), channel.derivative) * motion *
+          (channel.on_displacement.real().dot(shape) - squared * channel.on_acceleration.dot(shape));
     }
     answer.square_root_of_sum_of_squares = excitation::square_root_of_sum_of_squares(answer.modal_maxima);
     answer.complete_quadratic = excitation::complete_quadratic_combination(answer.modal_maxima, omega, zeta);

@@ -14,9 +14,10 @@ namespace trivet::response {
 
 /// One mode under an acceleration of the whole foundation.
 struct ModalShare {
-  double angular_frequency = 0;      ///< [rad/s] > 0
-  double damping_ratio = 0;          ///< φᵀBφ/(2ω) (of a loss factor φᵀK_lossφ/(2ω²)); couplings of modes by damping left out
-  double participation = 0;          ///< Γ = φᵀ(A r + A_fg e), φᵀAφ = 1, where r follows the unit motion e of the ground [√kg for a translation]
+  double angular_frequency = 0;  ///< [rad/s] > 0
+  double damping_ratio = 0;  ///< φᵀBφ/(2ω) (of a loss factor φᵀK_lossφ/(2ω²)); couplings of modes by damping left out
+  double participation =
+      0;  ///< Γ = φᵀ(A r + A_fg e), φᵀAφ = 1, where r follows the unit motion e of the ground [√kg for a translation]
   double effective_mass = 0;         ///< Γ² [kg]
   double spectral_acceleration = 0;  ///< S_a(ω) [m/s²]; NaN where the spectrum does not reach: the mode is left out
 };
@@ -37,13 +38,15 @@ struct EarthquakeResponse {
   foundation::Problems warnings;
 };
 
-/// Largest answers where the whole foundation is accelerated along `direction` (translation and rotation about the ground origin, ground
-/// axes, of length 1 where the spectrum is that of this motion). The motion against the ground is Γ S_a/ω² φ in each mode: displacements
-/// are those against the ground, velocities ω times them, accelerations ω² times them and so the absolute ones; forces are those of
-/// stiffness and mass.
-/// @throws foundation::NotComputable for unsymmetric matrices or indefinite masses, modes that do not oscillate, and answers about the
-/// ground alone
-[[nodiscard]] EarthquakeResponse earthquake_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                                     const excitation::ResponseSpectrum& spectrum, const spatial::Vector6& direction);
+/// Largest answers where the whole foundation is accelerated along `direction` (translation and rotation about the
+/// ground origin, ground axes, of length 1 where the spectrum is that of this motion). The motion against the ground is
+/// Γ S_a/ω² φ in each mode: displacements are those against the ground, velocities ω times them, accelerations ω² times
+/// them and so the absolute ones; forces are those of stiffness and mass.
+/// @throws foundation::NotComputable for unsymmetric matrices or indefinite masses, modes that do not oscillate, and
+/// answers about the ground alone
+[[nodiscard]] EarthquakeResponse earthquake_response(const assembly::Assembled& assembled,
+                                                     const std::vector<assembly::Channel>& channels,
+                                                     const excitation::ResponseSpectrum& spectrum,
+                                                     const spatial::Vector6& direction);
 
 }  // namespace trivet::response

@@ -15,10 +15,10 @@ using InputMatrix = Eigen::Matrix<double, Eigen::Dynamic, 5>;
 /// d w/dt of an input whose u‴ = −κ²u′.
 [[nodiscard]] InputVector rate(const InputVector& w, double kappa);
 
-/// Exact steps of ẋ = F x + Σ G w while every input obeys u‴ = −κ²u′: x(t + h) = Φ(h) x(t) + Σ Γ(κ, h) w(t) for h = step/2^level.
-/// Φ and Γ come from one scaling and squaring of the whole matrix [F G; 0 S(κ)] in extended precision (its Taylor series on the finest
-/// level, where no norm is above 1/2), so that round-off of the squarings stays below that of a double. Scaling and squaring: [Moler, Van
-/// Loan, SIAM Review 45 (2003) 3–49, method 3]
+/// Exact steps of ẋ = F x + Σ G w while every input obeys u‴ = −κ²u′: x(t + h) = Φ(h) x(t) + Σ Γ(κ, h) w(t) for h =
+/// step/2^level. Φ and Γ come from one scaling and squaring of the whole matrix [F G; 0 S(κ)] in extended precision
+/// (its Taylor series on the finest level, where no norm is above 1/2), so that round-off of the squarings stays below
+/// that of a double. Scaling and squaring: [Moler, Van Loan, SIAM Review 45 (2003) 3–49, method 3]
 class ExponentialStep {
  public:
   /// @param largest_kappa  no input turns faster [rad/s]

@@ -26,7 +26,8 @@ double usual_step(const std::vector<excitation::Piece>& pieces) {
 
 }  // namespace
 
-InputCourse::InputCourse(const excitation::Signal& signal, double delay) : pieces_(signal.pieces), sampling_step_(usual_step(signal.pieces)) {
+InputCourse::InputCourse(const excitation::Signal& signal, double delay)
+    : pieces_(signal.pieces), sampling_step_(usual_step(signal.pieces)) {
   for (const excitation::Piece& each : pieces_) {
     starts_.push_back(each.start + delay);
     auto known = std::find(kappas_.begin(), kappas_.end(), each.kappa);
@@ -44,12 +45,14 @@ InputCourse::InputCourse(const excitation::Signal& signal, double delay) : piece
     sum.once += more.once;
   }
   Eigen::Array3d largest = Eigen::Array3d::Zero();
-  for (const excitation::Piece& each : pieces_) largest = largest.max(Eigen::Array3d(each.value, each.rate, each.curvature).abs());
+  for (const excitation::Piece& each : pieces_)
+    largest = largest.max(Eigen::Array3d(each.value, each.rate, each.curvature).abs());
   for (Place i = 0; i < count(); ++i) {
     const Eigen::Array3d jump = jump_into(i).tail<3>().array().abs();
     unsigned char bits = 0;
     for (int m = 0; m < 3; ++m)
-      if (jump(m) > jump_round_off * largest(m)) bits |= static_cast<unsigned char>(1u << m), smoothness_ = std::min(smoothness_, m);
+      if (jump(m) > jump_round_off * largest(m))
+        bits |= static_cast<unsigned char>(1u << m), smoothness_ = std::min(smoothness_, m);
     jumps_.push_back(bits);
   }
 }

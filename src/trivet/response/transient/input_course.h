@@ -10,7 +10,8 @@
 
 namespace trivet::response {
 
-/// One signal with one delay, with its integrals, read forward in time piece by piece. Before its first piece all is zero.
+/// One signal with one delay, with its integrals, read forward in time piece by piece. Before its first piece all is
+/// zero.
 class InputCourse {
  public:
   InputCourse(const excitation::Signal& signal, double delay);
@@ -22,7 +23,9 @@ class InputCourse {
   [[nodiscard]] InputVector at(Place place, double t) const;
   [[nodiscard]] double kappa(Place place) const { return place < 0 ? 0 : piece(place).kappa; }
   /// Which of the distinct κ the piece has.
-  [[nodiscard]] std::size_t kappa_index(Place place) const { return place < 0 ? 0 : kappa_index_[static_cast<std::size_t>(place)]; }
+  [[nodiscard]] std::size_t kappa_index(Place place) const {
+    return place < 0 ? 0 : kappa_index_[static_cast<std::size_t>(place)];
+  }
   [[nodiscard]] const std::vector<double>& kappas() const { return kappas_; }
   /// When the next piece begins; infinite after the last.
   [[nodiscard]] double next_corner(Place place) const {
@@ -34,8 +37,12 @@ class InputCourse {
   [[nodiscard]] InputVector jump_into(Place place) const;
 
   [[nodiscard]] Place count() const { return static_cast<Place>(starts_.size()); }
-  [[nodiscard]] double start() const { return starts_.empty() ? std::numeric_limits<double>::infinity() : starts_.front(); }
-  [[nodiscard]] double last_corner() const { return starts_.empty() ? -std::numeric_limits<double>::infinity() : starts_.back(); }
+  [[nodiscard]] double start() const {
+    return starts_.empty() ? std::numeric_limits<double>::infinity() : starts_.front();
+  }
+  [[nodiscard]] double last_corner() const {
+    return starts_.empty() ? -std::numeric_limits<double>::infinity() : starts_.back();
+  }
   /// Does the mth derivative of u, m = 0, 1, 2, jump (beyond round-off) where the piece at `place` begins?
   [[nodiscard]] bool jumps(Place place, int m) const { return (jumps_[static_cast<std::size_t>(place)] >> m & 1) != 0; }
   /// Lowest derivative of u that jumps anywhere: 0 a step, 1 a corner, 2 a change of curvature.
@@ -47,11 +54,11 @@ class InputCourse {
   [[nodiscard]] const excitation::Piece& piece(Place place) const { return pieces_[static_cast<std::size_t>(place)]; }
 
   std::vector<excitation::Piece> pieces_;
-  std::vector<double> starts_;                           ///< delayed [s]
-  std::vector<excitation::SignalIntegrals> before_;      ///< ∫u and ∬u up to the start of each piece
+  std::vector<double> starts_;                       ///< delayed [s]
+  std::vector<excitation::SignalIntegrals> before_;  ///< ∫u and ∬u up to the start of each piece
   std::vector<double> kappas_;
   std::vector<std::size_t> kappa_index_;
-  std::vector<unsigned char> jumps_;                     ///< bit m: the mth derivative jumps
+  std::vector<unsigned char> jumps_;  ///< bit m: the mth derivative jumps
   int smoothness_ = 2;
   double sampling_step_ = 0;
 };

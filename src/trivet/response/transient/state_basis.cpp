@@ -26,7 +26,8 @@ std::vector<Eigen::Index> massless_rows(const numerics::DynamicMatrices& m, cons
 }
 
 /// Turns the massless coordinates so that dashpots hold the first of them and none holds the others.
-void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& rows, Eigen::MatrixXd& R, StateBasis& basis) {
+void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& rows, Eigen::MatrixXd& R,
+                   StateBasis& basis) {
   const Eigen::MatrixXd held = R.transpose() * m.B * R;
   const auto count = static_cast<Eigen::Index>(rows.size());
   basis.lagging = count;
@@ -54,16 +55,20 @@ bool take_modes(const numerics::DynamicMatrices& m, Eigen::MatrixXd& P, StateBas
   double slowest = 0;
   for (const double lambda : modes.lambda)
     if (lambda != 0 && (slowest == 0 || std::abs(lambda) < slowest)) slowest = std::abs(lambda);
-  basis.speed = modes.lambda.unaryExpr([&](double lambda) { return lambda != 0 ? std::sqrt(std::abs(lambda)) : slowest > 0 ? std::sqrt(slowest) : 1.0; });
+  basis.speed = modes.lambda.unaryExpr([&](double lambda) {
+    return lambda != 0 ? std::sqrt(std::abs(lambda)) : slowest > 0 ? std::sqrt(slowest) : 1.0;
+  });
   return true;
 }
 
 void require_quiet(const Eigen::MatrixXd& B, Eigen::Index first) {
   constexpr double round_off = 1e-10;
   const double scale = B.cwiseAbs().maxCoeff();
-  if (B.bottomRows(B.rows() - first).cwiseAbs().maxCoeff() > round_off * scale || B.rightCols(B.cols() - first).cwiseAbs().maxCoeff() > round_off * scale)
-    throw foundation::NotComputable("a coordinate without mass and without damping of its own is coupled to others by damping: "
-                                    "its motion in time is not determined; give it a mass or a dashpot");
+  if (B.bottomRows(B.rows() - first).cwiseAbs().maxCoeff() > round_off * scale ||
+      B.rightCols(B.cols() - first).cwiseAbs().maxCoeff() > round_off * scale)
+    throw foundation::NotComputable(
+        "a coordinate without mass and without damping of its own is coupled to others by damping: "
+        "its motion in time is not determined; give it a mass or a dashpot");
 }
 
 }  // namespace
@@ -94,11 +99,13 @@ StateBasis state_basis(const numerics::DynamicMatrices& m) {
     basis.K.bottomLeftCorner(n - count, count).setZero();
     basis.K.topLeftCorner(count, count) = modal_stiffness;
   } else {
-    basis.speed = Eigen::VectorXd::Constant(count, std::sqrt(std::max(basis.K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min())));
+    basis.speed = Eigen::VectorXd::Constant(
+        count, std::sqrt(std::max(basis.K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min())));
   }
   const numerics::PivotedLu<double> inertia(basis.A);
   if (count > 0 && inertia.reciprocal_condition() < epsilon)
-    throw foundation::NotComputable("the mass matrix of the moving coordinates is singular: some motion has no inertia");
+    throw foundation::NotComputable(
+        "the mass matrix of the moving coordinates is singular: some motion has no inertia");
   basis.from_coordinates.resize(n, n);
   basis.from_coordinates.topRows(count) = inertia.solve(Eigen::MatrixXd(P.transpose() * m.A));
   if (!massless.empty()) {

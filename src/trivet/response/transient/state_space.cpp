@@ -10,7 +10,9 @@
 namespace trivet::response {
 namespace {
 
-LinearRows operator+(const LinearRows& a, const LinearRows& b) { return {a.on_state + b.on_state, a.on_input + b.on_input}; }
+LinearRows operator+(const LinearRows& a, const LinearRows& b) {
+  return {a.on_state + b.on_state, a.on_input + b.on_input};
+}
 LinearRows operator-(const LinearRows& a) { return {-a.on_state, -a.on_input}; }
 LinearRows operator*(const Eigen::MatrixXd& m, const LinearRows& a) { return {m * a.on_state, m * a.on_input}; }
 
@@ -41,10 +43,10 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
     h.middleCols<5>(static_cast<Eigen::Index>(c) * input_derivatives) = basis.T.transpose() * courses[c].force;
 
   const Eigen::MatrixXd &B = basis.B, &K = basis.K;
-  const Eigen::VectorXd lag_scale = K.block(n, n, z, z).diagonal().unaryExpr([](double k) { return k != 0 ? std::sqrt(std::abs(k)) : 1.0; });
-  const auto part = [&](const Eigen::MatrixXd& m, Eigen::Index i, Eigen::Index rows, Eigen::Index j, Eigen::Index columns) -> Eigen::MatrixXd {
-    return m.block(i, j, rows, columns);
-  };
+  const Eigen::VectorXd lag_scale =
+      K.block(n, n, z, z).diagonal().unaryExpr([](double k) { return k != 0 ? std::sqrt(std::abs(k)) : 1.0; });
+  const auto part = [&](const Eigen::MatrixXd& m, Eigen::Index i, Eigen::Index rows, Eigen::Index j,
+                        Eigen::Index columns) -> Eigen::MatrixXd { return m.block(i, j, rows, columns); };
   const auto of_state = [&](Eigen::Index first, const Eigen::VectorXd& scale) -> LinearRows {
     LinearRows rows{Eigen::MatrixXd::Zero(scale.size(), N), Eigen::MatrixXd::Zero(scale.size(), inputs)};
     rows.on_state.middleCols(first, scale.size()).diagonal() = scale.cwiseInverse();
@@ -54,16 +56,19 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
     if (inputs == 0) return {Eigen::MatrixXd::Zero(rows, N), Eigen::MatrixXd::Zero(rows, 0)};
     return {Eigen::MatrixXd::Zero(rows, N), h.middleRows(first, rows)};
   };
-  const LinearRows p = of_state(0, basis.speed), v = of_state(n, Eigen::VectorXd::Ones(n)), lag = of_state(2 * n, lag_scale);
-  const LinearRows follow = solved(part(K, n + z, y, n + z, y), load(n + z, y) + -(part(K, n + z, y, 0, n) * p) + -(part(K, n + z, y, n, z) * lag),
+  const LinearRows p = of_state(0, basis.speed), v = of_state(n, Eigen::VectorXd::Ones(n)),
+                   lag = of_state(2 * n, lag_scale);
+  const LinearRows follow = solved(part(K, n + z, y, n + z, y),
+                                   load(n + z, y) + -(part(K, n + z, y, 0, n) * p) + -(part(K, n + z, y, n, z) * lag),
                                    "a coordinate has neither mass, nor damping, nor stiffness of its own");
-  const LinearRows lag_rate =
-      solved(part(B, n, z, n, z), load(n, z) + -(part(K, n, z, 0, n) * p) + -(part(B, n, z, 0, n) * v) + -(part(K, n, z, n, z) * lag) +
-                                      -(part(K, n, z, n + z, y) * follow),
-             "the damping of coordinates without mass is singular");
+  const LinearRows lag_rate = solved(part(B, n, z, n, z),
+                                     load(n, z) + -(part(K, n, z, 0, n) * p) + -(part(B, n, z, 0, n) * v) +
+                                         -(part(K, n, z, n, z) * lag) + -(part(K, n, z, n + z, y) * follow),
+                                     "the damping of coordinates without mass is singular");
   const LinearRows acceleration =
-      solved(basis.A, load(0, n) + -(part(K, 0, n, 0, n) * p) + -(part(B, 0, n, 0, n) * v) + -(part(K, 0, n, n, z) * lag) +
-                          -(part(B, 0, n, n, z) * lag_rate) + -(part(K, 0, n, n + z, y) * follow),
+      solved(basis.A,
+             load(0, n) + -(part(K, 0, n, 0, n) * p) + -(part(B, 0, n, 0, n) * v) + -(part(K, 0, n, n, z) * lag) +
+                 -(part(B, 0, n, n, z) * lag_rate) + -(part(K, 0, n, n + z, y) * follow),
              "the mass matrix is singular");
 
   F_ = Eigen::MatrixXd::Zero(N, N);
@@ -87,7 +92,8 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
   for (Eigen::Index i = 0; i < n; ++i) {
     if (!(basis.K(i, i) * basis.A(i, i) > 0)) continue;
     StateMode mode{basis.speed(i), i, {}};
-    for (std::size_t c = 0; c < courses.size(); ++c) mode.forces.push_back(h.row(i).segment<5>(static_cast<Eigen::Index>(c) * input_derivatives).transpose());
+    for (std::size_t c = 0; c < courses.size(); ++c)
+      mode.forces.push_back(h.row(i).segment<5>(static_cast<Eigen::Index>(c) * input_derivatives).transpose());
     modes_.push_back(std::move(mode));
   }
 }

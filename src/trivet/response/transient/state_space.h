@@ -10,8 +10,8 @@
 
 namespace trivet::response {
 
-/// What one course of an input drives: h = Σ force(:, m) u^(m) on the free coordinates, g = Σ ground(:, m) u^(m); columns as in
-/// InputVector.
+/// What one course of an input drives: h = Σ force(:, m) u^(m) on the free coordinates, g = Σ ground(:, m) u^(m);
+/// columns as in InputVector.
 struct Drive {
   InputMatrix force;
   InputMatrix ground;
@@ -31,14 +31,15 @@ struct LinearRows {
 
 /// One undamped mode with ω > 0, as far as a transient asks.
 struct StateMode {
-  double angular_frequency = 0;      ///< [rad/s]
-  Eigen::Index place = 0;            ///< its displacement in the state; its velocity stands at place + massive
-  std::vector<InputVector> forces;   ///< modal force per course
+  double angular_frequency = 0;     ///< [rad/s]
+  Eigen::Index place = 0;           ///< its displacement in the state; its velocity stands at place + massive
+  std::vector<InputVector> forces;  ///< modal force per course
 };
 
-/// ẋ = F x + Σ G w of A q̈ + B q̇ + K q = h. States: displacements of the massive coordinates (of their modes, where the matrices are
-/// symmetric), their velocities, and the massless coordinates that a dashpot holds; massless ones without dashpot follow statically. All
-/// are scaled so that their squares are energies, and a rigid motion is free of stiffness exactly.
+/// ẋ = F x + Σ G w of A q̈ + B q̇ + K q = h. States: displacements of the massive coordinates (of their modes, where the
+/// matrices are symmetric), their velocities, and the massless coordinates that a dashpot holds; massless ones without
+/// dashpot follow statically. All are scaled so that their squares are energies, and a rigid motion is free of
+/// stiffness exactly.
 class StateSpace {
  public:
   /// @throws foundation::NotComputable if a coordinate has neither mass, nor damping, nor stiffness of its own

@@ -18,11 +18,11 @@ namespace trivet::response {
 namespace {
 
 using foundation::two_pi;
-constexpr double points_per_period = 20;        ///< by choice: a curve through them looks smooth
+constexpr double points_per_period = 20;  ///< by choice: a curve through them looks smooth
 constexpr double fewest_points_per_period = 10;
 constexpr double fewest_samples_per_period = 10;  ///< straight lines between them still hold 97 % of the motion
 constexpr double periods_after = 10;
-constexpr double present = 1e-8;                ///< energy share below which a mode is not excited at all
+constexpr double present = 1e-8;  ///< energy share below which a mode is not excited at all
 
 /// What the end of a jump leaves ringing in a mode, squared: |h(iω)|/ω^{j+1} where the jth derivative of u jumps.
 double ringing(const StateMode& mode, std::size_t course, int smoothness) {
@@ -42,29 +42,38 @@ double fastest(const std::vector<ExcitedMode>& modes, double share) {
 double slowest(const std::vector<ExcitedMode>& modes) {
   double omega = 0;
   for (const ExcitedMode& mode : modes)
-    if (mode.energy_share >= noticeable_share && (omega == 0 || mode.angular_frequency < omega)) omega = mode.angular_frequency;
+    if (mode.energy_share >= noticeable_share && (omega == 0 || mode.angular_frequency < omega))
+      omega = mode.angular_frequency;
   return omega;
 }
 
 double chosen_end(double from, const std::vector<ExcitedMode>& modes, const std::vector<InputCourse>& courses) {
   double last = from, first = from;
-  for (const InputCourse& course : courses) last = std::max(last, course.last_corner()), first = std::min(first, course.start());
+  for (const InputCourse& course : courses)
+    last = std::max(last, course.last_corner()), first = std::min(first, course.start());
   const double omega = slowest(modes), kappa = largest_kappa(courses);
   if (omega > 0) return last + periods_after * two_pi / omega;
   if (kappa > 0) return last + periods_after * two_pi / kappa;
   if (last > first) return last + (last - first);
-  throw foundation::InvalidInput("transient: no mode oscillates that could tell how long the motion lasts; give the end of the time");
+  throw foundation::InvalidInput(
+      "transient: no mode oscillates that could tell how long the motion lasts; give the end of the time");
 }
 
-void warn_of_coarse_step(const TimeGrid& grid, const std::vector<ExcitedMode>& modes, bool limited, foundation::Problems& warnings) {
+void warn_of_coarse_step(const TimeGrid& grid, const std::vector<ExcitedMode>& modes, bool limited,
+                         foundation::Problems& warnings) {
   const double omega = fastest(modes, noticeable_share);
   if (omega == 0 || grid.step * omega * fewest_points_per_period <= two_pi * (1 + 1e-9)) return;
-  warnings.warning("transient.step", fmt::format("{:.4g} s, {:.3g} points in a period of the mode at {:.4g} Hz", grid.step, two_pi / omega / grid.step, omega / two_pi),
-                   "the answers are exact at their times, but ten points in the period of the fastest mode that is excited show its motion",
-                   fmt::format("a step of {:.3g} s shows it{}", two_pi / omega / points_per_period, limited ? "; allow more points, or a shorter time" : ""));
+  warnings.warning("transient.step",
+                   fmt::format("{:.4g} s, {:.3g} points in a period of the mode at {:.4g} Hz", grid.step,
+                               two_pi / omega / grid.step, omega / two_pi),
+                   "the answers are exact at their times, but ten points in the period of the fastest mode that is "
+                   "excited show its motion",
+                   fmt::format("a step of {:.3g} s shows it{}", two_pi / omega / points_per_period,
+                               limited ? "; allow more points, or a shorter time" : ""));
 }
 
-void warn_of_coarse_samples(const InputCourse& course, const std::string& name, const std::vector<ExcitedMode>& modes, foundation::Problems& warnings) {
+void warn_of_coarse_samples(const InputCourse& course, const std::string& name, const std::vector<ExcitedMode>& modes,
+                            foundation::Problems& warnings) {
   const double step = course.sampling_step();
   // A coarse record may not even show that it excites the mode: then every mode counts.
   const bool shows = fastest(modes, present) * step * fewest_samples_per_period > two_pi;
@@ -72,26 +81,35 @@ void warn_of_coarse_samples(const InputCourse& course, const std::string& name, 
   if (step == 0 || frequency * step * fewest_samples_per_period <= 1) return;
   const double x = std::numbers::pi * frequency * step, passed = std::pow(std::sin(x) / x, 2);
   const bool beyond = 2 * frequency * step > 1;
-  warnings.warning(name, fmt::format("sampled every {:.4g} s (Nyquist frequency {:.4g} Hz), while {} at {:.4g} Hz", step, 0.5 / step, shows ? "a mode is excited" : "the model has a mode", frequency),
-                   beyond ? "samples say nothing of motions above their Nyquist frequency: what this mode does comes from the straight lines between them"
-                          : fmt::format("straight lines between samples pass {:.0f} % of a motion at this frequency", 100 * passed),
-                   fmt::format("sample at least every {:.3g} s for this mode", 1 / (fewest_samples_per_period * frequency)));
+  warnings.warning(
+      name,
+      fmt::format("sampled every {:.4g} s (Nyquist frequency {:.4g} Hz), while {} at {:.4g} Hz", step, 0.5 / step,
+                  shows ? "a mode is excited" : "the model has a mode", frequency),
+      beyond ? "samples say nothing of motions above their Nyquist frequency: what this mode does comes from the "
+               "straight lines between them"
+             : fmt::format("straight lines between samples pass {:.0f} % of a motion at this frequency", 100 * passed),
+      fmt::format("sample at least every {:.3g} s for this mode", 1 / (fewest_samples_per_period * frequency)));
 }
 
 }  // namespace
 
-std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vector<InputCourse>& courses, const Eigen::VectorXd& initial) {
+std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vector<InputCourse>& courses,
+                                       const Eigen::VectorXd& initial) {
   std::vector<ExcitedMode> result;
   for (const StateMode& mode : space.modes()) result.push_back({mode.angular_frequency, 0});
   const auto add = [&](const auto& energy) {
     double total = 0;
     for (const StateMode& mode : space.modes()) total += energy(mode);
     if (!(total > 0)) return;
-    for (std::size_t i = 0; i < result.size(); ++i) result[i].energy_share = std::max(result[i].energy_share, energy(space.modes()[i]) / total);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i].energy_share = std::max(result[i].energy_share, energy(space.modes()[i]) / total);
   };
   for (std::size_t c = 0; c < courses.size(); ++c)
     if (courses[c].count() > 0) add([&](const StateMode& mode) { return ringing(mode, c, courses[c].smoothness()); });
-  if (initial.size() > 0) add([&](const StateMode& mode) { return std::pow(initial(mode.place), 2) + std::pow(initial(mode.place + space.massive()), 2); });
+  if (initial.size() > 0)
+    add([&](const StateMode& mode) {
+      return std::pow(initial(mode.place), 2) + std::pow(initial(mode.place + space.massive()), 2);
+    });
   if (!space.modes().empty()) return result;
   const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(space.F()).values;
   for (const std::complex<double>& lambda : eigenvalues)
@@ -99,35 +117,50 @@ std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vecto
   return result;
 }
 
-TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMode>& modes, const std::vector<InputCourse>& courses,
-                   const std::vector<std::string>& names, foundation::Problems& warnings) {
+TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMode>& modes,
+                   const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
+                   foundation::Problems& warnings) {
   constexpr double shortest_step = 1e4, most_steps = 2e7;  // the first in resolutions
   TimeGrid grid;
   grid.from = grid.start = options.from;
-  if (!std::isfinite(options.from)) throw foundation::InvalidInput(fmt::format("transient: from {} s, must be finite", options.from));
-  if (options.most_points < 2) throw foundation::InvalidInput(fmt::format("transient: at most {} points, must be two or more", options.most_points));
+  if (!std::isfinite(options.from))
+    throw foundation::InvalidInput(fmt::format("transient: from {} s, must be finite", options.from));
+  if (options.most_points < 2)
+    throw foundation::InvalidInput(
+        fmt::format("transient: at most {} points, must be two or more", options.most_points));
   const double to = options.to ? *options.to : chosen_end(options.from, modes, courses);
   if (!(to > options.from) || !std::isfinite(to))
-    throw foundation::InvalidInput(fmt::format("transient: from {:.6g} s to {:.6g} s; the end must be finite and later", options.from, to));
+    throw foundation::InvalidInput(
+        fmt::format("transient: from {:.6g} s to {:.6g} s; the end must be finite and later", options.from, to));
   if (!options.initial)
     for (const InputCourse& course : courses) grid.start = std::min(grid.start, course.start());
   if (options.step && *options.step > 0 && (options.from - grid.start) / *options.step > most_steps)
-    throw foundation::NotComputable(fmt::format("transient: an input begins {:.4g} s before the answers, as delays below zero do: more than {:.0e} steps lie between", options.from - grid.start, most_steps));
-  grid.resolution = 4 * std::numeric_limits<double>::epsilon() * std::max({std::abs(grid.start), std::abs(options.from), std::abs(to)});
+    throw foundation::NotComputable(
+        fmt::format("transient: an input begins {:.4g} s before the answers, as delays below zero do: more than {:.0e} "
+                    "steps lie between",
+                    options.from - grid.start, most_steps));
+  grid.resolution = 4 * std::numeric_limits<double>::epsilon() *
+      std::max({std::abs(grid.start), std::abs(options.from), std::abs(to)});
   grid.fastest = std::max(fastest(modes, noticeable_share), largest_kappa(courses));
   bool limited = false;
   if (options.step) {
     if (!(*options.step > shortest_step * grid.resolution) || !std::isfinite(*options.step))
-      throw foundation::InvalidInput(fmt::format("transient: step {:.6g} s; it must be finite and above {:.3g} s, the resolution of such times", *options.step,
-                                                 shortest_step * grid.resolution));
+      throw foundation::InvalidInput(
+          fmt::format("transient: step {:.6g} s; it must be finite and above {:.3g} s, the resolution of such times",
+                      *options.step, shortest_step * grid.resolution));
     grid.step = *options.step;
     const double steps = std::floor((to - options.from) / grid.step * (1 + 1e-12));
     if (steps < 1)
-      throw foundation::InvalidInput(fmt::format("transient: a step of {:.6g} s is longer than the time from {:.6g} s to {:.6g} s", grid.step, options.from, to));
-    if (steps > most_steps) throw foundation::InvalidInput(fmt::format("transient: {:.3g} steps of {:.6g} s; at most {:.0e} are kept", steps, grid.step, most_steps));
+      throw foundation::InvalidInput(
+          fmt::format("transient: a step of {:.6g} s is longer than the time from {:.6g} s to {:.6g} s", grid.step,
+                      options.from, to));
+    if (steps > most_steps)
+      throw foundation::InvalidInput(
+          fmt::format("transient: {:.3g} steps of {:.6g} s; at most {:.0e} are kept", steps, grid.step, most_steps));
     grid.points = 1 + static_cast<Eigen::Index>(steps);
   } else {
-    const double wanted = grid.fastest > 0 ? std::ceil((to - options.from) * grid.fastest * points_per_period / two_pi) : 1000;
+    const double wanted =
+        grid.fastest > 0 ? std::ceil((to - options.from) * grid.fastest * points_per_period / two_pi) : 1000;
     const auto most = static_cast<double>(options.most_points - 1);
     limited = wanted > most;
     const double steps = std::min(std::max(wanted, std::min(200.0, most)), most);

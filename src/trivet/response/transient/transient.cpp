@@ -28,9 +28,11 @@ struct Inputs {
   std::vector<std::string> names;
 };
 
-/// A ground given by its velocity or acceleration may drift far away, while what stands on it hardly moves against it: such coordinates follow it.
+/// A ground given by its velocity or acceleration may drift far away, while what stands on it hardly moves against it:
+/// such coordinates follow it.
 assembly::Loading in_coordinates_of_time(const assembly::Ground& ground, const assembly::Loading& loading) {
-  return !loading.motion.vanishes() && loading.motion.lowest_power() < 0 ? assembly::following(ground, loading) : loading;
+  return !loading.motion.vanishes() && loading.motion.lowest_power() < 0 ? assembly::following(ground, loading)
+                                                                         : loading;
 }
 
 void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inputs& all) {
@@ -40,17 +42,20 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
   excitation::require_valid(input.signal);
   std::vector<double> delays;
   const std::size_t first = all.courses.size();
-  const auto add = [&](const numerics::LoadTerm& term, InputMatrix Drive::*part) {
+  const auto add = [&](const numerics::LoadTerm& term, InputMatrix Drive::* part) {
     if (term.power < -2 || term.power > 2)
-      throw foundation::InvalidInput(fmt::format("input \"{}\": derivative {} of its signal; −2 … 2 have a motion in time", input.name, term.power));
+      throw foundation::InvalidInput(fmt::format(
+          "input \"{}\": derivative {} of its signal; −2 … 2 have a motion in time", input.name, term.power));
     if (!term.value.imag().isZero(0))
-      throw foundation::InvalidInput(fmt::format("input \"{}\": a phase has no meaning for a time history; give a delay", input.name));
+      throw foundation::InvalidInput(
+          fmt::format("input \"{}\": a phase has no meaning for a time history; give a delay", input.name));
     auto known = std::find(delays.begin(), delays.end(), term.delay);
     const auto c = first + static_cast<std::size_t>(known - delays.begin());
     if (known == delays.end()) {
       delays.push_back(term.delay);
       all.courses.emplace_back(input.signal, term.delay);
-      all.drives.push_back({InputMatrix::Zero(assembled.layout.size(), 5), InputMatrix::Zero(assembled.ground.size(), 5)});
+      all.drives.push_back(
+          {InputMatrix::Zero(assembled.layout.size(), 5), InputMatrix::Zero(assembled.ground.size(), 5)});
       all.names.push_back(input.name);
     }
     (all.drives[c].*part).col(of_value + term.power) += term.value.real();
@@ -67,25 +72,31 @@ WalkState first_state(const StateSpace& space, const Inputs& inputs, const Trans
   const Eigen::Index n = space.displacements().on_state.rows();
   for (const Eigen::VectorXd* each : {&options.initial->displacement, &options.initial->velocity})
     if (each->size() != n || !each->allFinite())
-      throw foundation::InvalidInput(fmt::format("transient: an initial state of {} numbers; it needs {} finite ones, one for each free coordinate", each->size(), n));
+      throw foundation::InvalidInput(fmt::format(
+          "transient: an initial state of {} numbers; it needs {} finite ones, one for each free coordinate",
+          each->size(), n));
   state.x = space.state(options.initial->displacement, options.initial->velocity);
   return state;
 }
 
 /// Counts a state of given displacements and velocities in space from the motion R g that the coordinates follow.
-void subtract_followed(const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, double time, WalkState& state) {
+void subtract_followed(const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, double time,
+                       WalkState& state) {
   for (std::size_t c = 0; c < inputs.courses.size(); ++c) {
     const InputVector w = inputs.courses[c].at(state.places[c], time);
     const InputMatrix followed = inputs.drives[c].ground.bottomRows(ground.followed());
-    state.x -= space.state(ground.R * (followed * w), ground.R * (followed * rate(w, inputs.courses[c].kappa(state.places[c]))));
+    state.x -= space.state(ground.R * (followed * w),
+                           ground.R * (followed * rate(w, inputs.courses[c].kappa(state.places[c]))));
   }
 }
 
 /// The state at the first point of the grid.
-void go_to_first_point(TransientWalk& walk, const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, const TimeGrid& grid, bool from_rest, WalkState& state) {
+void go_to_first_point(TransientWalk& walk, const StateSpace& space, const assembly::Ground& ground,
+                       const Inputs& inputs, const TimeGrid& grid, bool from_rest, WalkState& state) {
   state.time = grid.start;
   if (!from_rest) {
-    for (std::size_t c = 0; c < inputs.courses.size(); ++c) state.places[c] = inputs.courses[c].place_at(grid.from, -grid.resolution);
+    for (std::size_t c = 0; c < inputs.courses.size(); ++c)
+      state.places[c] = inputs.courses[c].place_at(grid.from, -grid.resolution);
     subtract_followed(space, ground, inputs, grid.from, state);
   }
   walk.take_corners(state);
@@ -98,7 +109,8 @@ void warn_of_growth(const StateSpace& space, double duration, foundation::Proble
   const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(space.F()).values;
   for (const std::complex<double>& lambda : eigenvalues) growth = std::max(growth, lambda.real());
   if (growth * duration <= visible) return;
-  warnings.warning("transient", fmt::format("a motion grows by itself and doubles every {:.4g} s", std::log(2.0) / growth),
+  warnings.warning("transient",
+                   fmt::format("a motion grows by itself and doubles every {:.4g} s", std::log(2.0) / growth),
                    "the system is unstable about its position of rest; the answers are those of the linear equations",
                    "look for negative stiffness or damping among its roots");
 }
@@ -108,7 +120,9 @@ double root_mean_square(const TimeCurve& curve) {
   const double scale = std::max(curve.largest.value, -curve.smallest.value);
   if (scale == 0 || !std::isfinite(scale)) return scale;
   const auto mean = [&](double unit) {
-    return ((curve.values * unit).squaredNorm() - (std::pow(curve.values(0) * unit, 2) + std::pow(curve.values(last) * unit, 2)) / 2) / static_cast<double>(last);
+    return ((curve.values * unit).squaredNorm() -
+            (std::pow(curve.values(0) * unit, 2) + std::pow(curve.values(last) * unit, 2)) / 2) /
+        static_cast<double>(last);
   };
   return scale * std::sqrt(std::max(mean(1 / scale), 0.0));
 }
@@ -118,12 +132,15 @@ void require_room(const TimeGrid& grid, std::size_t answers) {
   constexpr double most_bytes = 2e9;
   const double bytes = static_cast<double>(grid.points) * static_cast<double>(answers + 1) * sizeof(double);
   if (bytes > most_bytes)
-    throw foundation::NotComputable(fmt::format("transient: {} points × {} answers and the time ask for {:.3g} GB; at most {:.3g} GB are kept: take a longer step, a shorter time or fewer answers",
-                                                grid.points, answers, bytes / 1e9, most_bytes / 1e9));
+    throw foundation::NotComputable(
+        fmt::format("transient: {} points × {} answers and the time ask for {:.3g} GB; at most {:.3g} GB are kept: "
+                    "take a longer step, a shorter time or fewer answers",
+                    grid.points, answers, bytes / 1e9, most_bytes / 1e9));
 }
 
-TransientResponse response_of(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels, const std::vector<TimeInput>& given,
-                              const TransientOptions& options, const foundation::Progress& progress) {
+TransientResponse response_of(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                              const std::vector<TimeInput>& given, const TransientOptions& options,
+                              const foundation::Progress& progress) {
   Inputs inputs;
   for (const TimeInput& input : given) add_input(assembled, input, inputs);
   const StateSpace space(assembled.matrices, inputs.drives);
@@ -150,8 +167,11 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
     curve.name = channels[k].name;
     curve.unit = channels[k].unit;
     curve.rms = root_mean_square(curve);
-    if (!std::isfinite(curve.rms)) throw foundation::NotComputable(fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
-    const LinearRows here{rows.on_state.row(row), rows.on_input.cols() > 0 ? Eigen::MatrixXd(rows.on_input.row(row)) : Eigen::MatrixXd(1, 0)};
+    if (!std::isfinite(curve.rms))
+      throw foundation::NotComputable(
+          fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
+    const LinearRows here{rows.on_state.row(row),
+                          rows.on_input.cols() > 0 ? Eigen::MatrixXd(rows.on_input.row(row)) : Eigen::MatrixXd(1, 0)};
     const foundation::Progress of_answer = [&](std::string_view task, double fraction) {
       foundation::report_progress(progress, task,
                                   (static_cast<double>(k) + fraction) / static_cast<double>(channels.size()));
@@ -163,11 +183,13 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
 
 }  // namespace
 
-InitialState initial_state(const assembly::Assembled& assembled, const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) {
+InitialState initial_state(const assembly::Assembled& assembled, const Eigen::VectorXd& displacement,
+                           const Eigen::VectorXd& velocity) {
   const Eigen::Index bodies = assembled.layout.of_bodies(), others = assembled.layout.size() - bodies;
   if (displacement.size() != bodies || velocity.size() != bodies)
-    throw foundation::InvalidInput(fmt::format("an initial state of {} displacements and {} velocities for {} free coordinates of bodies",
-                                               displacement.size(), velocity.size(), bodies));
+    throw foundation::InvalidInput(
+        fmt::format("an initial state of {} displacements and {} velocities for {} free coordinates of bodies",
+                    displacement.size(), velocity.size(), bodies));
   InitialState state{Eigen::VectorXd::Zero(bodies + others), Eigen::VectorXd::Zero(bodies + others)};
   state.displacement.head(bodies) = displacement;
   state.velocity.head(bodies) = velocity;
@@ -182,18 +204,26 @@ InitialState initial_state(const assembly::Assembled& assembled, const Eigen::Ve
   return state;
 }
 
-TransientResponse transient_response(const model::System& system, const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                     const std::vector<TimeInput>& inputs, const TransientOptions& options, const foundation::Progress& progress) {
-  if (inputs.empty() && !options.initial) throw foundation::InvalidInput("transient: neither an input nor an initial state drives the model");
-  const bool at_rest = std::all_of(inputs.begin(), inputs.end(), [](const TimeInput& input) { return input.loading.vanishes(); });
-  if (at_rest && !options.initial && !options.to) throw foundation::InvalidInput("transient: all components of its excitations are 0, nothing moves; give a direction");
+TransientResponse transient_response(const model::System& system, const assembly::Assembled& assembled,
+                                     const std::vector<assembly::Channel>& channels,
+                                     const std::vector<TimeInput>& inputs, const TransientOptions& options,
+                                     const foundation::Progress& progress) {
+  if (inputs.empty() && !options.initial)
+    throw foundation::InvalidInput("transient: neither an input nor an initial state drives the model");
+  const bool at_rest =
+      std::all_of(inputs.begin(), inputs.end(), [](const TimeInput& input) { return input.loading.vanishes(); });
+  if (at_rest && !options.initial && !options.to)
+    throw foundation::InvalidInput(
+        "transient: all components of its excitations are 0, nothing moves; give a direction");
   require_constant_coefficients(system, assembled, inputs, options.nearest_linear_system);
   if (!assembled.frequency_dependent()) return response_of(assembled, channels, inputs, options, progress);
   std::vector<assembly::Channel> own;
   for (const assembly::Channel& channel : channels) own.push_back(nearest_linear(assembled, channel));
   TransientResponse result = response_of(nearest_linear(assembled), own, inputs, options, progress);
-  result.warnings.warning("transient", "elements whose stiffness depends on frequency are taken by their nearest linear system",
-                          "their exact law has no motion in time by constant matrices", "compare its frequency response with the exact one");
+  result.warnings.warning("transient",
+                          "elements whose stiffness depends on frequency are taken by their nearest linear system",
+                          "their exact law has no motion in time by constant matrices",
+                          "compare its frequency response with the exact one");
   return result;
 }
 

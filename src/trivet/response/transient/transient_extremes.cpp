@@ -47,8 +47,10 @@ class Search {
     double low = state.time, high = end, at_low = of(rate_, state);
     walk_.glide(here, end);
     double at_high = of(rate_, here);
-    for (int i = 0, side = 0; i < most_halvings && high - low > std::max(walk_.resolution(), 1e-7 * (end - state.time)); ++i) {
-      const double t = std::clamp(low + (high - low) * at_low / (at_low - at_high), low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+    for (int i = 0, side = 0; i < most_halvings && high - low > std::max(walk_.resolution(), 1e-7 * (end - state.time));
+         ++i) {
+      const double t = std::clamp(low + (high - low) * at_low / (at_low - at_high), low + 1e-3 * (high - low),
+                                  high - 1e-3 * (high - low));
       here = state;
       walk_.glide(here, t);
       offer(here, best);
@@ -78,8 +80,8 @@ struct Candidate {
   Eigen::Index point = 0;
 };
 
-/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning point and its
-/// neighbours.
+/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning
+/// point and its neighbours.
 struct Candidates {
   std::vector<Candidate> largest, smallest;  ///< the farthest first; −value for the smallest
 };
@@ -90,9 +92,11 @@ Candidates candidates(const TimeCurve& curve, double margin) {
   const Eigen::Index last = v.size() - 1;
   const auto add = [&](double rise, Eigen::Index i, bool up) {
     const double reach = (up ? v(i) : -v(i)) + rise;
-    if (reach > (up ? curve.largest.value : -curve.smallest.value)) (up ? found.largest : found.smallest).push_back({reach, i});
+    if (reach > (up ? curve.largest.value : -curve.smallest.value))
+      (up ? found.largest : found.smallest).push_back({reach, i});
   };
-  for (const auto& [end, inner] : {std::pair{Eigen::Index{0}, Eigen::Index{1}}, {last, last - 1}}) add(std::abs(v(end) - v(inner)), end, v(end) > v(inner));
+  for (const auto& [end, inner] : {std::pair{Eigen::Index{0}, Eigen::Index{1}}, {last, last - 1}})
+    add(std::abs(v(end) - v(inner)), end, v(end) > v(inner));
   for (Eigen::Index i = 1; i < last; ++i) {
     const double before = v(i) - v(i - 1), after = v(i + 1) - v(i);
     if (before * after > 0) continue;
@@ -101,7 +105,8 @@ Candidates candidates(const TimeCurve& curve, double margin) {
   }
   for (std::vector<Candidate>* list : {&found.largest, &found.smallest}) {
     const auto kept = static_cast<std::ptrdiff_t>(std::min(list->size(), most_searches));
-    std::partial_sort(list->begin(), list->begin() + kept, list->end(), [](const Candidate& a, const Candidate& b) { return a.reach > b.reach; });
+    std::partial_sort(list->begin(), list->begin() + kept, list->end(),
+                      [](const Candidate& a, const Candidate& b) { return a.reach > b.reach; });
     list->resize(static_cast<std::size_t>(kept));
   }
   return found;
@@ -111,7 +116,8 @@ Candidates candidates(const TimeCurve& curve, double margin) {
 
 void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
                            const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve) {
-  // Of a sine with the phase θ between points that parabola has (1 + cos θ)/2 of the rise; a quarter more for what is not one sine.
+  // Of a sine with the phase θ between points that parabola has (1 + cos θ)/2 of the rise; a quarter more for what is
+  // not one sine.
   const double phase = std::min(grid.fastest * grid.step, 2.5);
   const Candidates found = candidates(curve, 2.5 / (1 + std::cos(phase)));
   std::size_t done = 0;
@@ -123,9 +129,11 @@ void search_between_points(TransientWalk& walk, const StateSpace& space, const L
       if (candidate.reach <= sign * best.value) break;
       foundation::report_progress(progress, "largest and smallest values",
                                   static_cast<double>(done++) / static_cast<double>(all));
-      const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0), last = std::min(candidate.point + 1, grid.points - 1);
+      const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0),
+                         last = std::min(candidate.point + 1, grid.points - 1);
       WalkState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];
-      for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i) walk.advance(state, grid.time(i + 1));
+      for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i)
+        walk.advance(state, grid.time(i + 1));
       for (Eigen::Index i = first; i < last; ++i) {
         search.over(state, grid.time(i + 1), best);
         walk.advance(state, grid.time(i + 1));

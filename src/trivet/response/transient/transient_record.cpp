@@ -25,11 +25,18 @@ int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool sta
 
 }  // namespace
 
-TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid)
-    : walk_(walk), courses_(courses), rows_(std::move(rows)), grid_(grid), curves_(static_cast<std::size_t>(rows_.on_state.rows())),
+TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows,
+                                 const TimeGrid& grid)
+    : walk_(walk),
+      courses_(courses),
+      rows_(std::move(rows)),
+      grid_(grid),
+      curves_(static_cast<std::size_t>(rows_.on_state.rows())),
       inputs_(rows_.on_input.cols()) {
   for (std::size_t c = 0; c < courses.size(); ++c)
-    held_.push_back(held_derivatives(rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives), walk.state_jumps(c)));
+    held_.push_back(
+        held_derivatives(rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives),
+                         walk.state_jumps(c)));
   for (TimeCurve& curve : curves_) {
     curve.values.resize(grid.points);
     curve.largest.value = -infinity;
@@ -54,7 +61,8 @@ void TransientRecord::run(WalkState state, const foundation::Progress& progress)
       if (first + i + 1 < grid_.points) to_next_point(state, grid_.time(first + i + 1));
     }
     if (!X.leftCols(count).allFinite())
-      throw foundation::NotComputable(fmt::format("transient: the motion outgrows all numbers before {:.4g} s", grid_.time(first + count - 1)));
+      throw foundation::NotComputable(
+          fmt::format("transient: the motion outgrows all numbers before {:.4g} s", grid_.time(first + count - 1)));
     Y.noalias() = X.leftCols(count).transpose() * rows_.on_state.transpose();
     Y.noalias() += W.leftCols(count).transpose() * on_used.transpose();
     keep(Y, first);
@@ -75,7 +83,8 @@ void TransientRecord::to_next_point(WalkState& state, double to) {
 bool TransientRecord::answers_jump(const WalkState& state, double corner) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
     for (int m = 0; m < 3; ++m)
-      if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + walk_.resolution() && courses_[c].jumps(state.places[c] + 1, m))
+      if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + walk_.resolution() &&
+          courses_[c].jumps(state.places[c] + 1, m))
         return true;
   return false;
 }
@@ -84,7 +93,8 @@ void TransientRecord::note(const WalkState& state) {
   walk_.inputs(state, inputs_);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
-    const double value = rows_.on_state.row(row).dot(state.x) + (inputs_.size() > 0 ? rows_.on_input.row(row).dot(inputs_) : 0);
+    const double value =
+        rows_.on_state.row(row).dot(state.x) + (inputs_.size() > 0 ? rows_.on_input.row(row).dot(inputs_) : 0);
     if (value > curves_[k].largest.value) curves_[k].largest = {value, state.time};
     if (value < curves_[k].smallest.value) curves_[k].smallest = {value, state.time};
   }

@@ -13,7 +13,8 @@
 
 namespace trivet::response {
 
-/// Walks over the grid and keeps the answers: values at its points, extremes at the points and on both sides of every jump.
+/// Walks over the grid and keeps the answers: values at its points, extremes at the points and on both sides of every
+/// jump.
 class TransientRecord {
  public:
   TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid);
@@ -36,7 +37,7 @@ class TransientRecord {
   const std::vector<InputCourse>& courses_;
   LinearRows rows_;
   const TimeGrid& grid_;
-  std::vector<int> held_;          ///< per course: bit m where answers jump with the mth derivative of its signal
+  std::vector<int> held_;  ///< per course: bit m where answers jump with the mth derivative of its signal
   std::vector<TimeCurve> curves_;
   Checkpoints checkpoints_;
   Eigen::VectorXd inputs_;

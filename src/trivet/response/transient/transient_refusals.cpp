@@ -17,18 +17,20 @@
 namespace trivet::response {
 namespace {
 
-/// Natural frequency of the mode with the largest static strain energy under the loads; the slowest that oscillates where no load tells; 0
-/// if none.
+/// Natural frequency of the mode with the largest static strain energy under the loads; the slowest that oscillates
+/// where no load tells; 0 if none.
 double dominant_frequency(const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs) {
   const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
-  const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
+  const numerics::GeneralizedModes modes =
+      numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
   double best = -1, omega = 0;
   for (Eigen::Index i = 0; i < modes.lambda.size(); ++i) {
     if (!(modes.lambda(i) > 0)) continue;
     const Eigen::VectorXd shape = massive.recovery * modes.shapes.col(i);
     double energy = 0;
     for (const TimeInput& input : inputs) {
-      for (const numerics::LoadTerm& term : input.loading.force.terms()) energy += std::pow(shape.dot(term.value.real()), 2) / modes.lambda(i);
+      for (const numerics::LoadTerm& term : input.loading.force.terms())
+        energy += std::pow(shape.dot(term.value.real()), 2) / modes.lambda(i);
       for (const numerics::LoadTerm& term : input.loading.motion.terms())
         energy += std::pow(shape.dot(assembled.ground.K * term.value.real()), 2) / modes.lambda(i);
     }
@@ -50,22 +52,26 @@ std::string constant_law(const model::Element& element) {
 /// The Zener law with loss factor η at its maximum, at ω, and the stiffness of the element there.
 std::string zener_offer(double eta, double omega) {
   const double ratio = 2 * eta * (eta + std::hypot(eta, 1.0));
-  return fmt::format("damping = {{zener = {{ratio = {:.4g}, time = \"{:.4g} s\"}}}} with scale {:.4g}", ratio, 1 / (omega * std::sqrt(1 + ratio)),
-                     (2 + ratio) / (2 + 2 * ratio));
+  return fmt::format("damping = {{zener = {{ratio = {:.4g}, time = \"{:.4g} s\"}}}} with scale {:.4g}", ratio,
+                     1 / (omega * std::sqrt(1 + ratio)), (2 + ratio) / (2 + 2 * ratio));
 }
 
 }  // namespace
 
-std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& names) {
+std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled,
+                                   const std::vector<std::string>& names) {
   std::vector<TimeInput> inputs;
   for (const model::Excitation& excitation : system.description().excitations)
-    if (const auto* history = std::get_if<model::History>(&excitation.course); history && (names.empty() || std::find(names.begin(), names.end(), excitation.name) != names.end()))
+    if (const auto* history = std::get_if<model::History>(&excitation.course);
+        history && (names.empty() || std::find(names.begin(), names.end(), excitation.name) != names.end()))
       inputs.push_back({excitation.name, history->signal, assembly::loading(assembled, excitation.action)});
   return inputs;
 }
 
-std::optional<foundation::Problem> without_motion_in_time(const model::System& system, const assembly::Assembled& assembled,
-                                                          const std::vector<TimeInput>& inputs, bool nearest_linear_system) {
+std::optional<foundation::Problem> without_motion_in_time(const model::System& system,
+                                                          const assembly::Assembled& assembled,
+                                                          const std::vector<TimeInput>& inputs,
+                                                          bool nearest_linear_system) {
   std::string dependent, laws;
   std::map<double, std::string> lossy;  // names by loss factor
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
@@ -81,25 +87,41 @@ std::optional<foundation::Problem> without_motion_in_time(const model::System& s
     std::string factors, offers;
     for (const auto& [eta, names] : lossy) {
       factors += fmt::format("{}loss factor {:.4g} of {}", factors.empty() ? "" : ", ", eta, names);
-      if (omega > 0) offers += fmt::format("; for {:.4g}: damping = {{proportional = \"{:.4g} s\"}}, or {}", eta, eta / omega, zener_offer(eta, omega));
+      if (omega > 0)
+        offers += fmt::format("; for {:.4g}: damping = {{proportional = \"{:.4g} s\"}}, or {}", eta, eta / omega,
+                              zener_offer(eta, omega));
     }
-    return foundation::Problem{.subject = "transient", .finding = factors,
-        .rule = "a loss factor holds for steady harmonic motion only and has no motion in time (it would answer before its cause)",
-        .remedy = omega > 0 ? fmt::format("give their key damping an equivalent with the same stiffness and loss at one frequency, here that of the mode that the inputs drive "
-                                          "most, {:.4g} Hz{}", omega / (2 * std::numbers::pi), offers)
-                            : "give their key damping an equivalent: damping = {proportional = …}, or {zener = {ratio, time}}"};
+    return foundation::Problem{
+        .subject = "transient",
+        .finding = factors,
+        .rule =
+            "a loss factor holds for steady harmonic motion only and has no motion in time (it would answer before its "
+            "cause)",
+        .remedy = omega > 0
+            ? fmt::format("give their key damping an equivalent with the same stiffness and loss at one frequency, "
+                          "here that of the mode that the inputs drive "
+                          "most, {:.4g} Hz{}",
+                          omega / (2 * std::numbers::pi), offers)
+            : "give their key damping an equivalent: damping = {proportional = …}, or {zener = {ratio, time}}"};
   }
   if (!dependent.empty() && !nearest_linear_system)
-    return foundation::Problem{.subject = "transient", .finding = dependent,
-        .rule = "the stiffness depends on frequency in a way that no constant matrices can say, so there is no exact motion in time",
-        .remedy = "have it computed with the nearest linear system by nearest_linear_system = true in analyses.transient" + laws};
+    return foundation::Problem{
+        .subject = "transient",
+        .finding = dependent,
+        .rule =
+            "the stiffness depends on frequency in a way that no constant matrices can say, so there is no exact "
+            "motion in time",
+        .remedy =
+            "have it computed with the nearest linear system by nearest_linear_system = true in analyses.transient" +
+            laws};
   return std::nullopt;
 }
 
-void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs,
-                                   bool nearest_linear_system) {
+void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled,
+                                   const std::vector<TimeInput>& inputs, bool nearest_linear_system) {
   if (const auto problem = without_motion_in_time(system, assembled, inputs, nearest_linear_system))
-    throw foundation::NotComputable(fmt::format("{}: {}; {}; {}", problem->subject, problem->finding, problem->rule, problem->remedy));
+    throw foundation::NotComputable(
+        fmt::format("{}: {}; {}; {}", problem->subject, problem->finding, problem->rule, problem->remedy));
 }
 
 assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {
@@ -118,14 +140,17 @@ assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {
     const assembly::FollowedForces followed = assembly::followed_forces(map, assembled.ground);
     const auto couple_followed = [&](const Eigen::MatrixXd& force, Eigen::MatrixXd& ground) {
       const Eigen::MatrixXd local = map.ends.transpose() * force;
-      for (Eigen::Index i = 0; i < local.rows(); ++i) ground.rightCols(assembled.ground.followed()).row(map.rows[static_cast<std::size_t>(i)]) += local.row(i);
+      for (Eigen::Index i = 0; i < local.rows(); ++i)
+        ground.rightCols(assembled.ground.followed()).row(map.rows[static_cast<std::size_t>(i)]) += local.row(i);
     };
     couple_followed(followed.stiffness, result.ground.K);
     couple_followed(followed.damping, result.ground.B);
   }
   for (Eigen::Index j = 0; j < assembled.ground.followed(); ++j)
-    if (!assembled.ground.rigid(j)) result.ground.K.col(assembled.ground.followed_row() + j).setZero();  // by the choice of R
-  result.ground.A.rightCols(assembled.ground.followed()) = assembled.matrices.A * assembled.ground.R + result.ground.gathered(result.ground.A);
+    if (!assembled.ground.rigid(j))
+      result.ground.K.col(assembled.ground.followed_row() + j).setZero();  // by the choice of R
+  result.ground.A.rightCols(assembled.ground.followed()) =
+      assembled.matrices.A * assembled.ground.R + result.ground.gathered(result.ground.A);
   return result;
 }
 
@@ -133,8 +158,11 @@ assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly:
   const Eigen::Index ground = assembled.ground.size();
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
-    const auto on_ends = [&](const Eigen::MatrixXd& matrix) -> Eigen::RowVectorXd { return force.row * matrix.topRows<12>(); };
-    const Eigen::RowVectorXd k = on_ends(map.matrices.stiffness), b = on_ends(map.matrices.damping), a = on_ends(map.matrices.mass);
+    const auto on_ends = [&](const Eigen::MatrixXd& matrix) -> Eigen::RowVectorXd {
+      return force.row * matrix.topRows<12>();
+    };
+    const Eigen::RowVectorXd k = on_ends(map.matrices.stiffness), b = on_ends(map.matrices.damping),
+                             a = on_ends(map.matrices.mass);
     for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
       const Eigen::Index row = map.rows[static_cast<std::size_t>(j)];
       channel.on_displacement(row) += k.dot(map.ends.col(j));
@@ -150,9 +178,12 @@ assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly:
       channel.ground.on_acceleration(row) += a.dot(map.ground_ends.col(j));
     }
     const assembly::FollowedForces followed = assembly::followed_forces(map, assembled.ground);
-    channel.ground.on_displacement.tail(assembled.ground.followed()) += (force.row * followed.stiffness.topRows(12)).transpose().cast<std::complex<double>>();
-    channel.ground.on_velocity.tail(assembled.ground.followed()) += (force.row * followed.damping.topRows(12)).transpose();
-    channel.ground.on_acceleration.tail(assembled.ground.followed()) += (force.row * followed.mass.topRows(12)).transpose();
+    channel.ground.on_displacement.tail(assembled.ground.followed()) +=
+        (force.row * followed.stiffness.topRows(12)).transpose().cast<std::complex<double>>();
+    channel.ground.on_velocity.tail(assembled.ground.followed()) +=
+        (force.row * followed.damping.topRows(12)).transpose();
+    channel.ground.on_acceleration.tail(assembled.ground.followed()) +=
+        (force.row * followed.mass.topRows(12)).transpose();
   }
   channel.dynamic_forces.clear();
   return channel;

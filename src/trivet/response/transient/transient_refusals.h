@@ -13,16 +13,19 @@
 namespace trivet::response {
 
 /// The time histories of these names (all, if none is named) and what they drive.
-[[nodiscard]] std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& names);
+[[nodiscard]] std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled,
+                                                 const std::vector<std::string>& names);
 
-/// Why the motion in time is not that of a linear system with constant coefficients: the elements, the reason, and equivalents with their
-/// numbers. Nothing if it is.
-[[nodiscard]] std::optional<foundation::Problem> without_motion_in_time(const model::System& system, const assembly::Assembled& assembled,
-                                                                        const std::vector<TimeInput>& inputs, bool nearest_linear_system);
+/// Why the motion in time is not that of a linear system with constant coefficients: the elements, the reason, and
+/// equivalents with their numbers. Nothing if it is.
+[[nodiscard]] std::optional<foundation::Problem> without_motion_in_time(const model::System& system,
+                                                                        const assembly::Assembled& assembled,
+                                                                        const std::vector<TimeInput>& inputs,
+                                                                        bool nearest_linear_system);
 
 /// @throws foundation::NotComputable with the message of without_motion_in_time
-void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs,
-                                   bool nearest_linear_system);
+void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled,
+                                   const std::vector<TimeInput>& inputs, bool nearest_linear_system);
 
 /// Frequency-dependent elements as their nearest linear system, also where they stand on the ground and in the answers.
 [[nodiscard]] assembly::Assembled nearest_linear(const assembly::Assembled& assembled);

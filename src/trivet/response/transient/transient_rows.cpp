@@ -13,7 +13,8 @@ constexpr double sum_round_off = 1e-12;
 
 }  // namespace
 
-LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels, const std::vector<Drive>& courses) {
+LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
+                       const std::vector<Drive>& courses) {
   const LinearRows& q = space.displacements();
   const LinearRows velocity = space.derivative(q), acceleration = space.derivative(velocity);
   const auto count = static_cast<Eigen::Index>(channels.size());
@@ -45,13 +46,15 @@ std::vector<Eigen::Index> used_inputs(const LinearRows& rows) {
   return used;
 }
 
-void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels, const std::vector<InputCourse>& courses,
-                      const std::vector<std::string>& names, foundation::Problems& warnings) {
+void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels,
+                      const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
+                      foundation::Problems& warnings) {
   std::set<std::string> told;
   for (std::size_t c = 0; c < courses.size(); ++c) {
     const int first = courses[c].smoothness() + 1;  // this derivative of u is infinite somewhere
     if (courses[c].count() == 0 || first > 2 || told.count(names[c])) continue;
-    const Eigen::Index from = static_cast<Eigen::Index>(c) * input_derivatives + of_value + first, count = input_derivatives - of_value - first;
+    const Eigen::Index from = static_cast<Eigen::Index>(c) * input_derivatives + of_value + first,
+                       count = input_derivatives - of_value - first;
     const double scale = rows.on_input.middleCols(from, count).cwiseAbs().maxCoeff();
     std::string list;
     int found = 0;
@@ -61,10 +64,13 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
     }
     if (found == 0) continue;
     told.insert(names[c]);
-    warnings.warning(names[c], fmt::format("{} of the given motion while {}{} depend on its {}", first == 1 ? "jumps" : "corners", list,
-                                           found > 3 ? fmt::format(" and {} more", found - 3) : "", first == 1 ? "velocity" : "acceleration"),
-                     "at each of them these answers are infinite for no time; the impulse is in the motion afterwards, but no curve shows it",
-                     first == 1 ? "let the motion rise within a short time" : "give its acceleration, or a motion without corners");
+    warnings.warning(
+        names[c],
+        fmt::format("{} of the given motion while {}{} depend on its {}", first == 1 ? "jumps" : "corners", list,
+                    found > 3 ? fmt::format(" and {} more", found - 3) : "", first == 1 ? "velocity" : "acceleration"),
+        "at each of them these answers are infinite for no time; the impulse is in the motion afterwards, but no curve "
+        "shows it",
+        first == 1 ? "let the motion rise within a short time" : "give its acceleration, or a motion without corners");
   }
 }
 

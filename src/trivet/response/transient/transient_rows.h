@@ -11,13 +11,16 @@
 namespace trivet::response {
 
 /// Answers, one row each, as linear functions of the state and of the inputs.
-[[nodiscard]] LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels, const std::vector<Drive>& courses);
+[[nodiscard]] LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
+                                     const std::vector<Drive>& courses);
 
 /// Columns of `on_input` that say anything.
 [[nodiscard]] std::vector<Eigen::Index> used_inputs(const LinearRows& rows);
 
-/// Warns of answers that hold a derivative of an input beyond its jumps: there they are infinite for no time, which no curve shows.
-void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels, const std::vector<InputCourse>& courses,
-                      const std::vector<std::string>& names, foundation::Problems& warnings);
+/// Warns of answers that hold a derivative of an input beyond its jumps: there they are infinite for no time, which no
+/// curve shows.
+void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels,
+                      const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
+                      foundation::Problems& warnings);
 
 }  // namespace trivet::response

@@ -7,9 +7,16 @@
 
 namespace trivet::response {
 
-TransientWalk::TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution)
-    : space_(space), courses_(courses), resolution_(resolution), exponential_(space.F(), step, largest_kappa(courses)), gamma_(courses.size()),
-      next_(space.size()), term_(space.size()), own_(courses.size()) {
+TransientWalk::TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step,
+                             double resolution)
+    : space_(space),
+      courses_(courses),
+      resolution_(resolution),
+      exponential_(space.F(), step, largest_kappa(courses)),
+      gamma_(courses.size()),
+      next_(space.size()),
+      term_(space.size()),
+      own_(courses.size()) {
   for (std::size_t c = 0; c < courses.size(); ++c) gamma_[c].resize(courses[c].kappas().size());
 }
 

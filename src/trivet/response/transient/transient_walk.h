@@ -17,8 +17,8 @@ struct WalkState {
   std::vector<InputCourse::Place> places;  ///< per course
 };
 
-/// Walks a state forward in time without any error of truncation. Times closer than `resolution` are one. Neither copyable nor for two
-/// threads.
+/// Walks a state forward in time without any error of truncation. Times closer than `resolution` are one. Neither
+/// copyable nor for two threads.
 class TransientWalk {
  public:
   TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution);
